@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gpu.h"
+
+/// @file
+/// The picture: sky, surface, exposure and tone mapping, recorded into the host's command buffers. A host with its own
+/// sky or post-processing leaves those calls out.
+
+/// A camera. Matrices are camera-relative: the view matrix holds rotation only, positions are subtracted in double.
+typedef struct swCamera
+{
+    swPos position;
+    swMat4 view;       ///< world axes to camera axes (x right, y up, -z forward), no translation
+    swMat4 projection; ///< reversed-Z with an infinite far plane, Vulkan clip space (y down)
+    float nearPlane;   ///< m
+    uint32_t width, height;
+} swCamera;
+
+/// A camera that looks along a heading (radians clockwise from north) and pitch (radians, up positive).
+/// `verticalFov` in radians.
+SW_API swCamera swMakeCamera(swPos position, float heading, float pitch, float roll, float verticalFov, uint32_t width,
+                             uint32_t height);
+
+/// Sun and air. Must be initialized with swDefaultSkyDef().
+typedef struct swSkyDef
+{
+    float sunAzimuth;     ///< bearing of the sun, radians clockwise from north. Default 135 degrees
+    float sunElevation;   ///< radians. Default 40 degrees
+    float sunIlluminance; ///< above the atmosphere, lux. Default 128e3
+    float haze;           ///< aerosol relative to clear air. Range [0, 20]. Default 1
+    float clouds;         ///< high cloud cover. Range [0, 1]. Default 0.35
+    int internalValue;
+} swSkyDef;
+SW_API swSkyDef swDefaultSkyDef(void);
+
+/// Look of the water. Must be initialized with swDefaultWaterDef().
+typedef struct swWaterDef
+{
+    swVec3 absorption;   ///< per metre, linear sRGB primaries. Default clear ocean
+    swVec3 scattering;   ///< per metre
+    float refractiveIndex; ///< Default 1.34
+    swVec3 foamAlbedo;   ///< Default 0.9 grey
+    float windSpeed;     ///< for the roughness of ripples that no band holds [Cox 1954], m/s. Default 7
+    int internalValue;
+} swWaterDef;
+SW_API swWaterDef swDefaultWaterDef(void);
+
+typedef enum swDebugMode
+{
+    SW_DEBUG_NONE,
+    SW_DEBUG_SLICES,
+    SW_DEBUG_WIREFRAME,
+    SW_DEBUG_NORMALS,
+    SW_DEBUG_HEIGHT,
+    SW_DEBUG_JACOBIAN,
+    SW_DEBUG_FOAM,
+    SW_DEBUG_ROUGHNESS,
+    SW_DEBUG_COUNT
+} swDebugMode;
+SW_API const char* swDebugMode_GetName(swDebugMode mode);
+
+typedef struct swRenderer swRenderer;
+
+/// Must be initialized with swDefaultRendererDef().
+typedef struct swRendererDef
+{
+    VkFormat colorFormat;  ///< HDR target. Default VK_FORMAT_R16G16B16A16_SFLOAT
+    VkFormat depthFormat;  ///< Default VK_FORMAT_D32_SFLOAT
+    VkFormat outputFormat; ///< target of swRenderer_Tonemap(). Default VK_FORMAT_R8G8B8A8_SRGB
+    int internalValue;
+} swRendererDef;
+SW_API swRendererDef swDefaultRendererDef(void);
+
+/// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE, SW_ERROR_UNSUPPORTED (a format cannot be drawn to)
+SW_API swResult swCreateRenderer(swGpuWorld* gpuWorld, const swRendererDef* def, swRenderer** renderer);
+SW_API void swDestroyRenderer(swRenderer* renderer);
+
+/// What one picture shows.
+typedef struct swPicture
+{
+    const swView* view; ///< its slices are drawn
+    swCamera camera;
+    swSkyDef sky;
+    swWaterDef water;
+    swDebugMode debug;
+    double time;        ///< for clouds, s
+    float exposureEv;   ///< added to automatic exposure, stops. Default 0
+} swPicture;
+
+/// After swGpuWorld_Record() and outside of rendering: sky tables, culling, indirect arguments.
+SW_API swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
+                                   uint64_t frameIndex);
+
+/// Inside the host's dynamic rendering with the def's formats, viewport and scissor set, depth cleared to 0 (reversed Z):
+/// opaque water, and the sky behind everything with depth 0.
+SW_API void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands);
+SW_API void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands);
+
+/// Outside of rendering: measure exposure from `hdr` (sampled, SHADER_READ_ONLY_OPTIMAL) for this and later frames.
+/// `immediate` jumps to the measured exposure instead of adapting.
+SW_API void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate);
+
+/// Inside dynamic rendering with one colour target of outputFormat: exposure, tone curve, dither.
+SW_API void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr);

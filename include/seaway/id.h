@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdint.h>
+
+/// @file
+/// Handles of what lives in a world. Pass by value; all zero is null; a handle of something destroyed is caught.
+
+/// A wave system. See waves.h.
+typedef struct swWaveSystemId
+{
+    int32_t index1;
+    uint32_t generation;
+} swWaveSystemId;
+
+#define SW_IS_NULL(id) ((id).index1 == 0)
+#define SW_ID_EQUALS(a, b) ((a).index1 == (b).index1 && (a).generation == (b).generation)

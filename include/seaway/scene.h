@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "draw.h"
+#include "seaway.h"
+
+/// @file
+/// Scene files (YAML) and spectrum files. A companion library: links libcyaml and zlib, uses only the public API.
+
+#define SW_MAX_SCENE_VIEWS 32
+
+/// A named viewpoint.
+typedef struct swSceneView
+{
+    char name[64];
+    swPos position;    ///< y is above sea level
+    float heading;     ///< radians clockwise from north
+    float pitch;       ///< radians, up positive
+    float roll;        ///< radians
+    float verticalFov; ///< radians
+} swSceneView;
+
+/// One wave system of a scene; measured ones own their data.
+typedef struct swSceneWaves
+{
+    swWaveSystemDef def;
+    swMeasuredSea* measured; ///< NULL for formulas
+    int record;              ///< which record of it
+    char file[512];          ///< the spectrum file, or empty
+} swSceneWaves;
+
+/// A scene file, read.
+typedef struct swScene
+{
+    char name[128];
+    double time; ///< s
+    swWorldDef world;
+    swViewDef view;
+    swSkyDef sky;
+    swWaterDef water;
+    float exposureEv;
+    int wavesCount;
+    swSceneWaves waves[SW_MAX_WAVE_SYSTEMS];
+    int viewCount;
+    swSceneView views[SW_MAX_SCENE_VIEWS];
+} swScene;
+
+/// Read a scene file. Relative paths in it are relative to the file.
+/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_NO_MEMORY
+SW_API swResult swReadScene(const swHost* host, const char* path, swScene** scene);
+
+/// The same from memory; `name` stands in messages, relative paths are relative to `folder`.
+SW_API swResult swReadSceneText(const swHost* host, const char* text, size_t size, const char* name, const char* folder,
+                                swScene** scene);
+SW_API void swDestroyScene(swScene* scene);
+
+/// View by name; NULL name: the first. NULL if there is none.
+SW_API const swSceneView* swScene_FindView(const swScene* scene, const char* name);
+
+/// Create a world with the scene's wave systems at the scene's time.
+SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
+
+/// Read a measured sea: an NDBC energy file, plain or gzip; the direction files beside it are found by their names.
+/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file and line in the host's log), SW_ERROR_NO_MEMORY
+SW_API swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// @file
+/// The core: everything that a server without a GPU needs. gpu.h and draw.h are included by name.
+
+#include "base.h"
+#include "id.h"
+#include "math.h"
+#include "query.h"
+#include "spectrum.h"
+#include "view.h"
+#include "waves.h"
+#include "world.h"

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "world.h"
+
+/// @file
+/// A view is a viewpoint with a stack of slices around it: square grids of the surface, each twice as wide as the one
+/// before. Only drawing and layers need views; queries do not.
+
+#define SW_MAX_SLICES 15
+
+/// Must be initialized with swDefaultViewDef().
+typedef struct swViewDef
+{
+    /// Range [2, SW_MAX_SLICES]. Default 7.
+    int sliceCount;
+
+    /// Texels along a slice's side. Multiple of 64 in [64, 1024]. Default 384.
+    int resolution;
+
+    /// Texel width of the finest slice when the viewer is near the water, m. A power of two in [2^-6, 16].
+    /// Default 1/16.
+    float finestTexel;
+
+    /// How many times the stack may double with height. Range [0, 16]. Default 10.
+    int maxScaleLevel;
+
+    /// Compute the slices' layers on the CPU too, for tests and servers that need them. Default false.
+    bool enableCpuLayers;
+
+    /// Set by swDefaultViewDef().
+    int internalValue;
+} swViewDef;
+
+SW_API swViewDef swDefaultViewDef(void);
+
+/// An opaque view of one world.
+typedef struct swView swView;
+
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY
+SW_API swResult swCreateView(swWorld* world, const swViewDef* def, swView** view);
+
+/// NULL is allowed.
+SW_API void swDestroyView(swView* view);
+
+/// Move the viewpoint. Slices follow with the next step, snapped to whole texels; the stack's scale follows the height
+/// above sea level by powers of two, with hysteresis and a fade that hides the change.
+SW_API void swView_SetViewpoint(swView* view, swPos position);
+SW_API swPos swView_GetViewpoint(const swView* view);
+
+/// One slice as the last step left it. Texel (column, row) rests at ((firstX + column) * texel, (firstZ + row) * texel).
+typedef struct swSliceInfo
+{
+    double texel;            ///< m
+    int64_t firstX, firstZ;  ///< index of the first texel on the world's lattice of that texel width
+    int resolution;          ///< texels along the side
+    float minWavelength;     ///< shortest band it carries, m
+    float fade;              ///< 0: shown; 1: faded into the next slice (finest slice only)
+} swSliceInfo;
+
+SW_API int swView_GetSliceCount(const swView* view);
+SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
+
+/// CPU layers of a slice as [resolution][resolution] rows of z; NULL unless enableCpuLayers.
+/// Displacement: 4 floats a texel (x, y, z, 0). Foam: 1 float a texel, [0, 1].
+/// Derivatives: 4 floats (gx, gz, J, 0), the unnormalised normal of the displaced surface: J is the determinant of the
+/// horizontal Jacobian, (-gx, J, -gz) points along the normal, and (gx, gz) / J is the slope. Smooth also where it folds.
+SW_API const float* swView_GetDisplacement(const swView* view, int slice);
+SW_API const float* swView_GetDerivatives(const swView* view, int slice);
+SW_API const float* swView_GetFoam(const swView* view, int slice);

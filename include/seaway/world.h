@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base.h"
+#include "id.h"
+#include "math.h"
+
+/// @file
+/// A world: wave systems and simulations on one clock. Any number of threads may use a `const swWorld*`; a function that
+/// takes `swWorld*` wants the world to itself.
+
+typedef struct swWorld swWorld;
+
+/// Instruction sets of the wide kernels. All give the same bits.
+typedef enum swIsa
+{
+    SW_ISA_BEST,
+    SW_ISA_SCALAR,
+    SW_ISA_SSE2,
+    SW_ISA_AVX2,
+    SW_ISA_NEON,
+    SW_ISA_COUNT
+} swIsa;
+
+/// Foam is born where waves fold over and fades with time.
+/// Must be initialized with swDefaultFoamDef().
+typedef struct swFoamDef
+{
+    /// Foam fades as exp(-fadeRate t), per second. Range [0.01, 10]. Default 0.25.
+    float fadeRate;
+
+    /// Folding (determinant of the Jacobian) below which foam is born: 1 is flat water, 0 a fold. Range [0, 1].
+    float threshold;
+
+    /// Foam per second at a full fold. Range [0, 50].
+    float gain;
+
+    /// Set by swDefaultFoamDef().
+    int internalValue;
+} swFoamDef;
+
+/// Whitecaps of a fresh breeze.
+SW_API swFoamDef swDefaultFoamDef(void);
+
+/// Must be initialized with swDefaultWorldDef().
+typedef struct swWorldDef
+{
+    /// m/s^2. Range (0, 100]. Default 9.81.
+    float gravity;
+
+    /// Height of the resting water plane, m. Default 0.
+    double seaLevel;
+
+    /// Default true. False skips the surface on the CPU, for a host that only draws: queries then answer sea level.
+    bool enableQueries;
+
+    swFoamDef foam;
+
+    /// Default SW_ISA_BEST: the widest that this machine has.
+    swIsa isa;
+
+    /// Set by swDefaultWorldDef().
+    int internalValue;
+} swWorldDef;
+
+SW_API swWorldDef swDefaultWorldDef(void);
+
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED if this machine lacks the asked instruction set
+SW_API swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld** world);
+
+/// Destroys everything in the world. NULL is allowed. Views and GPU worlds made from it go first.
+SW_API void swDestroyWorld(swWorld* world);
+
+/// Advance by dt seconds (0 is allowed and makes the surface of the present time). Range [0, 3600].
+/// A warm step allocates nothing and takes no lock.
+/// @return SW_ERROR_NO_MEMORY only on the first step after something was created
+SW_API swResult swWorld_Step(swWorld* world, double dt);
+
+/// Jump to a time, s, past or future; the surface follows with the next step. Waves are a function of time alone.
+SW_API void swWorld_SetTime(swWorld* world, double time);
+
+/// Time of the last step's surface, s.
+SW_API double swWorld_GetTime(const swWorld* world);
+
+SW_API double swWorld_GetSeaLevel(const swWorld* world);
+SW_API float swWorld_GetGravity(const swWorld* world);
+
+/// The instruction set in use.
+SW_API swIsa swWorld_GetIsa(const swWorld* world);
+SW_API const char* swIsa_GetName(swIsa isa);
+
+/// 64 bits that are equal on two machines exactly if their surfaces are: a hash over time and every tile's bits.
+SW_API uint64_t swWorld_GetDigest(const swWorld* world);
+
+/// Bytes that the world holds.
+SW_API size_t swWorld_GetMemory(const swWorld* world);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What a step leaves for its readers: queries, layers and the GPU. Everything below world/ and the whole gpu half see
+// the world only through this. Plain data; the world owns all memory; pointers are valid until the next step.
+//
+// A tile holds uniform cubic B-spline coefficients of one band: displacement (x, y, z) at wrapped sample (i, j) is
+// texels[(j * pitch + i) * 4 + {0, 1, 2}], element 3 is 0, with pitch = resolution + 3: columns and rows resolution ..
+// resolution + 2 repeat 0 .. 2, so that a 4x4 window never wraps. i runs along x, j along z. A point u of the rest plane has
+// spline coordinate s = frac(u / side) * resolution; its window starts at floor(s) - 1, so the window of s in
+// [0, resolution) would start at -1: therefore texel (i, j) stores sample (i - 1, j - 1) mod resolution and the window
+// starts at column floor(s).
+// The surface is the spline, not the coefficients: f(s) = sum B3(s - n) c_n.
+
+#include "seaway/view.h"
+#include "seaway/waves.h"
+
+// One pair of opposite waves k and -k of a band, on the half plane (qz > 0, or qz == 0 and qx > 0) of integer bins.
+// Height spectrum at time t, with theta = phase turns * 2 pi:
+//   H(k) = (pr cos + qi sin) + i (pi cos - qr sin),  H(-k) = conj(H(k)),
+// where p = (a(k) + conj a(-k)) / 2, q = (a(k) - conj a(-k)) / 2, and a is divided by the spline's response.
+// Horizontal spectra: i chop k_x / |k| H and i chop k_z / |k| H.
+// Phase in turns, exactly the same on every machine: the top 32 bits of the low 64 bits of frequency * ticks, with
+// frequency in turns per tick as unsigned Q0.64 and ticks = round(time * SW_TICKS_PER_SECOND) as two's complement.
+typedef struct swMode
+{
+    int16_t qx, qz;
+    float dx, dz; // chop k / |k|
+    float pr, pi, qr, qi;
+    uint32_t frequencyLow, frequencyHigh;
+} swMode;
+
+#define SW_TICKS_PER_SECOND 16777216.0 // 2^24
+
+typedef struct swTile
+{
+    int system;       // index of the wave system
+    int band;         // octave, see SW_MAX_BANDS
+    int resolution;   // N
+    int maxBin;       // largest |qx| or |qz| of a mode, at most N / 4
+    double side;      // m
+    float minWavelength, maxWavelength;
+    float weight;     // the system's weight; already in the texels
+    float variance;   // of height, m^2, with weight
+    float slopeVarianceX, slopeVarianceZ; // E[(dh/dx)^2], E[(dh/dz)^2], with weight
+    int modeCount;
+    const swMode* modes;       // ordered by qz, then qx
+    uint32_t spectrumVersion;  // changes when modes do
+    const float* texels;       // [N + 3][N + 3][4], NULL without CPU queries
+} swTile;
+
+// One slice of a view, snapped. See swSliceInfo.
+typedef struct swSlice
+{
+    double texel;
+    int64_t firstX, firstZ;
+    int level;           // log2 of texel over the view's finestTexel: slice index plus scale level
+    float minWavelength; // tiles with minWavelength >= this are in the slice
+} swSlice;
+
+typedef struct swViewFrame
+{
+    const swView* view; // identity only
+    uint32_t viewVersion; // unique per created view; never reused
+    int sliceCount;
+    int resolution;
+    swPos viewpoint;
+    float fade;          // of the finest slice into the next as the stack is about to double; also shows the last slice
+    int scaleLevel;
+    swSlice slices[SW_MAX_SLICES];
+    swSlice previousSlices[SW_MAX_SLICES]; // of the step before, for layers that persist
+    int foamSteps;       // fixed foam steps to take now, 0 .. 4
+    float foamStepDt;
+    bool foamReset;      // first step or teleport: start from the steady state
+    const float* displacement; // [slice][R][R][4], NULL without CPU layers
+    const float* derivatives;  // [slice][R][R][4]
+    const float* foam;         // [slice][R][R]
+} swViewFrame;
+
+#define SW_MAX_VIEWS 16
+
+typedef struct swFrame
+{
+    double time;
+    int64_t ticks;
+    double dt;
+    double seaLevel;
+    float gravity;
+    swFoamDef foam;
+    uint32_t tilesVersion; // changes when the list of tiles does
+    int tileCount;
+    const swTile* tiles; // all systems; within a system by band, shortest first
+    int viewCount;
+    const swViewFrame* views;
+} swFrame;
+
+// The frame of the last step. Implemented by world/.
+const swFrame* swGetWorldFrame(const swWorld* world);
+const swHost* swGetWorldHost(const swWorld* world);
