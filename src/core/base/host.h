@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Memory and messages by way of the host.
+
+#include "seaway/base.h"
+
+#if defined(__GNUC__)
+#define SW_PRINTF(format, arguments) __attribute__((format(printf, format, arguments)))
+#else
+#define SW_PRINTF(format, arguments)
+#endif
+
+// 64-byte aligned, not cleared; NULL if there is none. size 0 returns NULL.
+void* swAllocate(const swHost* host, size_t size);
+// The same, cleared.
+void* swAllocateZero(const swHost* host, size_t size);
+void swFree(const swHost* host, void* memory, size_t size);
+
+void swLog(const swHost* host, swLogLevel level, const char* format, ...) SW_PRINTF(3, 4);
+// Logs an error and returns the result, so that failing is one line.
+swResult swFail(const swHost* host, swResult result, const char* format, ...) SW_PRINTF(3, 4);

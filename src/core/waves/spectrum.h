@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Spectra ready for integration: what swSpectrumDef means, with energy calibrated and everything looked up once.
+// Angular frequency omega in rad/s, direction theta in radians where waves go, densities in m^2 s / rad^2.
+
+#include "seaway/spectrum.h"
+
+typedef struct swCompiledSpectrum swCompiledSpectrum;
+
+// Checks ranges (a sentence goes to the log) and copies tables.
+// Gravity is needed by the formulas (Hasselmann 1973 and Pierson 1964 scale with g).
+swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double gravity, swCompiledSpectrum** spectrum);
+void swFreeCompiledSpectrum(const swHost* host, swCompiledSpectrum* spectrum);
+
+// S(omega): the integral over all directions, m^2 s. Includes the table's tail if asked for.
+double swGetCompiledDensity(const swCompiledSpectrum* spectrum, double omega);
+
+// S(omega, theta) = S(omega) D(omega, theta).
+double swGetCompiledDensity2(const swCompiledSpectrum* spectrum, double omega, double theta);
+
+// Integral of S(omega) over [omega0, omega1], m^2; accurate to 1e-5 relative however narrow the peak.
+double swIntegrateCompiled(const swCompiledSpectrum* spectrum, double omega0, double omega1);

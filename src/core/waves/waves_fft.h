@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From a spectrum to tiles: waves on each band's lattice, and their transform at a time. See core/frame/frame.h for what
+// modes and tiles are.
+
+#include "core/frame/frame.h"
+#include "core/waves/spectrum.h"
+
+// One band's waves. `modes` is NULL if the band has no energy.
+typedef struct swBandModes
+{
+    int band;
+    int maxBin;
+    double side;
+    float minWavelength, maxWavelength;
+    float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
+    int modeCount;
+    swMode* modes;
+} swBandModes;
+
+// Fill bands[SW_MAX_BANDS] for a system, at weight 1. Frees nothing on failure that it did not allocate.
+swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, swBandModes* bands);
+void swFreeModes(const swHost* host, swBandModes* bands);
+
+// The side of band b's tile, m: tileWaves * shortest wavelength * a factor in (0.85, 1] that is different for each band.
+double swGetTileSide(int band, int tileWaves);
+
+// The kernels of one instruction set. NULL if this machine or build lacks it; SW_ISA_BEST never returns NULL.
+typedef struct swWaveKernels swWaveKernels;
+const swWaveKernels* swGetWaveKernels(swIsa isa);
+swIsa swGetWaveKernelsIsa(const swWaveKernels* kernels);
+
+// Scratch bytes that one worker needs for tiles of that resolution, 64-byte aligned.
+size_t swGetTileScratchSize(int resolution);
+
+// Transform one tile, or two of the same resolution at once (b may be NULL; two are cheaper than one and one), at `ticks`
+// into texels ((N + 3)^2 * 4 floats each, 64-byte aligned), times the tile's weight.
+// The bits of a tile do not depend on its partner.
+void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
+                      int64_t ticks, void* scratch);
+
+// Evaluate the spline sum of tiles at `count` rest points (double, metres), out[count][4] = x, y, z displacement, 0;
+// gradients (may be NULL) [count][8] = dDx/dx, dDx/dz, dDz/dx, dDz/dz, dh/dx, dh/dz, 0, 0.
+// Order of summation: tiles in the order given, then within a tile as in shaders/shared/spline.h.
+void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,
+                   float* out, float* gradients);
