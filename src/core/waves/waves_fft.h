@@ -36,7 +36,7 @@ size_t swGetTileScratchSize(int resolution);
 
 // Transform one tile, or two of the same resolution at once (b may be NULL; two are cheaper than one and one), at `ticks`
 // into texels ((N + 3)^2 * 4 floats each, 64-byte aligned), times the tile's weight.
-// The bits of a tile do not depend on its partner.
+// A tile's bits depend on its partner, so the world pairs the tiles of a system in a fixed order.
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
                       int64_t ticks, void* scratch);
 
