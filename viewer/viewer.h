@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The viewer: a window on a scene. `seaway view` fills the options and runs it.
+
+#include <stdbool.h>
+
+#include "seaway/gpu.h"
+
+typedef struct ViewerOptions
+{
+    const char* scenePath; // NULL: an open sea without a file
+    const char* viewName;  // where the camera starts; NULL: the scene's first view
+
+    swDeviceChoice device;
+    int deviceIndex; // for SW_DEVICE_INDEX
+
+    int width, height; // of the window, in screen units
+    bool isFullscreen;
+    bool enableValidation; // validation layers; their messages count as problems and make RunViewer() return 1
+    bool enableVsync;
+    bool hidePanel;
+
+    int frameCount;             // 0: until the window is closed; else leave after that many frames, 1/30 s of the sea each
+    const char* screenshotPath; // PNG of the last of `frameCount` frames, panel included; NULL: none
+} ViewerOptions;
+
+// A window of 1280 x 720 on any device, with vsync.
+ViewerOptions DefaultViewerOptions(void);
+
+// Open the window and stay until it is closed. Every failure is a sentence on stderr.
+// Returns an exit code: 0, or 1 if the scene, the display or the device fails.
+int RunViewer(const ViewerOptions* options);
