@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: MIT
+# The front door. Everything real happens in CMake; see CMakePresets.json for the configurations.
+
+PRESET ?= release
+BUILD  := build/$(PRESET)
+JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
+PREFIX ?= /usr/local
+SEAWAY := $(BUILD)/bin/seaway
+
+.DEFAULT_GOAL := build
+.NOTPARALLEL:
+.PHONY: help setup configure build demo test bench format docs install clean
+
+help: ## Show this list
+	@echo "make [target] [PRESET=release|debug|asan|tsan|coverage|clang-release|...] [JOBS=N]"
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+setup: ## Install the Debian packages that are missing (asks for root only then)
+	@scripts/setup
+
+configure:
+	@cmake --preset $(PRESET) $(CMAKE_ARGS) --log-level=NOTICE
+
+build: configure ## Build the library, the programs, the examples and the tests (the default)
+	@cmake --build $(BUILD) -j $(JOBS)
+
+demo: setup build ## A measured sea: in a window, or without a display as a picture and a video in out/
+	@scripts/demo $(SEAWAY)
+
+test: setup build ## Run every test
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error
+
+bench: build ## Measure: the core against FFTW, the queries, the GPU passes
+	@scripts/bench $(BUILD)
+
+format: ## Lay out the code as .clang-format says
+	@scripts/format
+
+docs: build ## Write the pages of the verbs, then check links and code in the docs
+	@scripts/make_cli_docs $(SEAWAY) docs/cli.md
+	@python3 scripts/check_docs.py
+
+install: build ## Install to PREFIX (default /usr/local) below DESTDIR
+	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"
+
+clean: ## Remove build/ of every configuration; out/ stays
+	@rm -rf build

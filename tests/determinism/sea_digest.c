@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+// Digest of a simulated sea: two wave systems, a moving view with layers and foam on the CPU, queries. Two machines,
+// compilers, instruction sets or thread counts agree exactly if their digests do.
+//
+//   sea_digest [--isa scalar|sse2|avx2|neon|best] [--threads N] [--minutes M]    print one digest
+//   sea_digest --compare [--minutes M]       all instruction sets of this machine with 1, 2 and 5 threads
+//
+// Public headers only: scripts/determinism builds it with every compiler at hand, also for AArch64.
+#include <seaway/seaway.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STEP_SECONDS 0.5
+#define POINT_COUNT 257
+
+typedef struct Run
+{
+    swIsa isa;
+    int threads; // the caller's among them
+    double minutes;
+} Run;
+
+// FNV-1a, 64 bits.
+static uint64_t Hash(uint64_t hash, const void* data, size_t size)
+{
+    const unsigned char* bytes = data;
+    for (size_t i = 0; i < size; ++i)
+    {
+        hash = (hash ^ bytes[i]) * 0x100000001b3u;
+    }
+    return hash;
+}
+
+static swResult AddWaves(swWorld* world)
+{
+    swWaveSystemId id;
+    swWaveSystemDef windSea = swDefaultWaveSystemDef();
+    windSea.spectrum.windSpeed = 14.0f;
+    windSea.resolution = 64;
+    windSea.tileWaves = 16;
+    swResult result = swCreateWaveSystem(world, &windSea, &id);
+
+    swWaveSystemDef swell = swDefaultWaveSystemDef();
+    swell.spectrum.significantHeight = 1.5f;
+    swell.spectrum.peakPeriod = 13.0f;
+    swell.spectrum.direction = 2.0f;
+    swell.spectrum.spreadExponent = 60.0f;
+    swell.resolution = 32;
+    swell.tileWaves = 8;
+    swell.minWavelength = 64.0f;
+    swell.depth = 40.0f;
+    swell.seed = 7;
+    return result != SW_SUCCESS ? result : swCreateWaveSystem(world, &swell, &id);
+}
+
+static uint64_t HashQueries(uint64_t hash, const swWorld* world)
+{
+    swPosXZ points[POINT_COUNT];
+    float heights[POINT_COUNT];
+    swVec3 normals[POINT_COUNT];
+    for (int i = 0; i < POINT_COUNT; ++i)
+    {
+        points[i].x = 1.0e5 + 7.25 * i;
+        points[i].z = -3.0e4 + 0.125 * i * i;
+    }
+    swQueryDef def = swDefaultQueryDef();
+    swSurfaceSamples samples = {.height = heights, .normal = normals};
+    swWorld_QuerySurface(world, &def, POINT_COUNT, points, &samples, NULL);
+    hash = Hash(hash, heights, sizeof(heights));
+    return Hash(hash, normals, sizeof(normals));
+}
+
+static uint64_t HashLayers(uint64_t hash, const swView* view)
+{
+    for (int slice = 0; slice < swView_GetSliceCount(view); ++slice)
+    {
+        size_t resolution = (size_t)swView_GetSlice(view, slice).resolution;
+        size_t texels = resolution * resolution;
+        hash = Hash(hash, swView_GetDisplacement(view, slice), 4 * texels * sizeof(float));
+        hash = Hash(hash, swView_GetDerivatives(view, slice), 4 * texels * sizeof(float));
+        hash = Hash(hash, swView_GetFoam(view, slice), texels * sizeof(float));
+    }
+    return hash;
+}
+
+static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* digest)
+{
+    int stepCount = (int)(minutes * 60.0 / STEP_SECONDS);
+    uint64_t hash = 0xcbf29ce484222325u;
+    for (int step = 1; step <= stepCount; ++step)
+    {
+        swView_SetViewpoint(view, (swPos){1.0e5 + 3.0 * step, 2.0 + 0.5 * step, -3.0e4});
+        swResult result = swWorld_Step(world, STEP_SECONDS);
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+        uint64_t tiles = swWorld_GetDigest(world);
+        hash = Hash(hash, &tiles, sizeof(tiles));
+        if (step % 20 == 0)
+        {
+            hash = HashLayers(HashQueries(hash, world), view);
+        }
+    }
+    *digest = hash;
+    return SW_SUCCESS;
+}
+
+static swResult MakeDigest(const Run* run, uint64_t* digest)
+{
+    swHost host = swDefaultHost();
+    swTaskPool* pool = NULL;
+    swWorld* world = NULL;
+    swView* view = NULL;
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.isa = run->isa;
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = 4;
+    viewDef.resolution = 64;
+    viewDef.enableCpuLayers = true;
+
+    swResult result = swCreateTaskPool(&host, run->threads - 1, &pool);
+    if (result == SW_SUCCESS)
+    {
+        swTaskPool_Attach(pool, &host);
+        result = swCreateWorld(&host, &worldDef, &world);
+    }
+    result = result != SW_SUCCESS ? result : AddWaves(world);
+    result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
+    result = result != SW_SUCCESS ? result : Sail(world, view, run->minutes, digest);
+    swDestroyView(view);
+    swDestroyWorld(world);
+    swDestroyTaskPool(pool);
+    return result;
+}
+
+// Every instruction set of this machine with 1, 2 and 5 threads. Returns the program's exit code.
+static int Compare(double minutes)
+{
+    static const int threadCounts[] = {1, 2, 5};
+    uint64_t first = 0;
+    int runCount = 0, differCount = 0;
+    for (int isa = SW_ISA_SCALAR; isa < SW_ISA_COUNT; ++isa)
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            Run run = {(swIsa)isa, threadCounts[i], minutes};
+            uint64_t digest = 0;
+            swResult result = MakeDigest(&run, &digest);
+            if (result == SW_ERROR_UNSUPPORTED)
+            {
+                break;
+            }
+            if (result != SW_SUCCESS)
+            {
+                fprintf(stderr, "sea_digest: %s\n", swResult_GetText(result));
+                return 1;
+            }
+            first = runCount == 0 ? digest : first;
+            differCount += digest != first;
+            ++runCount;
+            printf("%-6s %d threads  %016llx%s\n", swIsa_GetName(run.isa), run.threads, (unsigned long long)digest,
+                   digest == first ? "" : "  DIFFERS");
+        }
+    }
+    printf("%d runs of %g minutes, %d differ\n", runCount, minutes, differCount);
+    return runCount == 0 || differCount > 0;
+}
+
+static bool FindIsa(const char* name, swIsa* isa)
+{
+    static const char* const names[SW_ISA_COUNT] = {"best", "scalar", "sse2", "avx2", "neon"};
+    for (int i = 0; i < SW_ISA_COUNT; ++i)
+    {
+        if (strcmp(name, names[i]) == 0)
+        {
+            *isa = (swIsa)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+int main(int argc, char** argv)
+{
+    Run run = {SW_ISA_BEST, 1, 10.0};
+    bool compare = false;
+    for (int i = 1; i < argc; ++i)
+    {
+        const char* value = i + 1 < argc ? argv[i + 1] : "";
+        if (strcmp(argv[i], "--compare") == 0)
+        {
+            compare = true;
+            continue;
+        }
+        bool isKnown = (strcmp(argv[i], "--isa") == 0 && FindIsa(value, &run.isa)) ||
+                       (strcmp(argv[i], "--threads") == 0 && (run.threads = atoi(value)) > 0) ||
+                       (strcmp(argv[i], "--minutes") == 0 && (run.minutes = atof(value)) > 0.0);
+        if (!isKnown)
+        {
+            fprintf(stderr, "sea_digest: cannot use '%s %s'\n", argv[i], value);
+            return 2;
+        }
+        ++i;
+    }
+    if (compare)
+    {
+        return Compare(run.minutes);
+    }
+    uint64_t digest = 0;
+    swResult result = MakeDigest(&run, &digest);
+    if (result != SW_SUCCESS)
+    {
+        fprintf(stderr, "sea_digest: %s\n", swResult_GetText(result));
+        return result == SW_ERROR_UNSUPPORTED ? 77 : 1;
+    }
+    printf("%016llx\n", (unsigned long long)digest);
+    return 0;
+}
