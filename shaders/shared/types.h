@@ -18,6 +18,7 @@ typedef swVec4 sw_vec4;
     struct name
 #define SW_PARAMS_SIZE(name, size) static_assert(sizeof(name) == (size), #name " differs between C and GLSL")
 #define SW_FORMULA static inline
+#define SW_FLOAT(x) ((float)(x))
 
 #else
 
@@ -28,6 +29,7 @@ typedef swVec4 sw_vec4;
 #define SW_PARAMS(name) struct name
 #define SW_PARAMS_SIZE(name, size)
 #define SW_FORMULA
+#define SW_FLOAT(x) float(x)
 
 #endif
 #endif

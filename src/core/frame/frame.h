@@ -14,6 +14,7 @@
 
 #include "seaway/view.h"
 #include "seaway/waves.h"
+#include "shared/foam.h"
 
 // One pair of opposite waves k and -k of a band, on the half plane (qz > 0, or qz == 0 and qx > 0) of integer bins.
 // Height spectrum at time t, with theta = phase turns * 2 pi:
@@ -69,15 +70,25 @@ typedef struct swViewFrame
     int scaleLevel;
     swSlice slices[SW_MAX_SLICES];
     swSlice previousSlices[SW_MAX_SLICES]; // of the step before, for layers that persist
-    int foamSteps;       // fixed foam steps to take now, 0 .. 4
-    float foamStepDt;
-    bool foamReset;      // first step or teleport: start from the steady state
+    int foamSteps;       // foam steps to take now, 0 .. 4; n steps of dt are the same as one of n dt
+    float foamStepDt;    // s
+    bool foamReset;      // first step, or a jump in time: start from the steady state
+    // For a reader that did not see every step: since it last looked, (foamClock - then) / SW_FOAM_RATE seconds of foam
+    // have passed, and there was a reset if foamResetCount differs. It keeps the slices that it last saw and asks
+    // swFindFoamSources() itself.
+    int64_t foamClock;
+    uint32_t foamResetCount;
+    float foamDeviation[SW_MAX_SLICES];                        // of J, from waves that the slice does not carry
+    swFoamSource foamSources[SW_MAX_SLICES][SW_FOAM_SOURCES];  // from previousSlices to slices
     const float* displacement; // [slice][R][R][4], NULL without CPU layers
     const float* derivatives;  // [slice][R][R][4]
     const float* foam;         // [slice][R][R]
 } swViewFrame;
 
 #define SW_MAX_VIEWS 16
+
+// Foam steps per second.
+#define SW_FOAM_RATE 30
 
 typedef struct swFrame
 {
@@ -97,3 +108,7 @@ typedef struct swFrame
 // The frame of the last step. Implemented by world/.
 const swFrame* swGetWorldFrame(const swWorld* world);
 const swHost* swGetWorldHost(const swWorld* world);
+
+// Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_FOAM_SOURCES sources.
+void swFindFoamSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
+                       swFoamSource* sources);

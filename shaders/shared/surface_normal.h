@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The displaced surface's normal from the gradients of displacement (x, h, z) by rest position. The tangents are
+// Tx = (1 + dDx/dx, dh/dx, dDz/dx) and Tz = (dDx/dz, dh/dz, 1 + dDz/dz); their cross product Tz x Tx is (-gx, J, -gz).
+// It stays smooth where the surface folds (J = 0), which the slope (gx, gz) / J does not.
+#ifndef SW_SHARED_SURFACE_NORMAL_H
+#define SW_SHARED_SURFACE_NORMAL_H
+#include "types.h"
+
+// Determinant of the horizontal Jacobian: 1 on flat water, below 0 folded over.
+SW_FORMULA float swSurfaceJacobian(float dxdx, float dxdz, float dzdx, float dzdz)
+{
+    return (1.0f + dxdx) * (1.0f + dzdz) - dxdz * dzdx;
+}
+
+SW_FORMULA float swSurfaceNormalX(float dzdx, float dzdz, float dhdx, float dhdz)
+{
+    return dhdx * (1.0f + dzdz) - dhdz * dzdx;
+}
+
+SW_FORMULA float swSurfaceNormalZ(float dxdx, float dxdz, float dhdx, float dhdz)
+{
+    return dhdz * (1.0f + dxdx) - dhdx * dxdz;
+}
+#endif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/host.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/assert.h"
+
+#define SW_ALIGNMENT 64
+#define SW_LONGEST_MESSAGE 1024
+
+static void* allocateFromLibc(void* context, size_t size, size_t alignment)
+{
+    (void)context;
+    // aligned_alloc wants a multiple of the alignment.
+    size_t rounded = (size + alignment - 1) & ~(alignment - 1);
+    return rounded < size ? NULL : aligned_alloc(alignment, rounded);
+}
+
+static void freeToLibc(void* context, void* memory, size_t size)
+{
+    (void)context;
+    (void)size;
+    free(memory);
+}
+
+static void logToStderr(void* context, swLogLevel level, const char* message)
+{
+    (void)context;
+    if (level >= SW_LOG_WARNING)
+    {
+        fprintf(stderr, "seaway: %s: %s\n", level == SW_LOG_ERROR ? "error" : "warning", message);
+    }
+}
+
+static void runOnCaller(void* context, swTaskFcn task, void* taskContext, int count, int grain)
+{
+    (void)context;
+    (void)grain;
+    if (count > 0)
+    {
+        task(taskContext, 0, count, 0);
+    }
+}
+
+swHost swDefaultHost(void)
+{
+    swHost host = {0};
+    host.allocate = allocateFromLibc;
+    host.free = freeToLibc;
+    host.log = logToStderr;
+    host.parallelFor = runOnCaller;
+    host.workerCount = 1;
+    host.internalValue = SW_DEF_COOKIE;
+    return host;
+}
+
+bool swIsHostValid(const swHost* host)
+{
+    return host != NULL && host->internalValue == SW_DEF_COOKIE && host->allocate != NULL && host->free != NULL &&
+           host->parallelFor != NULL && host->workerCount >= 1 && host->workerCount <= SW_MAX_WORKERS;
+}
+
+void* swAllocate(const swHost* host, size_t size)
+{
+    return size == 0 ? NULL : host->allocate(host->memoryContext, size, SW_ALIGNMENT);
+}
+
+void* swAllocateZero(const swHost* host, size_t size)
+{
+    void* memory = swAllocate(host, size);
+    if (memory != NULL)
+    {
+        memset(memory, 0, size);
+    }
+    return memory;
+}
+
+void swFree(const swHost* host, void* memory, size_t size)
+{
+    if (memory != NULL)
+    {
+        host->free(host->memoryContext, memory, size);
+    }
+}
+
+static void logList(const swHost* host, swLogLevel level, const char* format, va_list arguments)
+{
+    if (host->log != NULL)
+    {
+        char message[SW_LONGEST_MESSAGE];
+        vsnprintf(message, sizeof message, format, arguments);
+        host->log(host->logContext, level, message);
+    }
+}
+
+void swLog(const swHost* host, swLogLevel level, const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    logList(host, level, format, arguments);
+    va_end(arguments);
+}
+
+swResult swFail(const swHost* host, swResult result, const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    logList(host, SW_LOG_ERROR, format, arguments);
+    va_end(arguments);
+    return result;
+}
+
+void swParallelFor(const swHost* host, swTaskFcn task, void* taskContext, int count, int grain)
+{
+    if (count > 0)
+    {
+        host->parallelFor(host->taskContext, task, taskContext, count, grain);
+    }
+}

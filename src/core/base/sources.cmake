@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/hash.c
+    ${CMAKE_CURRENT_LIST_DIR}/host.c
+    ${CMAKE_CURRENT_LIST_DIR}/id_pool.c
+    ${CMAKE_CURRENT_LIST_DIR}/result.c
+    ${CMAKE_CURRENT_LIST_DIR}/tasks.c)
