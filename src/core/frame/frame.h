@@ -22,7 +22,8 @@
 // where p = (a(k) + conj a(-k)) / 2, q = (a(k) - conj a(-k)) / 2, and a is divided by the spline's response.
 // Horizontal spectra: i chop k_x / |k| H and i chop k_z / |k| H.
 // Phase in turns, exactly the same on every machine: the top 32 bits of the low 64 bits of frequency * ticks, with
-// frequency in turns per tick as unsigned Q0.64 and ticks = round(time * SW_TICKS_PER_SECOND) as two's complement.
+// frequency in turns per tick as unsigned Q0.64 and ticks = round(time * SW_TICKS_PER_SECOND) as two's complement; of a tile
+// that loops, what swGetTileTicks() leaves of them.
 typedef struct swMode
 {
     int16_t qx, qz;
@@ -40,6 +41,7 @@ typedef struct swTile
     int resolution;   // N
     int maxBin;       // largest |qx| or |qz| of a mode, at most N / 4
     double side;      // m
+    int64_t loopTicks; // the waves repeat exactly after so many ticks; 0: never
     float minWavelength, maxWavelength;
     float weight;     // the system's weight; already in the texels
     float variance;   // of height, m^2, with weight
@@ -84,6 +86,17 @@ typedef struct swViewFrame
     const float* derivatives;  // [slice][R][R][4]
     const float* foam;         // [slice][R][R]
 } swViewFrame;
+
+// Ticks to multiply a tile's frequencies with, on either half.
+static inline int64_t swGetTileTicks(const swTile* tile, int64_t ticks)
+{
+    if (tile->loopTicks <= 0)
+    {
+        return ticks;
+    }
+    int64_t rest = ticks % tile->loopTicks;
+    return rest < 0 ? rest + tile->loopTicks : rest;
+}
 
 #define SW_MAX_VIEWS 16
 

@@ -13,6 +13,7 @@ typedef struct swBandModes
     int band;
     int maxBin;
     double side;
+    int64_t loopTicks; // for swTile
     float minWavelength, maxWavelength;
     float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
     int modeCount;
