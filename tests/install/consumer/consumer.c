@@ -19,8 +19,8 @@ int main(void)
     swWaveSystemId id;
     waves.resolution = 32;
     waves.tileWaves = 8;
-    if (swCreateWorld(&host, &worldDef, &world) != SW_SUCCESS ||
-        swCreateWaveSystem(world, &waves, &id) != SW_SUCCESS || swWorld_Step(world, 1.0) != SW_SUCCESS)
+    if (swCreateWorld(&host, &worldDef, &world) != SW_SUCCESS || swCreateWaveSystem(world, &waves, &id) != SW_SUCCESS ||
+        swWorld_Step(world, 1.0) != SW_SUCCESS)
     {
         swDestroyWorld(world);
         return 1;
