@@ -33,7 +33,7 @@ struct swTaskPool
     swTaskFcn task;
     void* taskContext;
     int count;
-    int part; // items of one part
+    int part;          // items of one part
     atomic_llong next; // may run past count by a part for each worker
 
     int threadCount;

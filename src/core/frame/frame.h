@@ -36,20 +36,20 @@ typedef struct swMode
 
 typedef struct swTile
 {
-    int system;       // index of the wave system
-    int band;         // octave, see SW_MAX_BANDS
-    int resolution;   // N
-    int maxBin;       // largest |qx| or |qz| of a mode, at most N / 4
-    double side;      // m
+    int system;        // index of the wave system
+    int band;          // octave, see SW_MAX_BANDS
+    int resolution;    // N
+    int maxBin;        // largest |qx| or |qz| of a mode, at most N / 4
+    double side;       // m
     int64_t loopTicks; // the waves repeat exactly after so many ticks; 0: never
     float minWavelength, maxWavelength;
-    float weight;     // the system's weight; already in the texels
-    float variance;   // of height, m^2, with weight
+    float weight;                         // the system's weight; already in the texels
+    float variance;                       // of height, m^2, with weight
     float slopeVarianceX, slopeVarianceZ; // E[(dh/dx)^2], E[(dh/dz)^2], with weight
     int modeCount;
-    const swMode* modes;       // ordered by qz, then qx
-    uint32_t spectrumVersion;  // changes when modes do
-    const float* texels;       // [N + 3][N + 3][4], NULL without CPU queries
+    const swMode* modes;      // ordered by qz, then qx
+    uint32_t spectrumVersion; // changes when modes do
+    const float* texels;      // [N + 3][N + 3][4], NULL without CPU queries
 } swTile;
 
 // One slice of a view, snapped. See swSliceInfo.
@@ -63,28 +63,28 @@ typedef struct swSlice
 
 typedef struct swViewFrame
 {
-    const swView* view; // identity only
+    const swView* view;   // identity only
     uint32_t viewVersion; // unique per created view; never reused
     int sliceCount;
     int resolution;
     swPos viewpoint;
-    float fade;          // of the finest slice into the next as the stack is about to double; also shows the last slice
+    float fade; // of the finest slice into the next as the stack is about to double; also shows the last slice
     int scaleLevel;
     swSlice slices[SW_MAX_SLICES];
     swSlice previousSlices[SW_MAX_SLICES]; // of the step before, for layers that persist
-    int foamSteps;       // foam steps to take now, 0 .. 4; n steps of dt are the same as one of n dt
-    float foamStepDt;    // s
-    bool foamReset;      // first step, or a jump in time: start from the steady state
+    int foamSteps;                         // foam steps to take now, 0 .. 4; n steps of dt are the same as one of n dt
+    float foamStepDt;                      // s
+    bool foamReset;                        // first step, or a jump in time: start from the steady state
     // For a reader that did not see every step: since it last looked, (foamClock - then) / SW_FOAM_RATE seconds of foam
     // have passed, and there was a reset if foamResetCount differs. It keeps the slices that it last saw and asks
     // swFindFoamSources() itself.
     int64_t foamClock;
     uint32_t foamResetCount;
-    float foamDeviation[SW_MAX_SLICES];                        // of J, from waves that the slice does not carry
-    swFoamSource foamSources[SW_MAX_SLICES][SW_FOAM_SOURCES];  // from previousSlices to slices
-    const float* displacement; // [slice][R][R][4], NULL without CPU layers
-    const float* derivatives;  // [slice][R][R][4]
-    const float* foam;         // [slice][R][R]
+    float foamDeviation[SW_MAX_SLICES];                       // of J, from waves that the slice does not carry
+    swFoamSource foamSources[SW_MAX_SLICES][SW_FOAM_SOURCES]; // from previousSlices to slices
+    const float* displacement;                                // [slice][R][R][4], NULL without CPU layers
+    const float* derivatives;                                 // [slice][R][R][4]
+    const float* foam;                                        // [slice][R][R]
 } swViewFrame;
 
 // Ticks to multiply a tile's frequencies with, on either half.

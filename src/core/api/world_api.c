@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include <math.h>
+
+#include "core/base/assert.h"
+#include "core/base/host.h"
+#include "core/world/world.h"
+
+// Ticks of 2^-24 s must fit an int64: 8,700 years either way.
+#define SW_LARGEST_TIME 274877906944.0
+
+#define SW_LONGEST_STEP 3600.0
+
+swFoamDef swDefaultFoamDef(void)
+{
+    return (swFoamDef){.fadeRate = 0.25f, .threshold = 0.55f, .gain = 5.0f, .internalValue = SW_DEF_COOKIE};
+}
+
+swWorldDef swDefaultWorldDef(void)
+{
+    return (swWorldDef){
+        .gravity = 9.81f,
+        .enableQueries = true,
+        .foam = swDefaultFoamDef(),
+        .isa = SW_ISA_BEST,
+        .internalValue = SW_DEF_COOKIE,
+    };
+}
+
+// Comparisons are written so that NaN fails them.
+static bool isWithin(float value, float least, float most)
+{
+    return value >= least && value <= most;
+}
+
+static swResult checkWorldDef(const swHost* host, const swWorldDef* def)
+{
+    if (!(def->gravity > 0.0f && def->gravity <= 100.0f))
+    {
+        return swFail(host, SW_ERROR_INVALID, "gravity is %g m/s^2; it must be above 0 and at most 100",
+                      (double)def->gravity);
+    }
+    if (!(fabs(def->seaLevel) <= 1e6))
+    {
+        return swFail(host, SW_ERROR_INVALID, "sea level is %g m; it must be within 1000 km of 0", def->seaLevel);
+    }
+    if (!isWithin(def->foam.fadeRate, 0.01f, 10.0f) || !isWithin(def->foam.threshold, 0.0f, 1.0f) ||
+        !isWithin(def->foam.gain, 0.0f, 50.0f))
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "foam has fade rate %g (0.01 to 10), threshold %g (0 to 1) and gain %g (0 to 50)",
+                      (double)def->foam.fadeRate, (double)def->foam.threshold, (double)def->foam.gain);
+    }
+    if ((unsigned)def->isa >= SW_ISA_COUNT)
+    {
+        return swFail(host, SW_ERROR_INVALID, "instruction set %d does not exist", (int)def->isa);
+    }
+    return SW_SUCCESS;
+}
+
+swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld** world)
+{
+    SW_ASSERT(swIsHostValid(host) && def != NULL && def->internalValue == SW_DEF_COOKIE && world != NULL);
+    if (world != NULL)
+    {
+        *world = NULL;
+    }
+    if (!swIsHostValid(host) || def == NULL || def->internalValue != SW_DEF_COOKIE || world == NULL)
+    {
+        return SW_ERROR_INVALID;
+    }
+    swResult result = checkWorldDef(host, def);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    const swWaveKernels* kernels = swGetWaveKernels(def->isa);
+    if (kernels == NULL)
+    {
+        return swFail(host, SW_ERROR_UNSUPPORTED, "this machine or build has no %s kernels", swIsa_GetName(def->isa));
+    }
+    return swMakeWorld(host, def, kernels, world);
+}
+
+void swDestroyWorld(swWorld* world)
+{
+    if (world != NULL)
+    {
+        swFreeWorld(world);
+    }
+}
+
+swResult swWorld_Step(swWorld* world, double dt)
+{
+    bool isValid = dt >= 0.0 && dt <= SW_LONGEST_STEP;
+    SW_ASSERT(world != NULL && isValid);
+    if (world == NULL || !isValid)
+    {
+        return SW_ERROR_INVALID;
+    }
+    swStepWorld(world, dt);
+    return SW_SUCCESS;
+}
+
+void swWorld_SetTime(swWorld* world, double time)
+{
+    bool isValid = fabs(time) <= SW_LARGEST_TIME;
+    SW_ASSERT(world != NULL && isValid);
+    if (world != NULL && isValid)
+    {
+        world->time = time;
+    }
+}
+
+double swWorld_GetTime(const swWorld* world)
+{
+    return world->frame.time;
+}
+
+double swWorld_GetSeaLevel(const swWorld* world)
+{
+    return world->def.seaLevel;
+}
+
+float swWorld_GetGravity(const swWorld* world)
+{
+    return world->def.gravity;
+}
+
+swIsa swWorld_GetIsa(const swWorld* world)
+{
+    return swGetWaveKernelsIsa(world->kernels);
+}
+
+const char* swIsa_GetName(swIsa isa)
+{
+    static const char* const names[SW_ISA_COUNT] = {"best", "scalar", "sse2", "avx2", "neon"};
+    return (unsigned)isa < SW_ISA_COUNT ? names[isa] : "unknown";
+}
+
+uint64_t swWorld_GetDigest(const swWorld* world)
+{
+    return swHashWorld(world);
+}
+
+size_t swWorld_GetMemory(const swWorld* world)
+{
+    return world->memory;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A slice is a window of texels on a lattice that is fixed to the world: texel n of the lattice rests at n * texel. The
+// lattices are nested, texel n of one level is texel 2n of the level below. All indices are 64-bit integers from double
+// positions, so that a slice 1,000 km from the origin is as exact as one at the origin.
+
+#include "core/frame/frame.h"
+
+// A slice carries waves down to this many texels a wave.
+#define SW_TEXELS_PER_WAVE 4
+
+// The window of `resolution` texels centred on (x, z), for a lattice `level` doublings above finestTexel.
+swSlice swSnapSlice(double finestTexel, int level, int resolution, double x, double z);

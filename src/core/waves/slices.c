@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "core/waves/slices.h"
+
+#include "core/base/host.h"
+#include "shared/surface_normal.h"
+
+// Texels sampled at once: keeps points and results in the first-level cache.
+#define SW_SLICE_BLOCK 64
+
+typedef struct swSliceJob
+{
+    const swWaveKernels* kernels;
+    const swSlice* slice;
+    int resolution;
+    int tileCount;
+    swTile tiles[SW_MAX_TILES];
+    float* displacement;
+    float* derivatives;
+} swSliceJob;
+
+int swSelectSliceTiles(const swFrame* frame, float minWavelength, swTile* out)
+{
+    int count = 0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        if (frame->tiles[i].texels != NULL && frame->tiles[i].minWavelength >= minWavelength)
+        {
+            out[count++] = frame->tiles[i];
+        }
+    }
+    return count;
+}
+
+static void sampleBlock(const swSliceJob* job, int row, int column, int count)
+{
+    const swSlice* slice = job->slice;
+    swPosXZ points[SW_SLICE_BLOCK];
+    float gradients[SW_SLICE_BLOCK][8];
+    for (int i = 0; i < count; ++i)
+    {
+        points[i].x = (double)(slice->firstX + column + i) * slice->texel;
+        points[i].z = (double)(slice->firstZ + row) * slice->texel;
+    }
+    size_t first = ((size_t)row * (size_t)job->resolution + (size_t)column) * 4;
+    swSampleTiles(job->kernels, job->tileCount, job->tiles, count, points, job->displacement + first, gradients[0]);
+    float* derivatives = job->derivatives + first;
+    for (int i = 0; i < count; ++i)
+    {
+        const float* g = gradients[i];
+        derivatives[4 * i + 0] = swSurfaceNormalX(g[2], g[3], g[4], g[5]);
+        derivatives[4 * i + 1] = swSurfaceNormalZ(g[0], g[1], g[4], g[5]);
+        derivatives[4 * i + 2] = swSurfaceJacobian(g[0], g[1], g[2], g[3]);
+        derivatives[4 * i + 3] = 0.0f;
+    }
+}
+
+static void sampleRows(void* context, int begin, int end, int worker)
+{
+    const swSliceJob* job = context;
+    (void)worker;
+    for (int row = begin; row < end; ++row)
+    {
+        for (int column = 0; column < job->resolution; column += SW_SLICE_BLOCK)
+        {
+            int left = job->resolution - column;
+            sampleBlock(job, row, column, left < SW_SLICE_BLOCK ? left : SW_SLICE_BLOCK);
+        }
+    }
+}
+
+void swSampleSlices(const swHost* host, const swWaveKernels* kernels, const swFrame* frame, const swViewFrame* view,
+                    float* displacement, float* derivatives)
+{
+    size_t sliceSize = (size_t)view->resolution * (size_t)view->resolution * 4;
+    for (int i = 0; i < view->sliceCount; ++i)
+    {
+        swSliceJob job = {
+            .kernels = kernels,
+            .slice = &view->slices[i],
+            .resolution = view->resolution,
+            .displacement = displacement + (size_t)i * sliceSize,
+            .derivatives = derivatives + (size_t)i * sliceSize,
+        };
+        job.tileCount = swSelectSliceTiles(frame, view->slices[i].minWavelength, job.tiles);
+        swParallelFor(host, sampleRows, &job, view->resolution, 4);
+    }
+}
