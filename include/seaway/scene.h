@@ -5,7 +5,7 @@
 #include "seaway.h"
 
 /// @file
-/// Scene files (YAML) and spectrum files. A companion library: links libcyaml and zlib, uses only the public API.
+/// Scene files (YAML, see docs/scenes.md) and spectrum files. A companion library: links libyaml and zlib.
 
 #define SW_MAX_SCENE_VIEWS 32
 
@@ -13,11 +13,14 @@
 typedef struct swSceneView
 {
     char name[64];
-    swPos position;    ///< y is above sea level
-    float heading;     ///< radians clockwise from north
-    float pitch;       ///< radians, up positive
-    float roll;        ///< radians
-    float verticalFov; ///< radians
+    swPos position;     ///< y is above sea level
+    float heading;      ///< radians clockwise from north
+    float pitch;        ///< radians, up positive
+    float roll;         ///< radians
+    float verticalFov;  ///< radians
+    bool hasSun;        ///< this view has a sun of its own, instead of the scene's
+    float sunAzimuth;   ///< radians clockwise from north
+    float sunElevation; ///< radians
 } swSceneView;
 
 /// One wave system of a scene; measured ones own their data.
@@ -26,10 +29,11 @@ typedef struct swSceneWaves
     swWaveSystemDef def;
     swMeasuredSea* measured; ///< NULL for formulas
     int record;              ///< which record of it
+    swSpectrumTable table;   ///< that record's; def.spectrum.table points here
     char file[512];          ///< the spectrum file, or empty
 } swSceneWaves;
 
-/// A scene file, read.
+/// A scene file, read. Its wave systems point into it: do not copy it.
 typedef struct swScene
 {
     char name[128];
@@ -52,12 +56,18 @@ SW_API swResult swReadScene(const swHost* host, const char* path, swScene** scen
 /// The same from memory; `name` stands in messages, relative paths are relative to `folder`.
 SW_API swResult swReadSceneText(const swHost* host, const char* text, size_t size, const char* name, const char* folder,
                                 swScene** scene);
+
+/// NULL is allowed.
 SW_API void swDestroyScene(swScene* scene);
 
 /// View by name; NULL name: the first. NULL if there is none.
 SW_API const swSceneView* swScene_FindView(const swScene* scene, const char* name);
 
+/// The scene's sky as a view sees it: with the view's own sun if it has one. NULL view: the scene's.
+SW_API swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view);
+
 /// Create a world with the scene's wave systems at the scene's time.
+/// @return what swCreateWorld(), swCreateWaveSystem() and swWorld_Step() return
 SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
 
 /// Read a measured sea: an NDBC energy file, plain or gzip; the direction files beside it are found by their names.

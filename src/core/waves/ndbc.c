@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
+#include "core/base/number.h"
 
 typedef struct Reader
 {
@@ -206,71 +207,9 @@ static Token nextToken(Reader* reader)
     return (Token){begin, (int)(reader->at - begin < 80 ? reader->at - begin : 80)};
 }
 
-// [+-] digits [. digits] [e [+-] digits]; correctly rounded as long as 15 digits and 10^22 suffice.
 static bool parseNumber(Token token, double* value)
 {
-    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    int i = 0;
-    bool isNegative = token.size > 0 && token.text[0] == '-';
-    i += token.size > 0 && (token.text[0] == '-' || token.text[0] == '+') ? 1 : 0;
-    int64_t mantissa = 0;
-    int digits = 0;
-    int exponent = 0;
-    bool isFraction = false;
-    for (; i < token.size; ++i)
-    {
-        char c = token.text[i];
-        if (c == '.' && !isFraction)
-        {
-            isFraction = true;
-            continue;
-        }
-        if (c < '0' || c > '9')
-        {
-            break;
-        }
-        ++digits;
-        if (mantissa < 1000000000000000)
-        {
-            mantissa = 10 * mantissa + (c - '0');
-            exponent -= isFraction ? 1 : 0;
-        }
-        else
-        {
-            exponent += isFraction ? 0 : 1;
-        }
-    }
-    if (digits == 0)
-    {
-        return false;
-    }
-    if (i < token.size)
-    {
-        if ((token.text[i] != 'e' && token.text[i] != 'E') || i + 1 >= token.size)
-        {
-            return false;
-        }
-        ++i;
-        int sign = token.text[i] == '-' ? -1 : 1;
-        i += token.text[i] == '-' || token.text[i] == '+' ? 1 : 0;
-        int power = 0;
-        int powerDigits = 0;
-        for (; i < token.size && token.text[i] >= '0' && token.text[i] <= '9' && powerDigits < 4; ++i, ++powerDigits)
-        {
-            power = 10 * power + (token.text[i] - '0');
-        }
-        if (powerDigits == 0 || i < token.size)
-        {
-            return false;
-        }
-        exponent += sign * power;
-    }
-    double scale = powers[abs(exponent) <= 22 ? abs(exponent) : 22];
-    double magnitude = exponent < 0 ? (double)mantissa / scale : (double)mantissa * scale;
-    magnitude = exponent < -22 || mantissa == 0 ? 0.0 : exponent > 22 ? 1e38 : magnitude;
-    *value = isNegative ? -magnitude : magnitude;
-    return true;
+    return swParseNumber(token.text, token.size, value);
 }
 
 static bool isText(Token token, const char* text)
