@@ -188,6 +188,7 @@ static void BeginRendering(VkCommandBuffer commands, const Image* color, const I
     vkCmdSetScissor(commands, 0, 1, &scissor);
 }
 
+// [passes]
 // Water, sky, exposure, tone curve, and a copy that the CPU can read.
 static void RecordPicture(Picture* picture, swRenderer* renderer)
 {
@@ -216,6 +217,7 @@ static void RecordPicture(Picture* picture, swRenderer* renderer)
     vkCmdCopyImageToBuffer(commands, picture->output.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, picture->buffer, 1,
                            &copy);
 }
+// [/passes]
 
 static bool SubmitAndWait(const Picture* picture)
 {

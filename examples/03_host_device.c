@@ -131,6 +131,7 @@ static void DestroyHost(Host* host)
     }
 }
 
+// [frame]
 // One frame of the engine: step the world, record the water among the engine's own work, submit, wait.
 static bool RunFrame(Host* host, swWorld* world, swGpuWorld* gpuWorld, uint64_t frameIndex)
 {
@@ -146,6 +147,7 @@ static bool RunFrame(Host* host, swWorld* world, swGpuWorld* gpuWorld, uint64_t 
            vkWaitForFences(host->device, 1, &host->fence, VK_TRUE, UINT64_MAX) == VK_SUCCESS &&
            vkResetFences(host->device, 1, &host->fence) == VK_SUCCESS;
 }
+// [/frame]
 
 // The viewer's own column in the finest slice, against the same particle on the CPU.
 static bool CompareWithCpu(swWorld* world, swView* view, swGpuWorld* gpuWorld)

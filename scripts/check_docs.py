@@ -57,7 +57,7 @@ def check_code(path, text, fix):
             report("code", path, f"there is no {source} {region or ''}")
         elif wanted != code:
             if fix:
-                return match.group(0).replace(code, wanted)
+                return match.group(0)[:match.start(3) - match.start()] + wanted + "```"
             report("code", path, f"the block from {source} {region or ''} differs; scripts/check_docs.py --fix")
         return match.group(0)
 
