@@ -5,3 +5,17 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/slices.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum.c
     ${CMAKE_CURRENT_LIST_DIR}/spreading.c)
+
+# The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
+target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/waves_fft.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_scalar.c)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    target_sources(seaway_core PRIVATE
+        ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_sse2.c
+        ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx2.c)
+    set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx2.c
+        PROPERTIES COMPILE_OPTIONS "-mavx2;-mno-fma")
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
+    target_sources(seaway_core PRIVATE ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_neon.c)
+endif()

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The wide float: as many floats as the instruction set holds in a register. A kernel is written once on it, in an .inl,
+// and compiled once per instruction set by a small .c that defines SW_WIDE_ISA before including this.
+// Every flavour does the same operations on each lane in the same order, and none of them contracts a product and a sum;
+// so a kernel gives the same bits in all of them as long as it keeps lanes apart.
+//
+//   swWide   SW_WIDTH floats                    swWideI  SW_WIDTH 32-bit integers
+//   swQuads  two groups of four floats, whatever SW_WIDTH is: for texels of four floats, two at a time
+
+#define SW_WIDE_SCALAR 1
+#define SW_WIDE_SSE2 2
+#define SW_WIDE_AVX2 3
+#define SW_WIDE_NEON 4
+
+#ifndef SW_WIDE_ISA
+#error "Define SW_WIDE_ISA before including wide.h"
+#endif
+
+#include <stdint.h>
+#include <string.h>
+
+#include "core/math/turns.h"
+
+#if SW_WIDE_ISA == SW_WIDE_SCALAR
+#include "core/math/wide_scalar.h"
+#elif SW_WIDE_ISA == SW_WIDE_SSE2
+#include "core/math/wide_sse2.h"
+#elif SW_WIDE_ISA == SW_WIDE_AVX2
+#include "core/math/wide_avx2.h"
+#elif SW_WIDE_ISA == SW_WIDE_NEON
+#include "core/math/wide_neon.h"
+#endif
+
+// swSinCosTurns on all lanes.
+static inline void swSinCosTurnsW(swWideI phase, swWide* sine, swWide* cosine)
+{
+    swWideI quadrant = swShiftRightI(swAddI(phase, swSplatI(0x20000000u)), 30);
+    swWide x = swMulW(swToFloatI(swSubI(phase, swShiftLeftI(quadrant, 30))), swSplatW(SW_TURNS_TO_RADIANS));
+    swWide x2 = swMulW(x, x);
+
+    swWide s = swMulW(x2, swSplatW(SW_SINE_9));
+    s = swMulW(x2, swSubW(swSplatW(SW_SINE_7), s));
+    s = swMulW(x2, swSubW(swSplatW(SW_SINE_5), s));
+    s = swMulW(x2, swSubW(swSplatW(SW_SINE_3), s));
+    s = swSubW(x, swMulW(x, s));
+
+    swWide c = swMulW(x2, swSplatW(SW_COSINE_8));
+    c = swMulW(x2, swSubW(swSplatW(SW_COSINE_6), c));
+    c = swMulW(x2, swSubW(swSplatW(SW_COSINE_4), c));
+    c = swMulW(x2, swSubW(swSplatW(SW_COSINE_2), c));
+    c = swSubW(swSplatW(1.0f), c);
+
+    // Odd quadrants swap; the second half of the circle is negative, for the cosine a quarter earlier.
+    swWideI one = swSplatI(1);
+    swWideI odd = swSubI(swSplatI(0), swAndI(quadrant, one));
+    *sine = swFlipSignW(swSelectW(odd, c, s), swShiftLeftI(quadrant, 30));
+    *cosine = swFlipSignW(swSelectW(odd, s, c), swShiftLeftI(swAddI(quadrant, one), 30));
+}

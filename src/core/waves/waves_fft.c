@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: MIT
+
+// From a spectrum to the waves of each band [Tessendorf 2001].
+//
+// A band's waves stand on the lattice k = 2 pi q / side, in the ring of wave numbers of its octave. A wave gets the energy
+// that the directional spectrum has in its lattice cell,
+//   E = integral over the cell of S(omega, theta) (d omega / d k) / k,
+// where the ring cuts a cell: in the part inside. Cells away from the rim are integrated by Gauss's rule of three points an
+// axis, those at the rim by counting points inside. Then all are scaled so that the band's variance is exactly the
+// integral of S over its frequencies. Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for, and
+// hundreds to thousands of waves a band make the surface as good as Gaussian.
+//
+// omega^2 = g k tanh(k depth). Frequencies are rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is an
+// integer, exact after any time. With a loop period they are whole numbers of turns a loop.
+
+#include "core/waves/waves_fft.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/math/random.h"
+#include "core/math/scalar.h"
+#include "core/waves/waves_kernels.h"
+
+#define TURN (2.0 * SW_PI)
+
+// Points an axis where the ring cuts a cell.
+#define RIM_POINTS 6
+
+// Bands with less variance than this have no waves, m^2: a millionth of a metre high.
+#define LEAST_VARIANCE 1e-12
+
+// Waves with a smaller part of the band's energy than this are left out.
+#define LEAST_PART 1e-11
+
+// What all bands of a system share while they are built.
+typedef struct Builder
+{
+    const swHost* host;
+    const swWaveSystemDef* def;
+    const swCompiledSpectrum* spectrum;
+    double gravity;
+    swBandModes* bands;
+    swResult results[SW_MAX_BANDS];
+} Builder;
+
+// One band's lattice.
+typedef struct Ring
+{
+    int maxBin;
+    double dk;      // 2 pi / side, rad/m
+    double k0, k1;  // rad/m
+    double* energy; // [2 maxBin + 1][2 maxBin + 1] by qz, qx; m^2
+} Ring;
+
+double swGetTileSide(int band, int tileWaves)
+{
+    // Multiples of the golden section modulo one keep away from each other and from simple ratios. The largest factor leaves
+    // the bin `tileWaves` itself empty for the usual 32 waves.
+    double golden = 0.6180339887498949 * (band + 1);
+    double factor = 0.86 + 0.12 * (golden - floor(golden));
+    double shortest = ldexp(1.0, band - 4);
+    return tileWaves * shortest * factor;
+}
+
+static double getOmega(const Builder* builder, double k)
+{
+    double depth = (double)builder->def->depth;
+    double deep = builder->gravity * k;
+    return sqrt(isinf(depth) ? deep : deep * swTanh(k * depth));
+}
+
+static double getGroupSpeed(const Builder* builder, double k, double omega)
+{
+    double depth = (double)builder->def->depth;
+    if (isinf(depth))
+    {
+        return 0.5 * builder->gravity / omega;
+    }
+    double t = swTanh(k * depth);
+    return 0.5 * builder->gravity * (t + k * depth * (1.0 - t * t)) / omega;
+}
+
+// Energy per area of the k plane, m^4.
+static double getDensity(const Builder* builder, double kx, double kz)
+{
+    double k = sqrt(kx * kx + kz * kz);
+    double omega = getOmega(builder, k);
+    double theta = swAtan2(kz, kx);
+    double density = swGetCompiledDensity2(builder->spectrum, omega, theta);
+    return density > 0.0 ? density * getGroupSpeed(builder, k, omega) / k : 0.0;
+}
+
+static double integrateInnerCell(const Builder* builder, double dk, int qx, int qz)
+{
+    static const double offsets[3] = {-0.38729833462074170, 0.0, 0.38729833462074170}; // sqrt(3 / 20)
+    static const double weights[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    double sum = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+        for (int i = 0; i < 3; ++i)
+        {
+            sum += weights[j] * weights[i] * getDensity(builder, dk * (qx + offsets[i]), dk * (qz + offsets[j]));
+        }
+    }
+    return sum * dk * dk;
+}
+
+static double integrateRimCell(const Builder* builder, const Ring* ring, int qx, int qz)
+{
+    double sum = 0.0;
+    for (int j = 0; j < RIM_POINTS; ++j)
+    {
+        double kz = ring->dk * (qz + (j + 0.5) / RIM_POINTS - 0.5);
+        for (int i = 0; i < RIM_POINTS; ++i)
+        {
+            double kx = ring->dk * (qx + (i + 0.5) / RIM_POINTS - 0.5);
+            double k2 = kx * kx + kz * kz;
+            if (k2 > ring->k0 * ring->k0 && k2 <= ring->k1 * ring->k1)
+            {
+                sum += getDensity(builder, kx, kz);
+            }
+        }
+    }
+    return sum * ring->dk * ring->dk / (RIM_POINTS * RIM_POINTS);
+}
+
+static double integrateCell(const Builder* builder, const Ring* ring, int qx, int qz)
+{
+    const double halfDiagonal = 0.70710678118654752;
+    double q = sqrt((double)(qx * qx + qz * qz));
+    double innermost = (q - halfDiagonal) * ring->dk;
+    double outermost = (q + halfDiagonal) * ring->dk;
+    if (outermost <= ring->k0 || innermost >= ring->k1 || (qx == 0 && qz == 0))
+    {
+        return 0.0;
+    }
+    if (innermost > ring->k0 && outermost < ring->k1)
+    {
+        return integrateInnerCell(builder, ring->dk, qx, qz);
+    }
+    return integrateRimCell(builder, ring, qx, qz);
+}
+
+static double* getEnergy(const Ring* ring, int qx, int qz)
+{
+    return ring->energy + (qz + ring->maxBin) * (2 * ring->maxBin + 1) + qx + ring->maxBin;
+}
+
+// Fill the ring's energies so that they sum up to `variance`. Returns false if there is none to be found.
+static bool fillEnergies(const Builder* builder, Ring* ring, double variance)
+{
+    double sum = 0.0;
+    for (int qz = -ring->maxBin; qz <= ring->maxBin; ++qz)
+    {
+        for (int qx = -ring->maxBin; qx <= ring->maxBin; ++qx)
+        {
+            double energy = integrateCell(builder, ring, qx, qz);
+            *getEnergy(ring, qx, qz) = energy;
+            sum += energy;
+        }
+    }
+    if (!(sum > 0.0))
+    {
+        return false;
+    }
+    double scale = variance / sum;
+    for (int i = 0; i < (2 * ring->maxBin + 1) * (2 * ring->maxBin + 1); ++i)
+    {
+        ring->energy[i] *= scale;
+    }
+    return true;
+}
+
+static int64_t getLoopTicks(const swWaveSystemDef* def)
+{
+    double ticks = floor((double)def->loopPeriod * SW_TICKS_PER_SECOND + 0.5);
+    return ticks >= 1.0 ? (int64_t)ticks : 0;
+}
+
+// Turns per tick as Q0.64.
+static uint64_t getFrequency(double omega, int64_t loopTicks)
+{
+    double turnsPerTick = omega / TURN / SW_TICKS_PER_SECOND;
+    if (loopTicks > 0)
+    {
+        double turns = floor(turnsPerTick * (double)loopTicks + 0.5);
+        turnsPerTick = (turns >= 1.0 ? turns : 1.0) / (double)loopTicks;
+    }
+    double scaled = floor(ldexp(turnsPerTick, 64) + 0.5);
+    return scaled < 0x1p64 ? (uint64_t)scaled : UINT64_MAX;
+}
+
+// sin(pi x) / (pi x), to the fourth.
+static double getSinc4(double x)
+{
+    if (x == 0.0)
+    {
+        return 1.0;
+    }
+    double sinc = swSin(SW_PI * x) / (SW_PI * x);
+    return (sinc * sinc) * (sinc * sinc);
+}
+
+// Amplitude of the wave at q: real and imaginary part.
+static void getAmplitude(const Builder* builder, int band, const Ring* ring, int qx, int qz, double* re, double* im)
+{
+    double amplitude = sqrt(2.0 * *getEnergy(ring, qx, qz));
+    double phase = TURN * swHashToUnit(swHashWave(builder->def->seed, band, qx, qz, 0));
+    *re = amplitude * swCos(phase);
+    *im = amplitude * swSin(phase);
+}
+
+static swMode makeMode(const Builder* builder, const swBandModes* band, const Ring* ring, int qx, int qz)
+{
+    double k = ring->dk * sqrt((double)(qx * qx + qz * qz));
+    double size = builder->def->resolution;
+    double scale = 0.5 / (getSinc4(qx / size) * getSinc4(qz / size));
+    double ar, ai, br, bi;
+    getAmplitude(builder, band->band, ring, qx, qz, &ar, &ai);
+    getAmplitude(builder, band->band, ring, -qx, -qz, &br, &bi);
+    uint64_t frequency = getFrequency(getOmega(builder, k), band->loopTicks);
+    swMode mode;
+    mode.qx = (int16_t)qx;
+    mode.qz = (int16_t)qz;
+    mode.dx = (float)((double)builder->def->chop * ring->dk * qx / k);
+    mode.dz = (float)((double)builder->def->chop * ring->dk * qz / k);
+    mode.pr = (float)(scale * (ar + br));
+    mode.pi = (float)(scale * (ai - bi));
+    mode.qr = (float)(scale * (ar - br));
+    mode.qi = (float)(scale * (ai + bi));
+    mode.frequencyLow = (uint32_t)frequency;
+    mode.frequencyHigh = (uint32_t)(frequency >> 32);
+    return mode;
+}
+
+// Go through the half plane in order; `modes` may be NULL to count.
+static int listModes(const Builder* builder, const swBandModes* band, const Ring* ring, double least, swMode* modes)
+{
+    int count = 0;
+    for (int qz = 0; qz <= ring->maxBin; ++qz)
+    {
+        for (int qx = qz == 0 ? 1 : -ring->maxBin; qx <= ring->maxBin; ++qx)
+        {
+            if (*getEnergy(ring, qx, qz) + *getEnergy(ring, -qx, -qz) <= least)
+            {
+                continue;
+            }
+            if (modes != NULL)
+            {
+                modes[count] = makeMode(builder, band, ring, qx, qz);
+            }
+            count += 1;
+        }
+    }
+    return count;
+}
+
+static void measureVariances(swBandModes* band, const Ring* ring)
+{
+    double variance = 0.0;
+    double slopeX = 0.0;
+    double slopeZ = 0.0;
+    for (int qz = -ring->maxBin; qz <= ring->maxBin; ++qz)
+    {
+        for (int qx = -ring->maxBin; qx <= ring->maxBin; ++qx)
+        {
+            double energy = *getEnergy(ring, qx, qz);
+            variance += energy;
+            slopeX += energy * (ring->dk * qx) * (ring->dk * qx);
+            slopeZ += energy * (ring->dk * qz) * (ring->dk * qz);
+        }
+    }
+    band->variance = (float)variance;
+    band->slopeVarianceX = (float)slopeX;
+    band->slopeVarianceZ = (float)slopeZ;
+}
+
+static int findMaxBin(const swBandModes* band)
+{
+    int maxBin = 0;
+    for (int i = 0; i < band->modeCount; ++i)
+    {
+        int x = band->modes[i].qx < 0 ? -band->modes[i].qx : band->modes[i].qx;
+        int z = band->modes[i].qz;
+        maxBin = x > maxBin ? x : maxBin;
+        maxBin = z > maxBin ? z : maxBin;
+    }
+    return maxBin;
+}
+
+// Energies are there: make the waves.
+static swResult fillModes(const Builder* builder, swBandModes* band, const Ring* ring, double variance)
+{
+    double least = variance * LEAST_PART;
+    int count = listModes(builder, band, ring, least, NULL);
+    swMode* modes = swAllocate(builder->host, (size_t)count * sizeof(swMode));
+    if (modes == NULL)
+    {
+        return SW_ERROR_NO_MEMORY;
+    }
+    band->modes = modes;
+    band->modeCount = listModes(builder, band, ring, least, modes);
+    band->maxBin = findMaxBin(band);
+    measureVariances(band, ring);
+    return SW_SUCCESS;
+}
+
+static swResult buildBand(const Builder* builder, int index, swBandModes* band)
+{
+    const swWaveSystemDef* def = builder->def;
+    double shortest = fmax(ldexp(1.0, index - 4), (double)def->minWavelength);
+    double longest = fmin(ldexp(1.0, index - 3), (double)def->maxWavelength);
+    if (!(shortest < longest))
+    {
+        return SW_SUCCESS;
+    }
+    band->side = swGetTileSide(index, def->tileWaves);
+    band->minWavelength = (float)shortest;
+    band->maxWavelength = (float)longest;
+    Ring ring = {.dk = TURN / band->side, .k0 = TURN / longest, .k1 = TURN / shortest};
+    double variance = swIntegrateCompiled(builder->spectrum, getOmega(builder, ring.k0), getOmega(builder, ring.k1));
+    if (!(variance > LEAST_VARIANCE))
+    {
+        return SW_SUCCESS;
+    }
+    // A cell reaches half a bin inwards, so the largest bin is at most tileWaves.
+    ring.maxBin = (int)floor(ring.k1 / ring.dk + 0.5);
+    size_t size = (size_t)((2 * ring.maxBin + 1) * (2 * ring.maxBin + 1)) * sizeof(double);
+    ring.energy = swAllocate(builder->host, size);
+    if (ring.energy == NULL)
+    {
+        return SW_ERROR_NO_MEMORY;
+    }
+    swResult result = SW_SUCCESS;
+    if (fillEnergies(builder, &ring, variance))
+    {
+        result = fillModes(builder, band, &ring, variance);
+    }
+    swFree(builder->host, ring.energy, size);
+    return result;
+}
+
+static void buildBands(void* context, int begin, int end, int worker)
+{
+    (void)worker;
+    Builder* builder = context;
+    for (int band = begin; band < end; ++band)
+    {
+        builder->results[band] = buildBand(builder, band, &builder->bands[band]);
+    }
+}
+
+swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, swBandModes* bands)
+{
+    memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
+    Builder builder = {.host = host, .def = def, .gravity = (double)gravity, .bands = bands};
+    swCompiledSpectrum* spectrum = NULL;
+    swResult result = swCompileSpectrum(host, &def->spectrum, (double)gravity, &spectrum);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    builder.spectrum = spectrum;
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        bands[band].band = band;
+        bands[band].loopTicks = getLoopTicks(def);
+    }
+    host->parallelFor(host->taskContext, buildBands, &builder, SW_MAX_BANDS, 1);
+    swFreeCompiledSpectrum(host, spectrum);
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        if (builder.results[band] != SW_SUCCESS)
+        {
+            swFreeModes(host, bands);
+            return builder.results[band];
+        }
+    }
+    return SW_SUCCESS;
+}
+
+void swFreeModes(const swHost* host, swBandModes* bands)
+{
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        swFree(host, bands[band].modes, (size_t)bands[band].modeCount * sizeof(swMode));
+        bands[band].modes = NULL;
+        bands[band].modeCount = 0;
+    }
+}
+
+const swWaveKernels* swGetWaveKernels(swIsa isa)
+{
+    switch (isa)
+    {
+    case SW_ISA_SCALAR:
+        return &swWaveKernelsScalar;
+#if defined(__x86_64__)
+    case SW_ISA_BEST:
+    case SW_ISA_AVX2:
+        if (__builtin_cpu_supports("avx2"))
+        {
+            return &swWaveKernelsAvx2;
+        }
+        return isa == SW_ISA_BEST ? &swWaveKernelsSse2 : NULL;
+    case SW_ISA_SSE2:
+        return &swWaveKernelsSse2;
+#elif defined(__aarch64__)
+    case SW_ISA_BEST:
+    case SW_ISA_NEON:
+        return &swWaveKernelsNeon;
+#else
+    case SW_ISA_BEST:
+        return &swWaveKernelsScalar;
+#endif
+    default:
+        return NULL;
+    }
+}
+
+swIsa swGetWaveKernelsIsa(const swWaveKernels* kernels)
+{
+    return kernels->isa;
+}
+
+size_t swGetTileScratchSize(int resolution)
+{
+    // As layOutScratch() in waves_kernels.inl: six fields of panels and of columns, work and three planes.
+    size_t rows = (size_t)resolution;
+    size_t panels = (size_t)swGetPanelCount(resolution);
+    return (6 * panels * rows + 6 * panels * 8 + 4 * rows) * 16 * sizeof(float);
+}
+
+void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
+                      int64_t ticks, void* scratch)
+{
+    kernels->transformTiles(a, texelsA, b, texelsB, ticks, scratch);
+}
+
+void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,
+                   float* out, float* gradients)
+{
+    kernels->sampleTiles(tileCount, tiles, count, points, out, gradients);
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What waves_kernels.inl makes of each instruction set.
+
+#include "core/waves/waves_fft.h"
+
+struct swWaveKernels
+{
+    swIsa isa;
+    void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks,
+                           void* scratch);
+    void (*sampleTiles)(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
+                        float* gradients);
+};
+
+extern const swWaveKernels swWaveKernelsScalar;
+#if defined(__x86_64__)
+extern const swWaveKernels swWaveKernelsSse2;
+extern const swWaveKernels swWaveKernelsAvx2;
+#elif defined(__aarch64__)
+extern const swWaveKernels swWaveKernelsNeon;
+#endif
+
+// Panels of eight waves that a first axis needs: bins 0 .. N/4 of z.
+static inline int swGetPanelCount(int resolution)
+{
+    return (resolution / 4 + 1 + 7) / 8;
+}

@@ -1,0 +1,506 @@
+// SPDX-License-Identifier: MIT
+
+// A band's tile at a time, and its spline at points. Written on the wide float and compiled per instruction set.
+//
+// A tile is three real fields: horizontal displacements X and Z, height H. Their spectra are conjugate-symmetric, so that
+// half a plane says all. The first axis transforms x for bins qz >= 0 of each real field: lanes are qz. What it leaves,
+// T(qz, x), obeys T(-qz, x) = conj T(qz, x), so that two real fields make one complex transform along z: lanes are x, and
+//   G(qz, x) = Ta(qz, x) + i Tb(qz, x),  G(-qz, x) = conj Ta(qz, x) + i conj Tb(qz, x)
+// is formed as the second axis reads its first rows. X and Z of a tile go together, and the heights of two tiles.
+// Both axes see bins -N/4 .. N/4 only. The second works on eight columns at a time, in 24 KiB of the nearest cache for
+// N = 128, and ends in texels.
+
+#include "core/math/fft.inl"
+#include "shared/spline.h"
+
+// Real fields of a pair of tiles.
+enum
+{
+    FIELD_AX,
+    FIELD_AZ,
+    FIELD_AH,
+    FIELD_BX,
+    FIELD_BZ,
+    FIELD_BH,
+    FIELD_COUNT
+};
+
+#define ROW_BYTES (SW_PANEL_ROW * sizeof(float))
+#define MODE_CHUNK 64
+
+// Where things lie in a worker's scratch.
+typedef struct Scratch
+{
+    int size;         // N
+    int panelCount;   // of a field's first axis
+    float* panels;    // [FIELD_COUNT][panelCount][N] rows: spectra, then T in place
+    float* columns;   // [FIELD_COUNT][N/4 + 8 and more] rows: T of eight columns, by qz
+    float* work;      // [N] rows
+    float* planes[3]; // [N] rows each: X + iZ of a, of b, heights
+} Scratch;
+
+static int getColumnRows(int size)
+{
+    return 8 * swGetPanelCount(size);
+}
+
+static Scratch layOutScratch(int size, void* memory)
+{
+    Scratch s;
+    s.size = size;
+    s.panelCount = swGetPanelCount(size);
+    s.panels = memory;
+    s.columns = s.panels + FIELD_COUNT * s.panelCount * size * SW_PANEL_ROW;
+    s.work = s.columns + FIELD_COUNT * getColumnRows(size) * SW_PANEL_ROW;
+    for (int i = 0; i < 3; ++i)
+    {
+        s.planes[i] = s.work + (i + 1) * size * SW_PANEL_ROW;
+    }
+    return s;
+}
+
+static float* getPanel(const Scratch* s, int field, int panel)
+{
+    return s->panels + (field * s->panelCount + panel) * s->size * SW_PANEL_ROW;
+}
+
+// Panels that hold modes of a tile.
+static int countUsedPanels(const swTile* tile)
+{
+    return tile->maxBin / 8 + 1;
+}
+
+// Spectra of up to MODE_CHUNK modes: real and imaginary parts of X, Z and H.
+typedef struct ModeSpectra
+{
+    float parts[6][MODE_CHUNK];
+} ModeSpectra;
+
+static void computeSpectra(const swMode* modes, int count, int64_t ticks, float weight, ModeSpectra* spectra)
+{
+    uint32_t phases[MODE_CHUNK];
+    for (int i = 0; i < count; ++i)
+    {
+        uint64_t frequency = ((uint64_t)modes[i].frequencyHigh << 32) | modes[i].frequencyLow;
+        phases[i] = (uint32_t)((frequency * (uint64_t)ticks) >> 32);
+    }
+    const int stride = (int)(sizeof(swMode) / sizeof(float));
+    swWide scale = swSplatW(weight);
+    for (int i = 0; i < count; i += SW_WIDTH)
+    {
+        swWide sine, cosine, direction[4], amplitude[4];
+        swSinCosTurnsW(swLoadI(phases + i), &sine, &cosine);
+        swLoadColumns4(&modes[i].dx, stride, direction);
+        swLoadColumns4(&modes[i].pr, stride, amplitude);
+        swWide dx = direction[0];
+        swWide dz = direction[1];
+        swWide re = swAddW(swMulW(amplitude[0], cosine), swMulW(amplitude[3], sine));
+        swWide im = swSubW(swMulW(amplitude[1], cosine), swMulW(amplitude[2], sine));
+        re = swMulW(re, scale);
+        im = swMulW(im, scale);
+        swWide minus = swSplatW(-1.0f);
+        swStoreW(spectra->parts[0] + i, swMulW(swMulW(dx, im), minus));
+        swStoreW(spectra->parts[1] + i, swMulW(dx, re));
+        swStoreW(spectra->parts[2] + i, swMulW(swMulW(dz, im), minus));
+        swStoreW(spectra->parts[3] + i, swMulW(dz, re));
+        swStoreW(spectra->parts[4] + i, re);
+        swStoreW(spectra->parts[5] + i, im);
+    }
+}
+
+// Row of a panel that holds bin qx, see swFftFirstPruned().
+static inline int getSpectrumRow(int qx, int size)
+{
+    if (qx >= 0)
+    {
+        return qx < size / 4 ? qx : size / 2;
+    }
+    return size / 2 + qx;
+}
+
+static void placeSpectra(const Scratch* s, int firstField, const swMode* modes, int count, const ModeSpectra* spectra)
+{
+    const int fieldStep = s->panelCount * s->size * SW_PANEL_ROW;
+    for (int i = 0; i < count; ++i)
+    {
+        int qx = modes[i].qx;
+        int qz = modes[i].qz;
+        float* at = getPanel(s, firstField, qz / 8) + getSpectrumRow(qx, s->size) * SW_PANEL_ROW + qz % 8;
+        for (int field = 0; field < 3; ++field)
+        {
+            at[field * fieldStep] = spectra->parts[2 * field][i];
+            at[field * fieldStep + SW_PANEL_LANES] = spectra->parts[2 * field + 1][i];
+        }
+        if (qz == 0)
+        {
+            // The line of its own mirror image: the other half is not in the list.
+            at = getPanel(s, firstField, 0) + getSpectrumRow(-qx, s->size) * SW_PANEL_ROW;
+            for (int field = 0; field < 3; ++field)
+            {
+                at[field * fieldStep] = spectra->parts[2 * field][i];
+                at[field * fieldStep + SW_PANEL_LANES] = -spectra->parts[2 * field + 1][i];
+            }
+        }
+    }
+}
+
+// First axis of a tile's three fields: spectra at `ticks`, and their transforms along x.
+static void transformRows(const Scratch* s, int firstField, const swTile* tile, int64_t ticks)
+{
+    int usedPanels = countUsedPanels(tile);
+    for (int field = firstField; field < firstField + 3; ++field)
+    {
+        for (int panel = 0; panel < usedPanels; ++panel)
+        {
+            memset(getPanel(s, field, panel), 0, (size_t)(s->size / 2 + 1) * ROW_BYTES);
+        }
+    }
+    int64_t tileTicks = swGetTileTicks(tile, ticks);
+    for (int first = 0; first < tile->modeCount; first += MODE_CHUNK)
+    {
+        const swMode* modes = tile->modes + first;
+        int count = tile->modeCount - first < MODE_CHUNK ? tile->modeCount - first : MODE_CHUNK;
+        swMode padded[MODE_CHUNK];
+        if (count % SW_WIDTH != 0)
+        {
+            memset(padded, 0, sizeof padded);
+            memcpy(padded, modes, (size_t)count * sizeof(swMode));
+            modes = padded;
+        }
+        ModeSpectra spectra;
+        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight, &spectra);
+        placeSpectra(s, firstField, modes, count, &spectra);
+    }
+    for (int field = firstField; field < firstField + 3; ++field)
+    {
+        for (int panel = 0; panel < usedPanels; ++panel)
+        {
+            float* rows = getPanel(s, field, panel);
+            swFftFirstPruned(s->size, rows, s->work);
+            swFftRest(s->size, s->work, rows);
+        }
+    }
+}
+
+static float* getColumns(const Scratch* s, int field)
+{
+    return s->columns + field * getColumnRows(s->size) * SW_PANEL_ROW;
+}
+
+// T at columns x .. x + 7, turned so that rows are qz and lanes are x.
+static void turnColumns(const Scratch* s, int firstField, const swTile* tile, int x)
+{
+    int usedPanels = countUsedPanels(tile);
+    for (int field = firstField; field < firstField + 3; ++field)
+    {
+        float* to = getColumns(s, field);
+        for (int panel = 0; panel < usedPanels; ++panel)
+        {
+            const float* from = getPanel(s, field, panel) + x * SW_PANEL_ROW;
+            float* out = to + panel * 8 * SW_PANEL_ROW;
+            swTranspose8(from, SW_PANEL_ROW, out, SW_PANEL_ROW);
+            swTranspose8(from + SW_PANEL_LANES, SW_PANEL_ROW, out + SW_PANEL_LANES, SW_PANEL_ROW);
+        }
+    }
+}
+
+// G at bin qz and at bin -qz.
+static inline swComplexW joinFields(const float* a, const float* b)
+{
+    return addTurned(loadComplex(a), loadComplex(b));
+}
+
+static inline swComplexW joinMirrored(const float* a, const float* b)
+{
+    swComplexW ta = loadComplex(a);
+    swComplexW tb = loadComplex(b);
+    return (swComplexW){swAddW(ta.re, tb.im), swSubW(tb.re, ta.im)};
+}
+
+// Second axis of two real fields: along z, real parts become field a, imaginary parts field b.
+static void transformColumns(const Scratch* s, const float* a, const float* b, float* plane)
+{
+    int quarter = s->size / 4;
+    int step = quarter * SW_PANEL_ROW;
+    for (int lane = 0; lane < SW_PANEL_LANES; lane += SW_WIDTH)
+    {
+        const float* la = a + lane;
+        const float* lb = b + lane;
+        swComplexW zero = {swSplatW(0.0f), swSplatW(0.0f)};
+        butterfly4(s->work + lane, quarter, joinFields(la, lb), joinFields(la + step, lb + step), zero,
+                   joinMirrored(la + step, lb + step), NULL);
+    }
+    for (int n = 1; n < quarter; ++n)
+    {
+        swTwiddles w = loadTwiddles(n, s->size);
+        int mirrored = step - n * SW_PANEL_ROW;
+        for (int lane = 0; lane < SW_PANEL_LANES; lane += SW_WIDTH)
+        {
+            const float* la = a + lane;
+            const float* lb = b + lane;
+            butterfly4Pruned(s->work + n * SW_PANEL_ROW + lane, quarter,
+                             joinFields(la + n * SW_PANEL_ROW, lb + n * SW_PANEL_ROW),
+                             joinMirrored(la + mirrored, lb + mirrored), &w);
+        }
+    }
+    swFftRest(s->size, s->work, plane);
+}
+
+// Eight columns of texels: sample (x, z) goes to texel (x + 1, z + 1). `height` is the real or imaginary part of a plane.
+static void writeTexels(const Scratch* s, const float* horizontal, const float* height, int x, float* texels)
+{
+    int pitch = s->size + 3;
+    swWide zero = swSplatW(0.0f);
+    for (int z = 0; z < s->size; ++z)
+    {
+        float* out = texels + ((z + 1) * pitch + x + 1) * 4;
+        for (int lane = 0; lane < SW_PANEL_LANES; lane += SW_WIDTH)
+        {
+            const float* d = horizontal + z * SW_PANEL_ROW + lane;
+            swStoreRows4(out + lane * 4, swLoadW(d), swLoadW(height + z * SW_PANEL_ROW + lane),
+                         swLoadW(d + SW_PANEL_LANES), zero);
+        }
+    }
+}
+
+// Repeat what wraps: column and row 0 are sample N - 1, the last two are samples 0 and 1.
+static void padTexels(int size, float* texels)
+{
+    int pitch = size + 3;
+    size_t texel = 4 * sizeof(float);
+    for (int row = 1; row <= size; ++row)
+    {
+        float* first = texels + row * pitch * 4;
+        memcpy(first, first + size * 4, texel);
+        memcpy(first + (size + 1) * 4, first + 4, 2 * texel);
+    }
+    memcpy(texels, texels + size * pitch * 4, (size_t)pitch * texel);
+    memcpy(texels + (size + 1) * pitch * 4, texels + pitch * 4, 2 * (size_t)pitch * texel);
+}
+
+static void transformTiles(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks,
+                           void* scratch)
+{
+    Scratch s = layOutScratch(a->resolution, scratch);
+    transformRows(&s, FIELD_AX, a, ticks);
+    if (b != NULL)
+    {
+        transformRows(&s, FIELD_BX, b, ticks);
+    }
+    // Bins that no mode reaches stay zero throughout.
+    memset(s.columns, 0, (size_t)(FIELD_COUNT * getColumnRows(s.size)) * ROW_BYTES);
+    for (int x = 0; x < s.size; x += SW_PANEL_LANES)
+    {
+        turnColumns(&s, FIELD_AX, a, x);
+        transformColumns(&s, getColumns(&s, FIELD_AX), getColumns(&s, FIELD_AZ), s.planes[0]);
+        if (b != NULL)
+        {
+            turnColumns(&s, FIELD_BX, b, x);
+            transformColumns(&s, getColumns(&s, FIELD_BX), getColumns(&s, FIELD_BZ), s.planes[1]);
+        }
+        transformColumns(&s, getColumns(&s, FIELD_AH), getColumns(&s, FIELD_BH), s.planes[2]);
+        writeTexels(&s, s.planes[0], s.planes[2], x, texelsA);
+        if (b != NULL)
+        {
+            writeTexels(&s, s.planes[1], s.planes[2] + SW_PANEL_LANES, x, texelsB);
+        }
+    }
+    padTexels(s.size, texelsA);
+    if (b != NULL)
+    {
+        padTexels(s.size, texelsB);
+    }
+}
+
+// ---- Sampling ----
+
+// Points that go through the tiles together: few enough for the nearest cache, many enough that a tile's texels stay in
+// the next one while it is their turn.
+#define POINT_BLOCK 128
+
+// Coordinates of a point, interleaved x, z: which cell of a tile, and where in it.
+typedef struct Cells
+{
+    int32_t cell[2 * POINT_BLOCK];
+    float fraction[2 * POINT_BLOCK];
+} Cells;
+
+// u * scale = cell + fraction, with cell modulo N (a power of two). Adding 3 * 2^51 leaves the nearest integer in the low
+// bits of a double, exactly as long as |u * scale| < 2^51; taking it away again shows whether that was above.
+static void findCells(const double* u, int count, double scale, int size, Cells* cells)
+{
+    const double shift = 6755399441055744.0;
+    for (int i = 0; i < count; ++i)
+    {
+        double s = u[i] * scale;
+        double shifted = s + shift;
+        double rest = s - (shifted - shift);
+        int64_t bits;
+        memcpy(&bits, &shifted, sizeof bits);
+        int32_t below = rest < 0.0 ? 1 : 0;
+        cells->cell[i] = ((int32_t)bits - below) & (size - 1);
+        cells->fraction[i] = (float)(rest < 0.0 ? rest + 1.0 : rest);
+    }
+}
+
+// Weights of four neighbours for interleaved fractions, as swSplineWeights() has them.
+typedef struct Weights
+{
+    float value[4][16];
+    float slope[4][16];
+} Weights;
+
+static void findWeights(const float* fraction, Weights* weights)
+{
+    swWide one = swSplatW(1.0f);
+    swWide two = swSplatW(2.0f);
+    swWide sixth = swSplatW(1.0f / 6.0f);
+    swWide half = swSplatW(0.5f);
+    swWide twoThirds = swSplatW(2.0f / 3.0f);
+    for (int i = 0; i < 16; i += SW_WIDTH)
+    {
+        swWide t = swLoadW(fraction + i);
+        swWide s = swSubW(one, t);
+        swWide t2 = swMulW(t, t);
+        swWide s2 = swMulW(s, s);
+        swStoreW(weights->value[0] + i, swMulW(swMulW(s2, s), sixth));
+        swStoreW(weights->value[1] + i, swSubW(twoThirds, swMulW(swMulW(t2, swSubW(two, t)), half)));
+        swStoreW(weights->value[2] + i, swSubW(twoThirds, swMulW(swMulW(s2, swSubW(two, s)), half)));
+        swStoreW(weights->value[3] + i, swMulW(swMulW(t2, t), sixth));
+    }
+}
+
+// Slopes as swSplineSlopes() has them, per metre: times `scale`.
+static void findSlopes(const float* fraction, float scale, Weights* weights)
+{
+    swWide one = swSplatW(1.0f);
+    swWide two = swSplatW(2.0f);
+    swWide half = swSplatW(0.5f);
+    swWide oneAndHalf = swSplatW(1.5f);
+    swWide perMetre = swSplatW(scale);
+    for (int i = 0; i < 16; i += SW_WIDTH)
+    {
+        swWide t = swLoadW(fraction + i);
+        swWide s = swSubW(one, t);
+        swWide first = swMulW(swMulW(s, s), swSplatW(-0.5f));
+        swWide second = swMulW(t, swSubW(swMulW(oneAndHalf, t), two));
+        swWide third = swMulW(s, swSubW(two, swMulW(oneAndHalf, s)));
+        swWide fourth = swMulW(swMulW(t, t), half);
+        swStoreW(weights->slope[0] + i, swMulW(first, perMetre));
+        swStoreW(weights->slope[1] + i, swMulW(second, perMetre));
+        swStoreW(weights->slope[2] + i, swMulW(third, perMetre));
+        swStoreW(weights->slope[3] + i, swMulW(fourth, perMetre));
+    }
+}
+
+// Sum over the four rows of a window, for a pair of neighbouring columns.
+static inline swQuads sumRows(const float* window, int pitch4, swQuads w0, swQuads w1, swQuads w2, swQuads w3)
+{
+    swQuads sum = swMulQ(w0, swLoadQ(window));
+    sum = swAddQ(sum, swMulQ(w1, swLoadQ(window + pitch4)));
+    sum = swAddQ(sum, swMulQ(w2, swLoadQ(window + 2 * pitch4)));
+    return swAddQ(sum, swMulQ(w3, swLoadQ(window + 3 * pitch4)));
+}
+
+// Sums of a point over tiles. Even and odd columns of the windows stay apart until the end.
+typedef struct PointSums
+{
+    float value[8];
+    float alongX[8], alongZ[8];
+} PointSums;
+
+#define SPLAT(values, at) swSplatQ((values)[at], (values)[at])
+
+static inline void addValue(const float* window, int pitch4, const Weights* weights, int x, int z, PointSums* sums)
+{
+    const float(*w)[16] = weights->value;
+    swQuads w0 = SPLAT(w[0], z), w1 = SPLAT(w[1], z), w2 = SPLAT(w[2], z), w3 = SPLAT(w[3], z);
+    swQuads left = sumRows(window, pitch4, w0, w1, w2, w3);
+    swQuads right = sumRows(window + 8, pitch4, w0, w1, w2, w3);
+    swQuads sum = swAddQ(swMulQ(swSplatQ(w[0][x], w[1][x]), left), swMulQ(swSplatQ(w[2][x], w[3][x]), right));
+    swStoreQ(sums->value, swAddQ(swLoadQ(sums->value), sum));
+}
+
+static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, PointSums* sums)
+{
+    const float(*v)[16] = w->value;
+    const float(*d)[16] = w->slope;
+    swQuads left = sumRows(window, pitch4, SPLAT(v[0], z), SPLAT(v[1], z), SPLAT(v[2], z), SPLAT(v[3], z));
+    swQuads right = sumRows(window + 8, pitch4, SPLAT(v[0], z), SPLAT(v[1], z), SPLAT(v[2], z), SPLAT(v[3], z));
+    swQuads leftX = swSplatQ(v[0][x], v[1][x]);
+    swQuads rightX = swSplatQ(v[2][x], v[3][x]);
+    swQuads sum = swAddQ(swMulQ(leftX, left), swMulQ(rightX, right));
+    swStoreQ(sums->value, swAddQ(swLoadQ(sums->value), sum));
+    sum = swAddQ(swMulQ(swSplatQ(d[0][x], d[1][x]), left), swMulQ(swSplatQ(d[2][x], d[3][x]), right));
+    swStoreQ(sums->alongX, swAddQ(swLoadQ(sums->alongX), sum));
+    left = sumRows(window, pitch4, SPLAT(d[0], z), SPLAT(d[1], z), SPLAT(d[2], z), SPLAT(d[3], z));
+    right = sumRows(window + 8, pitch4, SPLAT(d[0], z), SPLAT(d[1], z), SPLAT(d[2], z), SPLAT(d[3], z));
+    sum = swAddQ(swMulQ(leftX, left), swMulQ(rightX, right));
+    swStoreQ(sums->alongZ, swAddQ(swLoadQ(sums->alongZ), sum));
+}
+
+// Add one tile to the sums of `count` points, a multiple of eight.
+static void addTile(const swTile* tile, int count, const double* u, bool withSlopes, Cells* cells, PointSums* sums)
+{
+    double scale = tile->resolution / tile->side;
+    int pitch4 = (tile->resolution + 3) * 4;
+    findCells(u, 2 * count, scale, tile->resolution, cells);
+    for (int first = 0; first < count; first += 8)
+    {
+        Weights weights;
+        findWeights(cells->fraction + 2 * first, &weights);
+        if (withSlopes)
+        {
+            findSlopes(cells->fraction + 2 * first, (float)scale, &weights);
+        }
+        for (int i = 0; i < 8; ++i)
+        {
+            const int32_t* cell = cells->cell + 2 * (first + i);
+            const float* window = tile->texels + (size_t)cell[1] * (size_t)pitch4 + (size_t)cell[0] * 4;
+            if (withSlopes)
+            {
+                addSlopes(window, pitch4, &weights, 2 * i, 2 * i + 1, sums + first + i);
+            }
+            else
+            {
+                addValue(window, pitch4, &weights, 2 * i, 2 * i + 1, sums + first + i);
+            }
+        }
+    }
+}
+
+static void sampleTiles(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
+                        float* gradients)
+{
+    double u[2 * POINT_BLOCK];
+    Cells cells;
+    PointSums sums[POINT_BLOCK];
+    for (int first = 0; first < count; first += POINT_BLOCK)
+    {
+        int blockCount = count - first < POINT_BLOCK ? count - first : POINT_BLOCK;
+        int padded = (blockCount + 7) / 8 * 8;
+        for (int i = 0; i < padded; ++i)
+        {
+            const swPosXZ* point = points + first + (i < blockCount ? i : 0);
+            u[2 * i] = point->x;
+            u[2 * i + 1] = point->z;
+        }
+        memset(sums, 0, (size_t)padded * sizeof(PointSums));
+        for (int tile = 0; tile < tileCount; ++tile)
+        {
+            addTile(tiles + tile, padded, u, gradients != NULL, &cells, sums);
+        }
+        for (int i = 0; i < blockCount; ++i)
+        {
+            swStoreSumQ(out + (size_t)(first + i) * 4, swLoadQ(sums[i].value));
+            if (gradients != NULL)
+            {
+                float x[4], z[4];
+                swStoreSumQ(x, swLoadQ(sums[i].alongX));
+                swStoreSumQ(z, swLoadQ(sums[i].alongZ));
+                const float gradient[8] = {x[0], z[0], x[2], z[2], x[1], z[1], 0.0f, 0.0f};
+                memcpy(gradients + (size_t)(first + i) * 8, gradient, sizeof gradient);
+            }
+        }
+    }
+}

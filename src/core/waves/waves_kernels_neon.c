@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+
+#include "core/waves/waves_kernels.h"
+
+#define SW_WIDE_ISA SW_WIDE_NEON
+#include "core/math/wide.h"
+
+#include "core/waves/waves_kernels.inl"
+
+const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON, transformTiles, sampleTiles};

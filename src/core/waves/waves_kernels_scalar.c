@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+
+#include "core/waves/waves_kernels.h"
+
+#define SW_WIDE_ISA SW_WIDE_SCALAR
+#include "core/math/wide.h"
+
+#include "core/waves/waves_kernels.inl"
+
+const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles};
