@@ -5,6 +5,8 @@
 // Vulkan functions are called through the table: gpu->vk.CmdDispatch(commands, ...). A function that is not there yet
 // gets a line in vk_functions.inl.
 
+#include <stdatomic.h>
+
 #include "core/base/host.h"
 #include "gpu/vk/vk_buffer.h"
 #include "gpu/vk/vk_image.h"
@@ -50,7 +52,7 @@ struct swGpu
     uint32_t queueFamily;
     bool ownsInstance, ownsDevice;
     VkDebugUtilsMessengerEXT messenger;
-    int validationCount; // changed from whatever thread calls Vulkan, atomically
+    atomic_int validationCount; // counted on whatever thread calls Vulkan
 
     VkPhysicalDeviceProperties properties;
     float maxAnisotropy;
@@ -75,6 +77,13 @@ struct swGpu
 
 swResult swCreateDevice(const swHost* host, const swGpuDef* def, swGpu** gpu);
 void swDestroyDevice(swGpu* gpu);
+
+// Features and extensions: what a device must have and what is enabled on one of our own.
+bool swCheckDeviceFeatures(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance, VkPhysicalDevice device,
+                           char* missing, size_t size);
+void swFillDeviceFeatures(swGpuFeatures* storage);
+extern const char* const swDeviceExtensions[];
+#define SW_DEVICE_EXTENSION_COUNT 1
 
 // Log "what failed: VK_ERROR_..." and give the swResult that a VkResult means; VK_SUCCESS gives SW_SUCCESS.
 swResult swCheckVk(const swGpu* gpu, VkResult result, const char* what);

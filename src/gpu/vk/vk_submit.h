@@ -8,3 +8,4 @@
 swResult swBeginSubmit(swGpu* gpu, VkCommandBuffer* commands);
 // Submits to the device's queue and waits.
 swResult swEndSubmit(swGpu* gpu);
+void swDestroySubmit(swGpu* gpu);

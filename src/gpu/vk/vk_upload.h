@@ -27,6 +27,6 @@ swResult swUploadData(swGpu* gpu, const void* data, VkDeviceSize size, swUpload*
 void swResetUpload(swGpu* gpu, int slot);
 void swDestroyUploads(swGpu* gpu);
 
-// Record a copy of pixels (tightly packed) into one mip and layer of an image, from UNDEFINED to its resting layout.
+// Record a copy of pixels (tightly packed, all layers of mip 0) into an image, from UNDEFINED to its resting layout.
 struct swImage;
 swResult swUploadImage(swGpu* gpu, VkCommandBuffer commands, struct swImage* image, const void* pixels, size_t size);
