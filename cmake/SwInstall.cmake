@@ -55,7 +55,7 @@ if(TARGET seaway_gpu)
     list(APPEND SW_COMPONENTS gpu)
 endif()
 if(TARGET seaway_scene)
-    sw_install_library(scene DESCRIPTION "Scene files and measured spectra for Seaway" REQUIRES seaway-core
+    sw_install_library(scene DESCRIPTION "Scene files and measured spectra for Seaway" REQUIRES seaway-gpu
         PACKAGES yaml-0.1 zlib LIBRARIES -lm)
     list(APPEND SW_COMPONENTS scene)
 endif()

@@ -47,6 +47,7 @@ typedef struct swScene
     swSceneWaves waves[SW_MAX_WAVE_SYSTEMS];
     int viewCount;
     swSceneView views[SW_MAX_SCENE_VIEWS];
+    swHost host; ///< who gave the memory
 } swScene;
 
 /// Read a scene file. Relative paths in it are relative to the file.

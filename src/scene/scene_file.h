@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Whole files into the host's memory.
+
+#include <stddef.h>
+
+#include "seaway/base.h"
+
+typedef struct swText
+{
+    char* data;
+    size_t size;
+    size_t capacity;
+} swText;
+
+// Read a file, unpacking it if it is gzip, whatever its name. More than `limit` bytes are refused.
+// SW_ERROR_FILE and a sentence in the log if it cannot be read.
+swResult swReadText(const swHost* host, const char* path, size_t limit, swText* text);
+void swFreeText(const swHost* host, swText* text);
+
+// Whether there is a file that can be opened for reading.
+bool swHasFile(const char* path);

@@ -1,0 +1,599 @@
+// SPDX-License-Identifier: MIT
+// Scene files. Keys are snake case and carry their unit; docs/scenes.md lists them. What a file leaves out keeps the
+// default of the def that it fills.
+
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "scene/scene_file.h"
+#include "scene/yaml_read.h"
+#include "seaway/scene.h"
+
+#define MAX_SCENE_SIZE ((size_t)1 << 20)
+#define COUNT(fields) ((int)(sizeof(fields) / sizeof((fields)[0])))
+
+// Beyond any sea, yet far from where doubles lose millimetres.
+#define FAR 1e9
+
+typedef struct Reader
+{
+    swScene* scene;
+    const char* folder;
+} Reader;
+
+static swScene* getScene(const swYaml* yaml)
+{
+    return ((Reader*)yaml->context)->scene;
+}
+
+// ---- sections that fill one def ----
+
+static const swYamlField worldFields[] = {
+    {.key = "gravity_mps2", .type = SW_YAML_FLOAT, .offset = offsetof(swWorldDef, gravity), .low = 0.1, .high = 100.0},
+    {.key = "sea_level_m", .type = SW_YAML_DOUBLE, .offset = offsetof(swWorldDef, seaLevel), .low = -1e5, .high = 1e5},
+};
+
+static const swYamlField foamFields[] = {
+    {.key = "fade_rate_per_s",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swFoamDef, fadeRate),
+     .low = 0.01,
+     .high = 10.0},
+    {.key = "threshold", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, threshold), .low = 0.0, .high = 1.0},
+    {.key = "gain_per_s", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, gain), .low = 0.0, .high = 50.0},
+};
+
+static const swYamlField viewFields[] = {
+    {.key = "slice_count",
+     .type = SW_YAML_INT,
+     .offset = offsetof(swViewDef, sliceCount),
+     .low = 2.0,
+     .high = SW_MAX_SLICES},
+    {.key = "resolution", .type = SW_YAML_INT, .offset = offsetof(swViewDef, resolution), .low = 64.0, .high = 1024.0},
+    {.key = "finest_texel_m",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swViewDef, finestTexel),
+     .low = 0.015625,
+     .high = 16.0},
+    {.key = "max_scale_level",
+     .type = SW_YAML_INT,
+     .offset = offsetof(swViewDef, maxScaleLevel),
+     .low = 0.0,
+     .high = 16.0},
+};
+
+static const swYamlField sunFields[] = {
+    {.key = "azimuth_deg",
+     .type = SW_YAML_DEGREES,
+     .offset = offsetof(swSkyDef, sunAzimuth),
+     .low = -360.0,
+     .high = 360.0},
+    {.key = "elevation_deg",
+     .type = SW_YAML_DEGREES,
+     .offset = offsetof(swSkyDef, sunElevation),
+     .low = -90.0,
+     .high = 90.0},
+    {.key = "illuminance_lux",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swSkyDef, sunIlluminance),
+     .low = 0.0,
+     .high = 1e6},
+};
+
+static const swYamlField skyFields[] = {
+    {.key = "haze", .type = SW_YAML_FLOAT, .offset = offsetof(swSkyDef, haze), .low = 0.0, .high = 20.0},
+    {.key = "clouds", .type = SW_YAML_FLOAT, .offset = offsetof(swSkyDef, clouds), .low = 0.0, .high = 1.0},
+};
+
+static const swYamlField waterFields[] = {
+    {.key = "absorption_per_m",
+     .type = SW_YAML_COLOR,
+     .offset = offsetof(swWaterDef, absorption),
+     .low = 0.0,
+     .high = 100.0},
+    {.key = "scattering_per_m",
+     .type = SW_YAML_COLOR,
+     .offset = offsetof(swWaterDef, scattering),
+     .low = 0.0,
+     .high = 100.0},
+    {.key = "refractive_index",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swWaterDef, refractiveIndex),
+     .low = 1.0,
+     .high = 3.0},
+    {.key = "foam_albedo", .type = SW_YAML_COLOR, .offset = offsetof(swWaterDef, foamAlbedo), .low = 0.0, .high = 1.0},
+    {.key = "wind_speed_mps",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swWaterDef, windSpeed),
+     .low = 0.0,
+     .high = 100.0},
+};
+
+static swResult readWorld(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    return swReadYamlMapping(yaml, node, "world", worldFields, COUNT(worldFields), &scene->world, NULL);
+}
+
+static swResult readFoam(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    return swReadYamlMapping(yaml, node, "foam", foamFields, COUNT(foamFields), &scene->world.foam, NULL);
+}
+
+static swResult readView(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    swYamlNodes nodes;
+    swResult result = swReadYamlMapping(yaml, node, "view", viewFields, COUNT(viewFields), &scene->view, &nodes);
+    if (result == SW_SUCCESS && scene->view.resolution % 64 != 0)
+    {
+        result =
+            swFailYaml(yaml, nodes.nodes[1], "resolution is %d; it must be a multiple of 64.", scene->view.resolution);
+    }
+    if (result == SW_SUCCESS && nodes.nodes[2] != NULL)
+    {
+        float power = 16.0f;
+        while (power > scene->view.finestTexel)
+        {
+            power *= 0.5f;
+        }
+        if (power != scene->view.finestTexel)
+        {
+            result = swFailYaml(yaml, nodes.nodes[2], "finest_texel_m is %g; it must be a power of two, such as %g.",
+                                (double)scene->view.finestTexel, (double)power);
+        }
+    }
+    return result;
+}
+
+static swResult readSun(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    return swReadYamlMapping(yaml, node, "sun", sunFields, COUNT(sunFields), &scene->sky, NULL);
+}
+
+static swResult readSky(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    return swReadYamlMapping(yaml, node, "sky", skyFields, COUNT(skyFields), &scene->sky, NULL);
+}
+
+static swResult readWater(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    return swReadYamlMapping(yaml, node, "water", waterFields, COUNT(waterFields), &scene->water, NULL);
+}
+
+// ---- wave systems ----
+
+// Words in the order of swSpectrumKind.
+static const char* const spectrumWords[] = {"jonswap", "pierson_moskowitz", "file", NULL};
+
+typedef struct WavesText
+{
+    swSceneWaves* waves;
+    int kind;
+    char file[512];
+    char at[32];
+    swWaveSystemDef def;
+} WavesText;
+
+#define SPECTRUM(member)                                                                                               \
+    (offsetof(WavesText, def) + offsetof(swWaveSystemDef, spectrum) + offsetof(swSpectrumDef, member))
+#define SYSTEM(member) (offsetof(WavesText, def) + offsetof(swWaveSystemDef, member))
+
+enum
+{
+    KIND,
+    FILE_NAME,
+    AT,
+    WIND_SPEED,
+    FETCH,
+    GAMMA,
+    HEIGHT,
+    PEAK_PERIOD,
+    DIRECTION,
+    SPREAD_EXPONENT,
+    TURN,
+    EXTEND_TAIL,
+    RESOLUTION,
+    TILE_WAVES,
+    MIN_WAVELENGTH,
+    MAX_WAVELENGTH,
+    CHOP,
+    WEIGHT,
+    DEPTH,
+    LOOP_PERIOD,
+    SEED,
+    WAVES_FIELD_COUNT
+};
+
+static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
+    [KIND] = {.key = "spectrum", .type = SW_YAML_CHOICE, .offset = offsetof(WavesText, kind), .words = spectrumWords},
+    [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, file), .size = 512},
+    [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, at), .size = 32},
+    [WIND_SPEED] =
+        {.key = "wind_speed_mps", .type = SW_YAML_FLOAT, .offset = SPECTRUM(windSpeed), .low = 0.1, .high = 100.0},
+    [FETCH] = {.key = "fetch_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(fetch), .low = 1e3, .high = 1e7},
+    [GAMMA] = {.key = "gamma", .type = SW_YAML_FLOAT, .offset = SPECTRUM(gamma), .low = 1.0, .high = 10.0},
+    [HEIGHT] = {.key = "significant_height_m",
+                .type = SW_YAML_FLOAT,
+                .offset = SPECTRUM(significantHeight),
+                .low = 0.0,
+                .high = 40.0},
+    [PEAK_PERIOD] =
+        {.key = "peak_period_s", .type = SW_YAML_FLOAT, .offset = SPECTRUM(peakPeriod), .low = 0.0, .high = 60.0},
+    [DIRECTION] = {.key = "direction_from_deg",
+                   .type = SW_YAML_BEARING,
+                   .offset = SPECTRUM(direction),
+                   .low = -360.0,
+                   .high = 360.0},
+    [SPREAD_EXPONENT] = {.key = "spread_exponent",
+                         .type = SW_YAML_FLOAT,
+                         .offset = SPECTRUM(spreadExponent),
+                         .low = 0.0,
+                         .high = 200.0},
+    [TURN] = {.key = "turn_deg", .type = SW_YAML_DEGREES, .offset = SPECTRUM(direction), .low = -360.0, .high = 360.0},
+    [EXTEND_TAIL] = {.key = "extend_tail", .type = SW_YAML_BOOL, .offset = SPECTRUM(extendTail)},
+    [RESOLUTION] = {.key = "resolution", .type = SW_YAML_INT, .offset = SYSTEM(resolution), .low = 16.0, .high = 512.0},
+    [TILE_WAVES] = {.key = "tile_waves", .type = SW_YAML_INT, .offset = SYSTEM(tileWaves), .low = 4.0, .high = 128.0},
+    [MIN_WAVELENGTH] =
+        {.key = "min_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(minWavelength), .low = 0.0, .high = 1e5},
+    [MAX_WAVELENGTH] =
+        {.key = "max_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(maxWavelength), .low = 0.0, .high = 1e5},
+    [CHOP] = {.key = "chop", .type = SW_YAML_FLOAT, .offset = SYSTEM(chop), .low = 0.0, .high = 2.0},
+    [WEIGHT] = {.key = "weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(weight), .low = 0.0, .high = 10.0},
+    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(depth), .low = 0.01, .high = 1e5},
+    [LOOP_PERIOD] =
+        {.key = "loop_period_s", .type = SW_YAML_FLOAT, .offset = SYSTEM(loopPeriod), .low = 0.0, .high = 86400.0},
+    [SEED] = {.key = "seed", .type = SW_YAML_UINT, .offset = SYSTEM(seed), .low = 0.0, .high = 4294967295.0},
+};
+
+// Keys that do not go with a kind of spectrum would have no effect: refused, so that nobody turns a dead knob.
+static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes* nodes)
+{
+    static const struct
+    {
+        int field;
+        bool goesWith[SW_SPECTRUM_KIND_COUNT];
+    } rules[] = {
+        {FILE_NAME, {false, false, true}}, {AT, {false, false, true}},
+        {WIND_SPEED, {true, true, false}}, {FETCH, {true, false, false}},
+        {GAMMA, {true, false, false}},     {PEAK_PERIOD, {true, true, false}},
+        {DIRECTION, {true, true, false}},  {SPREAD_EXPONENT, {true, true, false}},
+        {TURN, {false, false, true}},      {EXTEND_TAIL, {false, false, true}},
+    };
+    for (int i = 0; i < COUNT(rules); ++i)
+    {
+        const yaml_node_t* node = nodes->nodes[rules[i].field];
+        if (node != NULL && !rules[i].goesWith[text->kind])
+        {
+            return swFailYaml(yaml, node, "%s has no effect on the spectrum '%s'; remove it%s.",
+                              wavesFields[rules[i].field].key, spectrumWords[text->kind],
+                              rules[i].field == DIRECTION ? ", or turn the measured sea with turn_deg" : "");
+        }
+    }
+    return SW_SUCCESS;
+}
+
+static bool isPowerOfTwo(int value)
+{
+    return value > 0 && (value & (value - 1)) == 0;
+}
+
+static swResult checkSystem(swYaml* yaml, yaml_node_t* node, const swWaveSystemDef* def, const swYamlNodes* nodes)
+{
+    if (!isPowerOfTwo(def->resolution))
+    {
+        return swFailYaml(yaml, nodes->nodes[RESOLUTION], "resolution is %d; it must be a power of two.",
+                          def->resolution);
+    }
+    if (def->tileWaves > def->resolution / 4)
+    {
+        return swFailYaml(yaml, nodes->nodes[TILE_WAVES] != NULL ? nodes->nodes[TILE_WAVES] : node,
+                          "tile_waves is %d; it must be at most a quarter of the resolution, %d.", def->tileWaves,
+                          def->resolution / 4);
+    }
+    if (def->minWavelength >= def->maxWavelength)
+    {
+        return swFailYaml(yaml, nodes->nodes[MIN_WAVELENGTH] != NULL ? nodes->nodes[MIN_WAVELENGTH] : node,
+                          "min_wavelength_m is %g and max_wavelength_m is %g; the first must be smaller.",
+                          (double)def->minWavelength, (double)def->maxWavelength);
+    }
+    return SW_SUCCESS;
+}
+
+static void joinPath(char* path, size_t size, const char* folder, const char* file)
+{
+    bool isAlone = file[0] == '/' || folder == NULL || folder[0] == '\0';
+    snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file);
+}
+
+static swResult readFileSpectrum(swYaml* yaml, yaml_node_t* node, const WavesText* text, const swYamlNodes* nodes)
+{
+    swSceneWaves* waves = text->waves;
+    if (nodes->nodes[FILE_NAME] == NULL)
+    {
+        return swFailYaml(yaml, node, "a spectrum 'file' needs the key file with the name of an NDBC energy file.");
+    }
+    char path[1024];
+    joinPath(path, sizeof(path), ((Reader*)yaml->context)->folder, text->file);
+    swResult result = swReadMeasuredSea(yaml->host, path, &waves->measured);
+    if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
+    {
+        swFailYaml(yaml, nodes->nodes[FILE_NAME], "the spectrum file %s cannot be used.", path);
+    }
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    memcpy(waves->file, text->file, sizeof(waves->file));
+    waves->record = swMeasuredSea_FindLargest(waves->measured);
+    if (nodes->nodes[AT] != NULL)
+    {
+        waves->record = swMeasuredSea_FindTime(waves->measured, text->at);
+        if (waves->record < 0)
+        {
+            return swFailYaml(yaml, nodes->nodes[AT], "at is '%s'; it must be a time such as 2022-05-10 10:50.",
+                              text->at);
+        }
+    }
+    waves->table = swMeasuredSea_GetRecord(waves->measured, waves->record).table;
+    waves->def.spectrum.table = &waves->table;
+    swSeaState seaState;
+    if (swSpectrum_GetSeaState(&waves->def.spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
+    {
+        char time[20];
+        memcpy(time, swMeasuredSea_GetRecord(waves->measured, waves->record).time, sizeof(time));
+        return swFailYaml(yaml, nodes->nodes[FILE_NAME],
+                          "the record of %s in %s has no energy; choose another with at.", time, path);
+    }
+    return SW_SUCCESS;
+}
+
+static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
+{
+    WavesText text;
+    memset(&text, 0, sizeof(text));
+    text.waves = waves;
+    text.def = swDefaultWaveSystemDef();
+    swYamlNodes nodes;
+    swResult result = swReadYamlMapping(yaml, node, "waves", wavesFields, WAVES_FIELD_COUNT, &text, &nodes);
+    if (result == SW_SUCCESS && nodes.nodes[KIND] == NULL)
+    {
+        result = swFailYaml(yaml, node, "the key spectrum is missing; it is jonswap, pierson_moskowitz or file.");
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = checkKeys(yaml, &text, &nodes);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = checkSystem(yaml, node, &text.def, &nodes);
+    }
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    text.def.spectrum.kind = (swSpectrumKind)text.kind;
+    waves->def = text.def;
+    return text.kind == SW_SPECTRUM_TABLE ? readFileSpectrum(yaml, node, &text, &nodes) : SW_SUCCESS;
+}
+
+static swResult readWaves(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    int count = 0;
+    swResult result = swReadYamlList(yaml, node, "waves", SW_MAX_WAVE_SYSTEMS, &count);
+    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    {
+        // Counted first, so that what a failed one has read is freed.
+        scene->wavesCount = i + 1;
+        result = readSystem(yaml, swGetYamlItem(yaml, node, i), &scene->waves[i]);
+    }
+    return result;
+}
+
+// ---- views ----
+
+enum
+{
+    VIEW_NAME,
+    VIEW_POSITION,
+    VIEW_HEADING,
+    VIEW_PITCH,
+    VIEW_ROLL,
+    VIEW_FOV,
+    VIEW_SUN_AZIMUTH,
+    VIEW_SUN_ELEVATION,
+    VIEW_FIELD_COUNT
+};
+
+static const swYamlField sceneViewFields[VIEW_FIELD_COUNT] = {
+    [VIEW_NAME] = {.key = "name", .type = SW_YAML_TEXT, .offset = offsetof(swSceneView, name), .size = 64},
+    [VIEW_POSITION] = {.key = "position_m",
+                       .type = SW_YAML_POSITION,
+                       .offset = offsetof(swSceneView, position),
+                       .low = -FAR,
+                       .high = FAR},
+    [VIEW_HEADING] = {.key = "heading_deg",
+                      .type = SW_YAML_DEGREES,
+                      .offset = offsetof(swSceneView, heading),
+                      .low = -360.0,
+                      .high = 360.0},
+    [VIEW_PITCH] = {.key = "pitch_deg",
+                    .type = SW_YAML_DEGREES,
+                    .offset = offsetof(swSceneView, pitch),
+                    .low = -90.0,
+                    .high = 90.0},
+    [VIEW_ROLL] = {.key = "roll_deg",
+                   .type = SW_YAML_DEGREES,
+                   .offset = offsetof(swSceneView, roll),
+                   .low = -180.0,
+                   .high = 180.0},
+    [VIEW_FOV] = {.key = "fov_deg",
+                  .type = SW_YAML_DEGREES,
+                  .offset = offsetof(swSceneView, verticalFov),
+                  .low = 1.0,
+                  .high = 150.0},
+    [VIEW_SUN_AZIMUTH] = {.key = "sun_azimuth_deg",
+                          .type = SW_YAML_DEGREES,
+                          .offset = offsetof(swSceneView, sunAzimuth),
+                          .low = -360.0,
+                          .high = 360.0},
+    [VIEW_SUN_ELEVATION] = {.key = "sun_elevation_deg",
+                            .type = SW_YAML_DEGREES,
+                            .offset = offsetof(swSceneView, sunElevation),
+                            .low = -90.0,
+                            .high = 90.0},
+};
+
+static swResult readSceneView(swYaml* yaml, yaml_node_t* node, swScene* scene, int index)
+{
+    swSceneView* view = &scene->views[index];
+    view->position.y = 20.0;
+    view->verticalFov = (float)(50.0 * (SW_PI / 180.0));
+    swYamlNodes nodes;
+    swResult result = swReadYamlMapping(yaml, node, "views", sceneViewFields, VIEW_FIELD_COUNT, view, &nodes);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (nodes.nodes[VIEW_NAME] == NULL)
+    {
+        return swFailYaml(yaml, node, "the view has no name; give it one to ask for.");
+    }
+    for (int i = 0; i < index; ++i)
+    {
+        if (strcmp(scene->views[i].name, view->name) == 0)
+        {
+            return swFailYaml(yaml, nodes.nodes[VIEW_NAME], "a view named '%s' stands above; names must differ.",
+                              view->name);
+        }
+    }
+    const yaml_node_t* azimuth = nodes.nodes[VIEW_SUN_AZIMUTH];
+    const yaml_node_t* elevation = nodes.nodes[VIEW_SUN_ELEVATION];
+    if ((azimuth == NULL) != (elevation == NULL))
+    {
+        return swFailYaml(yaml, azimuth != NULL ? azimuth : elevation,
+                          "a view's own sun needs both sun_azimuth_deg and sun_elevation_deg.");
+    }
+    view->hasSun = azimuth != NULL;
+    return SW_SUCCESS;
+}
+
+static swResult readViews(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    swScene* scene = target;
+    swResult result = swReadYamlList(yaml, node, "views", SW_MAX_SCENE_VIEWS, &scene->viewCount);
+    for (int i = 0; i < scene->viewCount && result == SW_SUCCESS; ++i)
+    {
+        result = readSceneView(yaml, swGetYamlItem(yaml, node, i), scene, i);
+    }
+    return result;
+}
+
+// ---- the file ----
+
+static const swYamlField sceneFields[] = {
+    {.key = "name", .type = SW_YAML_TEXT, .offset = offsetof(swScene, name), .size = 128},
+    {.key = "time_s", .type = SW_YAML_DOUBLE, .offset = offsetof(swScene, time), .low = -FAR, .high = FAR},
+    {.key = "exposure_ev", .type = SW_YAML_FLOAT, .offset = offsetof(swScene, exposureEv), .low = -20.0, .high = 20.0},
+    {.key = "world", .type = SW_YAML_CUSTOM, .read = readWorld},
+    {.key = "foam", .type = SW_YAML_CUSTOM, .read = readFoam},
+    {.key = "view", .type = SW_YAML_CUSTOM, .read = readView},
+    {.key = "sun", .type = SW_YAML_CUSTOM, .read = readSun},
+    {.key = "sky", .type = SW_YAML_CUSTOM, .read = readSky},
+    {.key = "water", .type = SW_YAML_CUSTOM, .read = readWater},
+    {.key = "waves", .type = SW_YAML_CUSTOM, .read = readWaves},
+    {.key = "views", .type = SW_YAML_CUSTOM, .read = readViews},
+};
+
+static swResult readRoot(const swHost* host, const char* text, size_t size, const char* name, Reader* reader)
+{
+    swYaml yaml;
+    yaml_node_t* root = NULL;
+    swResult result = swOpenYaml(host, text, size, name, &yaml, &root);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    yaml.context = reader;
+    if (root == NULL)
+    {
+        result =
+            swFail(host, SW_ERROR_FORMAT, "%s:1: the scene file is empty; it needs at least a list of waves.", name);
+    }
+    else
+    {
+        result = swReadYamlMapping(&yaml, root, "a scene", sceneFields, COUNT(sceneFields), getScene(&yaml), NULL);
+    }
+    swCloseYaml(&yaml);
+    return result;
+}
+
+swResult swReadSceneText(const swHost* host, const char* text, size_t size, const char* name, const char* folder,
+                         swScene** scene)
+{
+    *scene = NULL;
+    name = name != NULL ? name : "scene";
+    if (size > MAX_SCENE_SIZE)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s:1: the scene file has %zu bytes; at most %zu are read.", name, size,
+                      MAX_SCENE_SIZE);
+    }
+    swScene* made = swAllocateZero(host, sizeof(*made));
+    if (made == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the scene %s.", name);
+    }
+    made->host = *host;
+    made->world = swDefaultWorldDef();
+    made->view = swDefaultViewDef();
+    made->sky = swDefaultSkyDef();
+    made->water = swDefaultWaterDef();
+    Reader reader = {made, folder};
+    swResult result = readRoot(host, text, size, name, &reader);
+    if (result != SW_SUCCESS)
+    {
+        swDestroyScene(made);
+        return result;
+    }
+    *scene = made;
+    return SW_SUCCESS;
+}
+
+swResult swReadScene(const swHost* host, const char* path, swScene** scene)
+{
+    *scene = NULL;
+    char folder[1024] = "";
+    const char* slash = strrchr(path, '/');
+    if (slash != NULL)
+    {
+        // The root folder keeps its slash.
+        snprintf(folder, sizeof(folder), "%.*s", slash > path ? (int)(slash - path) : 1, path);
+    }
+    swText text;
+    swResult result = swReadText(host, path, MAX_SCENE_SIZE, &text);
+    if (result == SW_SUCCESS)
+    {
+        result = swReadSceneText(host, text.data != NULL ? text.data : "", text.size, path, folder, scene);
+        swFreeText(host, &text);
+    }
+    return result;
+}
+
+void swDestroyScene(swScene* scene)
+{
+    if (scene != NULL)
+    {
+        swHost host = scene->host;
+        for (int i = 0; i < scene->wavesCount; ++i)
+        {
+            swDestroyMeasuredSea(scene->waves[i].measured);
+        }
+        swFree(&host, scene, sizeof(*scene));
+    }
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Mappings of a YAML document into structs by tables of fields. Every complaint is one sentence with file and line, and
+// says what would be right.
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <yaml.h>
+
+#include "core/base/host.h"
+
+typedef struct swYaml
+{
+    const swHost* host;
+    const char* name; // of the file, for messages
+    yaml_document_t document;
+    void* context; // what custom fields are read into
+} swYaml;
+
+typedef enum swYamlType
+{
+    SW_YAML_FLOAT,
+    SW_YAML_DOUBLE,
+    SW_YAML_INT,
+    SW_YAML_UINT,
+    SW_YAML_BOOL,
+    SW_YAML_TEXT,     // char[size]
+    SW_YAML_DEGREES,  // float, stored in radians
+    SW_YAML_BEARING,  // float: degrees clockwise from north that waves come from, stored as the direction they go
+    SW_YAML_COLOR,    // swVec3 from a list of three numbers
+    SW_YAML_POSITION, // swPos from a list of three numbers
+    SW_YAML_CHOICE,   // int: index into the words
+    SW_YAML_CUSTOM    // `read`
+} swYamlType;
+
+typedef struct swYamlField
+{
+    const char* key;
+    swYamlType type;
+    size_t offset;
+    double low, high;         // numbers: both inclusive, in the file's unit
+    size_t size;              // TEXT
+    const char* const* words; // CHOICE: ends with NULL
+    swResult (*read)(swYaml* yaml, yaml_node_t* node, void* target);
+} swYamlField;
+
+#define SW_YAML_MAX_FIELDS 32
+
+// Which node set each field; NULL where the file says nothing.
+typedef struct swYamlNodes
+{
+    yaml_node_t* nodes[SW_YAML_MAX_FIELDS];
+} swYamlNodes;
+
+// Parse a text. Needs swCloseYaml() if it succeeds. `root` is NULL for an empty document.
+swResult swOpenYaml(const swHost* host, const char* text, size_t size, const char* name, swYaml* yaml,
+                    yaml_node_t** root);
+void swCloseYaml(swYaml* yaml);
+
+// Read a mapping into `target`; `what` names it in messages. Unknown and repeated keys are refused. `nodes` may be NULL.
+swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, const swYamlField* fields, int fieldCount,
+                           void* target, swYamlNodes* nodes);
+
+// The items of a list, at most `limit`.
+swResult swReadYamlList(swYaml* yaml, yaml_node_t* node, const char* what, int limit, int* count);
+yaml_node_t* swGetYamlItem(swYaml* yaml, yaml_node_t* node, int index);
+
+// Log "file:line: sentence" and return SW_ERROR_FORMAT.
+swResult swFailYaml(const swYaml* yaml, const yaml_node_t* node, const char* format, ...) SW_PRINTF(3, 4);
