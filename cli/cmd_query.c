@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+// `seaway query`: the surface at points and times, CSV in and CSV out.
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "args.h"
+#include "progress.h"
+#include "verbs.h"
+
+#define MAX_COLUMNS 16
+#define BLOCK 4096 // points asked at once
+
+typedef struct PointList
+{
+    swPosXZ* points;
+    int count, capacity;
+} PointList;
+
+typedef struct TimeRange
+{
+    double begin;
+    double step;
+    int count;
+} TimeRange;
+
+typedef struct Columns
+{
+    int x, z, count; // which column holds what; count 0: not known yet
+} Columns;
+
+static const char tooManyTimes[] = "query: --time %s asks for more than a million times";
+
+// "T" or "A:B:STEP".
+static bool ParseTimes(const char* text, TimeRange* range)
+{
+    double value[3] = {0.0, 0.0, 1.0};
+    char copy[128];
+    int count = 0;
+    snprintf(copy, sizeof(copy), "%s", text);
+    for (char* part = copy; part != NULL && count < 4; ++count)
+    {
+        char* colon = strchr(part, ':');
+        if (colon != NULL)
+        {
+            *colon = 0;
+        }
+        if (count == 3 || !ParseNumber(part, value + count))
+        {
+            count = 0;
+            break;
+        }
+        part = colon != NULL ? colon + 1 : NULL;
+    }
+    if (count != 1 && count != 3)
+    {
+        Complain("query: --time wants seconds, T or A:B:STEP, not \"%s\"", text);
+        return false;
+    }
+    if (count == 1)
+    {
+        *range = (TimeRange){value[0], 1.0, 1};
+        return true;
+    }
+    if (value[1] < value[0] || value[2] <= 0.0)
+    {
+        Complain("query: --time %s runs nowhere; it wants A <= B and STEP > 0", text);
+        return false;
+    }
+    double steps = floor((value[1] - value[0]) / value[2] + 1e-9);
+    if (steps >= 1e6)
+    {
+        Complain(tooManyTimes, text);
+        return false;
+    }
+    *range = (TimeRange){value[0], value[2], (int)steps + 1};
+    return true;
+}
+
+// Cut a line at its commas, blanks around the fields removed. Returns the number of fields.
+static int SplitLine(char* line, char** fields)
+{
+    int count = 0;
+    line[strcspn(line, "\r\n")] = 0;
+    for (char* part = line; part != NULL; ++count)
+    {
+        char* comma = strchr(part, ',');
+        if (comma != NULL)
+        {
+            *comma = 0;
+        }
+        part += strspn(part, " \t");
+        for (size_t end = strlen(part); end > 0 && strchr(" \t", part[end - 1]) != NULL; --end)
+        {
+            part[end - 1] = 0;
+        }
+        if (count < MAX_COLUMNS)
+        {
+            fields[count] = part;
+        }
+        part = comma != NULL ? comma + 1 : NULL;
+    }
+    return count;
+}
+
+// The first line: a header names the columns; without one there are two (x, z) or three (x, y, z).
+static bool FindColumns(const char* name, int lineNumber, char** fields, int fieldCount, Columns* columns,
+                        bool* isHeader)
+{
+    double number = 0.0;
+    *isHeader = !ParseNumber(fields[0], &number);
+    if (!*isHeader)
+    {
+        *columns = (Columns){0, fieldCount - 1, fieldCount};
+        if (fieldCount != 2 && fieldCount != 3)
+        {
+            Complain("%s:%d: a line without a header has 2 columns (x,z) or 3 (x,y,z), not %d", name, lineNumber,
+                     fieldCount);
+            return false;
+        }
+        return true;
+    }
+    *columns = (Columns){-1, -1, fieldCount};
+    for (int i = 0; i < fieldCount && i < MAX_COLUMNS; ++i)
+    {
+        columns->x = strcmp(fields[i], "x") == 0 || strcmp(fields[i], "x_m") == 0 ? i : columns->x;
+        columns->z = strcmp(fields[i], "z") == 0 || strcmp(fields[i], "z_m") == 0 ? i : columns->z;
+    }
+    if (columns->x < 0 || columns->z < 0)
+    {
+        Complain("%s:%d: the header names no column %s", name, lineNumber, columns->x < 0 ? "x" : "z");
+        return false;
+    }
+    return true;
+}
+
+static bool AppendPoint(PointList* list, swPosXZ point)
+{
+    if (list->count == list->capacity)
+    {
+        int capacity = list->capacity > 0 ? 2 * list->capacity : 1024;
+        swPosXZ* points = realloc(list->points, (size_t)capacity * sizeof(swPosXZ));
+        if (points == NULL)
+        {
+            Complain("query: no memory for %d points", capacity);
+            return false;
+        }
+        list->points = points;
+        list->capacity = capacity;
+    }
+    list->points[list->count++] = point;
+    return true;
+}
+
+static bool ReadLine(const char* name, int lineNumber, char* line, Columns* columns, PointList* list)
+{
+    char* fields[MAX_COLUMNS];
+    int fieldCount = SplitLine(line, fields);
+    if (fieldCount == 1 && fields[0][0] == 0)
+    {
+        return true; // an empty line
+    }
+    if (fieldCount > MAX_COLUMNS)
+    {
+        Complain("%s:%d: %d columns are more than %d", name, lineNumber, fieldCount, MAX_COLUMNS);
+        return false;
+    }
+    if (columns->count == 0)
+    {
+        bool isHeader = false;
+        if (!FindColumns(name, lineNumber, fields, fieldCount, columns, &isHeader))
+        {
+            return false;
+        }
+        if (isHeader)
+        {
+            return true;
+        }
+    }
+    if (fieldCount != columns->count)
+    {
+        Complain("%s:%d: %d columns where the lines before have %d", name, lineNumber, fieldCount, columns->count);
+        return false;
+    }
+    swPosXZ point;
+    const int wanted[2] = {columns->x, columns->z};
+    double* values[2] = {&point.x, &point.z};
+    for (int i = 0; i < 2; ++i)
+    {
+        if (!ParseNumber(fields[wanted[i]], values[i]))
+        {
+            Complain("%s:%d: \"%s\" is no number", name, lineNumber, fields[wanted[i]]);
+            return false;
+        }
+    }
+    return AppendPoint(list, point);
+}
+
+static bool ReadPoints(const char* path, PointList* list)
+{
+    bool isInput = strcmp(path, "-") == 0;
+    const char* name = isInput ? "standard input" : path;
+    FILE* file = isInput ? stdin : fopen(path, "r");
+    if (file == NULL)
+    {
+        Complain("cannot read %s: %s", path, strerror(errno));
+        return false;
+    }
+    Columns columns = {0};
+    char line[1024];
+    int lineNumber = 0;
+    bool isFine = true;
+    while (isFine && fgets(line, sizeof(line), file) != NULL)
+    {
+        ++lineNumber;
+        if (strlen(line) + 1 == sizeof(line) && strchr(line, '\n') == NULL)
+        {
+            Complain("%s:%d: the line is longer than %d characters", name, lineNumber, (int)sizeof(line) - 2);
+            isFine = false;
+            break;
+        }
+        isFine = ReadLine(name, lineNumber, line, &columns, list);
+    }
+    if (isFine && ferror(file))
+    {
+        Complain("cannot read %s: %s", name, strerror(errno));
+        isFine = false;
+    }
+    if (isFine && list->count == 0)
+    {
+        Complain("%s holds no points", name);
+        isFine = false;
+    }
+    if (!isInput)
+    {
+        fclose(file);
+    }
+    return isFine;
+}
+
+// The surface at one time, a block of points at once.
+static void PrintSurface(const swWorld* world, const swQueryDef* def, const PointList* list)
+{
+    static float height[BLOCK], jacobian[BLOCK], residual[BLOCK];
+    static swVec3 displacement[BLOCK], normal[BLOCK];
+    const swSurfaceSamples samples = {height, displacement, normal, jacobian, residual};
+    double time = swWorld_GetTime(world);
+    for (int begin = 0; begin < list->count; begin += BLOCK)
+    {
+        int count = list->count - begin < BLOCK ? list->count - begin : BLOCK;
+        swWorld_QuerySurface(world, def, count, list->points + begin, &samples, NULL);
+        for (int i = 0; i < count; ++i)
+        {
+            printf("%.10g,%.10g,%.10g,%.7g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.3g\n", time, list->points[begin + i].x,
+                   list->points[begin + i].z, (double)height[i], (double)displacement[i].x, (double)displacement[i].y,
+                   (double)displacement[i].z, (double)normal[i].x, (double)normal[i].y, (double)normal[i].z,
+                   (double)jacobian[i], (double)residual[i]);
+        }
+    }
+}
+
+static int PrintTimes(swWorld* world, const swQueryDef* def, const PointList* list, TimeRange times)
+{
+    puts("t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m");
+    BeginProgress("times", times.count);
+    for (int i = 0; i < times.count; ++i)
+    {
+        swWorld_SetTime(world, times.begin + times.step * i);
+        swResult result = swWorld_Step(world, 0.0);
+        if (result != SW_SUCCESS)
+        {
+            EndProgress();
+            ComplainAboutResult(result, "the sea could not be stepped");
+            return EXIT_PROBLEM;
+        }
+        PrintSurface(world, def, list);
+        if (ferror(stdout))
+        {
+            break;
+        }
+        UpdateProgress(i + 1);
+    }
+    EndProgress();
+    return FinishOutput() ? EXIT_FINE : EXIT_PROBLEM;
+}
+
+static int QueryScene(const char* scenePath, const char* timeText, const swQueryDef* def, const PointList* list)
+{
+    swHost host = MakeHost();
+    swTaskPool* pool = AttachThreads(&host, 0);
+    swScene* scene = NULL;
+    swWorld* world = NULL;
+    int exitCode = EXIT_PROBLEM;
+    swResult result = swReadScene(&host, scenePath, &scene);
+    if (result == SW_SUCCESS)
+    {
+        scene->world.enableQueries = true;
+        result = swCreateSceneWorld(&host, scene, &world);
+    }
+    if (result == SW_SUCCESS)
+    {
+        TimeRange times = {scene->time, 1.0, 1};
+        exitCode = timeText == NULL || ParseTimes(timeText, &times) ? PrintTimes(world, def, list, times) : EXIT_USAGE;
+    }
+    else
+    {
+        ComplainAboutResult(result, scenePath);
+    }
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+    swDestroyTaskPool(pool);
+    return exitCode;
+}
+
+int RunQuery(int argumentCount, char** arguments)
+{
+    static const char* const backends[] = {"cpu", "gpu", NULL};
+    const char* scenePath = NULL;
+    const char* pointsPath = "-";
+    const char* timeText = NULL;
+    double minWavelength = 0.0, tolerance = 0.0005;
+    int backend = 0;
+    const Option options[] = {
+        {.name = "points",
+         .kind = OPTION_TEXT,
+         .value = &pointsPath,
+         .placeholder = "FILE",
+         .help = "CSV of points, - for standard input (default)"},
+        {.name = "time",
+         .kind = OPTION_TEXT,
+         .value = &timeText,
+         .placeholder = "T",
+         .help = "seconds, or A:B:STEP for many times (default: the scene's time)"},
+        {.name = "min-wavelength",
+         .kind = OPTION_NUMBER,
+         .value = &minWavelength,
+         .placeholder = "L",
+         .help = "leave out octaves of shorter waves, m (default 0)",
+         .max = 1e4},
+        {.name = "tolerance",
+         .kind = OPTION_NUMBER,
+         .value = &tolerance,
+         .placeholder = "M",
+         .help = "largest horizontal error of the search, m (default 0.0005)",
+         .min = 1e-5,
+         .max = 10.0},
+        {.name = "backend",
+         .kind = OPTION_CHOICE,
+         .value = &backend,
+         .placeholder = "cpu",
+         .help = "who answers; this version has cpu only",
+         .choices = backends},
+    };
+    const Verb verb = {
+        .name = "query",
+        .synopsis = "SCENE [--points FILE] [--time T|A:B:STEP] [options]",
+        .text = "Ask for the surface above points. The points come as CSV lines x,z or x,y,z in metres (x east, z\n"
+                "south, y up and not used), with or without a header line. The answers go to standard output:\n"
+                "  t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m\n"
+                "height above sea level's datum, displacement of the particle there, normal, Jacobian (1 flat, below\n"
+                "0 folded over), and how far the answering particle is from the point asked for.",
+        .options = options,
+        .optionCount = sizeof(options) / sizeof(options[0]),
+        .positionalMin = 1,
+        .positionalMax = 1,
+        .positionalName = "a scene file",
+        .positionals = &scenePath};
+    ParseResult parsed = ParseArguments(&verb, argumentCount, arguments);
+    if (parsed != PARSE_FINE)
+    {
+        return GetParseExit(parsed);
+    }
+    if (backend == 1)
+    {
+        Complain("query: --backend gpu is not in this version; the CPU gives the same surface");
+        return EXIT_USAGE;
+    }
+    TimeRange ignored;
+    if (timeText != NULL && !ParseTimes(timeText, &ignored))
+    {
+        return EXIT_USAGE;
+    }
+    swQueryDef def = swDefaultQueryDef();
+    def.minWavelength = (float)minWavelength;
+    def.tolerance = (float)tolerance;
+    PointList list = {0};
+    int exitCode = ReadPoints(pointsPath, &list) ? QueryScene(scenePath, timeText, &def, &list) : EXIT_PROBLEM;
+    free(list.points);
+    return exitCode;
+}

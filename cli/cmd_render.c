@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: MIT
+// `seaway render`: pictures and video without a window.
+//
+// The sea is stepped before the first frame so that foam has gathered. Between two views the camera moves so that its
+// height grows by the same factor every second (a dolly from 2 m to 2 km spends as long from 2 to 20 m as from 200 m to
+// 2 km), along the straight line between the two; angles go the short way round.
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "args.h"
+#include "image.h"
+#include "output.h"
+#include "picture.h"
+#include "progress.h"
+#include "verbs.h"
+#include "video.h"
+
+#define WARMUP_STEP 0.1 // s
+
+typedef enum OutputKind
+{
+    OUTPUT_PNG,
+    OUTPUT_EXR,
+    OUTPUT_FRAMES,
+    OUTPUT_VIDEO
+} OutputKind;
+
+typedef struct RenderOptions
+{
+    const char* outPath;
+    OutputKind kind;
+    PixelSize size;
+    DeviceName device;
+    double time; // NAN: the scene's
+    int frames;
+    double fps;
+    const char* viewName;
+    const char* toViewName;
+    bool ease;
+    bool ride;
+    int debug;
+    double exposureEv;
+    double sunElevation, sunAzimuth; // degrees; NAN: the scene's
+    double warmup;
+    int samples;
+    int frameFormat; // 0 png, 1 exr
+    bool singlePrecision;
+    bool enableValidation;
+} RenderOptions;
+
+typedef struct Render
+{
+    RenderOptions options;
+    swHost host;
+    swScene* scene;
+    swWorld* world;
+    swView* view;
+    PictureMaker* maker;
+    const swSceneView* from;
+    const swSceneView* to; // NULL: the camera stands still
+    Video* video;
+    uint8_t* bytes;
+    float* floats;
+} Render;
+
+static double Mix(double a, double b, double t)
+{
+    return a + (b - a) * t;
+}
+
+static float MixAngle(float a, float b, double t)
+{
+    return (float)((double)a + remainder((double)b - (double)a, 2.0 * SW_PI) * t);
+}
+
+// The viewpoint at fraction t of the way.
+static swSceneView MixViews(const swSceneView* a, const swSceneView* b, double t)
+{
+    swSceneView view = *a;
+    double heightA = a->position.y, heightB = b->position.y;
+    double height = Mix(heightA, heightB, t), along = t;
+    if (heightA > 0.0 && heightB > 0.0)
+    {
+        height = heightA * pow(heightB / heightA, t);
+        double ratio = heightB / heightA;
+        along = ratio > 0.99 && ratio < 1.01 ? t : (height - heightA) / (heightB - heightA);
+    }
+    view.position = (swPos){Mix(a->position.x, b->position.x, along), height, Mix(a->position.z, b->position.z, along)};
+    view.heading = MixAngle(a->heading, b->heading, t);
+    view.pitch = MixAngle(a->pitch, b->pitch, t);
+    view.roll = MixAngle(a->roll, b->roll, t);
+    view.verticalFov = (float)Mix((double)a->verticalFov, (double)b->verticalFov, t);
+    return view;
+}
+
+static double FindProgress(const RenderOptions* options, int frame)
+{
+    double t = options->frames > 1 ? (double)frame / (options->frames - 1) : 0.0;
+    return options->ease ? t * t * (3.0 - 2.0 * t) : t;
+}
+
+// Where the camera is in the world. With --ride its height counts from the water under it, without the short waves.
+static swPos PlaceCamera(const Render* render, const swSceneView* view)
+{
+    swPos position = view->position;
+    position.y += swWorld_GetSeaLevel(render->world);
+    if (render->options.ride)
+    {
+        swQueryDef def = swDefaultQueryDef();
+        def.minWavelength = 4.0f;
+        swPosXZ point = {position.x, position.z};
+        float height = 0.0f;
+        swSurfaceSamples samples = {.height = &height};
+        swWorld_QuerySurface(render->world, &def, 1, &point, &samples, NULL);
+        position.y = view->position.y + (double)height;
+    }
+    return position;
+}
+
+static swSceneView FindFrameView(const Render* render, int frame)
+{
+    return render->to == NULL ? *render->from
+                              : MixViews(render->from, render->to, FindProgress(&render->options, frame));
+}
+
+// The sun moves with the camera from one view's to the other's, unless the command line names another.
+static swSkyDef FindFrameSky(const Render* render, int frame)
+{
+    const RenderOptions* options = &render->options;
+    swSkyDef sky = swScene_GetSky(render->scene, render->from);
+    if (render->to != NULL)
+    {
+        swSkyDef last = swScene_GetSky(render->scene, render->to);
+        double t = FindProgress(options, frame);
+        sky.sunAzimuth = MixAngle(sky.sunAzimuth, last.sunAzimuth, t);
+        sky.sunElevation = MixAngle(sky.sunElevation, last.sunElevation, t);
+    }
+    if (!isnan(options->sunElevation))
+    {
+        sky.sunElevation = (float)(options->sunElevation * (SW_PI / 180.0));
+    }
+    if (!isnan(options->sunAzimuth))
+    {
+        sky.sunAzimuth = (float)(options->sunAzimuth * (SW_PI / 180.0));
+    }
+    return sky;
+}
+
+static bool Step(Render* render, double dt)
+{
+    swResult result = swWorld_Step(render->world, dt);
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, "the sea could not be stepped");
+    }
+    return result == SW_SUCCESS;
+}
+
+// From `warmup` seconds before the first frame to one step before it.
+static bool WarmUp(Render* render, double time)
+{
+    int stepCount = (int)ceil(render->options.warmup / WARMUP_STEP);
+    swSceneView view = FindFrameView(render, 0);
+    swWorld_SetTime(render->world, time - stepCount * WARMUP_STEP);
+    BeginProgress("steps of foam", stepCount);
+    bool isFine = true;
+    for (int i = 0; i < stepCount && isFine; ++i)
+    {
+        swView_SetViewpoint(render->view, PlaceCamera(render, &view));
+        isFine = Step(render, i == 0 ? 0.0 : WARMUP_STEP) && AdvancePicture(render->maker);
+        UpdateProgress(i + 1);
+    }
+    EndProgress();
+    return isFine;
+}
+
+static bool DrawFrame(Render* render, int frame, double time)
+{
+    const RenderOptions* options = &render->options;
+    swSceneView view = FindFrameView(render, frame);
+    double dt = frame > 0 ? 1.0 / options->fps : options->warmup > 0.0 ? WARMUP_STEP : 0.0;
+    if (frame == 0 && options->warmup <= 0.0)
+    {
+        swWorld_SetTime(render->world, time);
+    }
+    swView_SetViewpoint(render->view, PlaceCamera(render, &view));
+    if (!Step(render, dt))
+    {
+        return false;
+    }
+    swPos position = PlaceCamera(render, &view); // on the water of this step
+    swPicture picture = {.view = render->view,
+                         .camera = swMakeCamera(position, view.heading, view.pitch, view.roll, view.verticalFov,
+                                                (uint32_t)options->size.width, (uint32_t)options->size.height),
+                         .sky = FindFrameSky(render, frame),
+                         .water = render->scene->water,
+                         .debug = (swDebugMode)options->debug,
+                         .time = time + frame / options->fps,
+                         .exposureEv = render->scene->exposureEv + (float)options->exposureEv};
+    int factor = (int)lround(sqrt((double)options->samples));
+    picture.camera.width *= (uint32_t)factor;
+    picture.camera.height *= (uint32_t)factor;
+    return MakePicture(render->maker, &picture, (float)dt, frame == 0);
+}
+
+static bool SaveFrame(Render* render, int frame)
+{
+    const RenderOptions* options = &render->options;
+    char path[MAX_PATH_LENGTH];
+    bool asExr = options->kind == OUTPUT_EXR || (options->kind == OUTPUT_FRAMES && options->frameFormat == 1);
+    snprintf(path, sizeof(path), "%s", options->outPath);
+    if (options->kind == OUTPUT_FRAMES)
+    {
+        size_t length = strlen(options->outPath);
+        bool hasSlash = length > 0 && options->outPath[length - 1] == '/';
+        snprintf(path, sizeof(path), "%s%sframe_%05d.%s", options->outPath, hasSlash ? "" : "/", frame,
+                 asExr ? "exr" : "png");
+    }
+    if (asExr)
+    {
+        ReadPictureFloats(render->maker, render->floats);
+        return WriteExr(path, options->size.width, options->size.height, render->floats, !options->singlePrecision);
+    }
+    ReadPictureBytes(render->maker, render->bytes);
+    return options->kind == OUTPUT_VIDEO ? WriteVideoFrame(render->video, render->bytes)
+                                         : WritePng(path, options->size.width, options->size.height, render->bytes);
+}
+
+static bool DrawFrames(Render* render)
+{
+    const RenderOptions* options = &render->options;
+    double time = isnan(options->time) ? render->scene->time : options->time;
+    bool isFine = WarmUp(render, time);
+    BeginProgress("frames", options->frames);
+    for (int frame = 0; frame < options->frames && isFine; ++frame)
+    {
+        isFine = DrawFrame(render, frame, time) && SaveFrame(render, frame);
+        UpdateProgress(frame + 1);
+    }
+    EndProgress();
+    return isFine;
+}
+
+static const swSceneView* FindView(const swScene* scene, const char* path, const char* name)
+{
+    const swSceneView* view = swScene_FindView(scene, name);
+    if (view != NULL)
+    {
+        return view;
+    }
+    if (name == NULL)
+    {
+        Complain("%s has no views; add one under `views`", path);
+        return NULL;
+    }
+    const char* names[SW_MAX_SCENE_VIEWS + 1] = {NULL};
+    for (int i = 0; i < scene->viewCount; ++i)
+    {
+        names[i] = scene->views[i].name;
+    }
+    const char* nearest = FindNearestName(name, names);
+    if (nearest != NULL)
+    {
+        Complain("%s has no view \"%s\"; did you mean %s?", path, name, nearest);
+    }
+    else
+    {
+        Complain("%s has no view \"%s\"; its first is %s", path, name, scene->viewCount > 0 ? names[0] : "missing");
+    }
+    return NULL;
+}
+
+static bool OpenSea(Render* render, const char* scenePath)
+{
+    const RenderOptions* options = &render->options;
+    swResult result = swReadScene(&render->host, scenePath, &render->scene);
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, scenePath);
+        return false;
+    }
+    swScene* scene = render->scene;
+    render->from = FindView(scene, scenePath, options->viewName);
+    render->to = options->toViewName != NULL ? FindView(scene, scenePath, options->toViewName) : NULL;
+    if (render->from == NULL || (options->toViewName != NULL && render->to == NULL))
+    {
+        return false;
+    }
+    scene->world.enableQueries = options->ride; // a picture needs no surface on the CPU
+    result = swCreateSceneWorld(&render->host, scene, &render->world);
+    if (result == SW_SUCCESS)
+    {
+        scene->view.enableCpuLayers = false;
+        result = swCreateView(render->world, &scene->view, &render->view);
+    }
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, scenePath);
+    }
+    return result == SW_SUCCESS;
+}
+
+// Whether the output can be written is found out before the sea is made, which may take minutes.
+static bool OpenOutput(Render* render)
+{
+    const RenderOptions* options = &render->options;
+    size_t pixelCount = (size_t)options->size.width * (size_t)options->size.height;
+    render->bytes = malloc(pixelCount * 3);
+    render->floats = malloc(pixelCount * 3 * sizeof(float));
+    if (render->bytes == NULL || render->floats == NULL)
+    {
+        Complain("no memory for a picture of %dx%d", options->size.width, options->size.height);
+        return false;
+    }
+    switch (options->kind)
+    {
+    case OUTPUT_PNG:
+    case OUTPUT_EXR:
+    {
+        OutputFile probe;
+        return BeginOutput(&probe, options->outPath) && (EndOutput(&probe, false), true);
+    }
+    case OUTPUT_FRAMES:
+        return MakeFolder(options->outPath);
+    case OUTPUT_VIDEO:
+        render->video = OpenVideo(options->outPath, options->size.width, options->size.height, options->fps);
+        return render->video != NULL;
+    }
+    return false;
+}
+
+static int RenderScene(const RenderOptions* options, const char* scenePath)
+{
+    Render render = {.options = *options, .host = MakeHost()};
+    swTaskPool* pool = AttachThreads(&render.host, 0);
+    bool isFine = OpenOutput(&render) && OpenSea(&render, scenePath);
+    if (isFine)
+    {
+        PictureMakerDef def = {.device = options->device.choice,
+                               .deviceIndex = options->device.index,
+                               .width = options->size.width,
+                               .height = options->size.height,
+                               .supersample = (int)lround(sqrt((double)options->samples)),
+                               .enableValidation = options->enableValidation};
+        render.maker = CreatePictureMaker(&render.host, &def, render.world);
+        isFine = render.maker != NULL && DrawFrames(&render);
+    }
+    if (render.video != NULL)
+    {
+        isFine = CloseVideo(render.video, isFine) && isFine;
+    }
+    int messageCount = DestroyPictureMaker(render.maker);
+    if (messageCount > 0)
+    {
+        Complain("the validation layers gave %d messages", messageCount);
+        isFine = false;
+    }
+    swDestroyView(render.view);
+    swDestroyWorld(render.world);
+    swDestroyScene(render.scene);
+    swDestroyTaskPool(pool);
+    free(render.bytes);
+    free(render.floats);
+    return isFine ? EXIT_FINE : EXIT_PROBLEM;
+}
+
+static bool CheckOptions(RenderOptions* options)
+{
+    const char* path = options->outPath;
+    if (path == NULL || *path == 0)
+    {
+        Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
+        return false;
+    }
+    const char* slash = strrchr(path, '/');
+    const char* dot = strrchr(slash != NULL ? slash : path, '.');
+    options->kind = HasEnding(path, ".png")   ? OUTPUT_PNG
+                    : HasEnding(path, ".exr") ? OUTPUT_EXR
+                    : HasEnding(path, ".mp4") ? OUTPUT_VIDEO
+                                              : OUTPUT_FRAMES;
+    if (options->kind == OUTPUT_FRAMES && dot != NULL && dot[1] != 0 && dot[1] != '.')
+    {
+        Complain("render: --out %s: \"%s\" is none of .png, .exr and .mp4; end a folder's name with /", path, dot);
+        return false;
+    }
+    bool isPicture = options->kind == OUTPUT_PNG || options->kind == OUTPUT_EXR;
+    if (isPicture && options->frames > 1)
+    {
+        Complain("render: %d frames do not fit into %s; give --out a folder or a name.mp4", options->frames, path);
+        return false;
+    }
+    if (options->toViewName != NULL && options->frames < 2)
+    {
+        Complain("render: --to-view wants --frames N of at least 2");
+        return false;
+    }
+    if (options->kind == OUTPUT_VIDEO && (options->size.width % 2 != 0 || options->size.height % 2 != 0))
+    {
+        Complain("render: a video wants an even width and height, not %dx%d", options->size.width,
+                 options->size.height);
+        return false;
+    }
+    int factor = (int)lround(sqrt((double)options->samples));
+    if (factor * factor != options->samples)
+    {
+        Complain("render: --samples is a square: 1, 4, 9, 16, 25, 36, 49 or 64, not %d", options->samples);
+        return false;
+    }
+    return true;
+}
+
+int RunRender(int argumentCount, char** arguments)
+{
+    static const char* const formats[] = {"png", "exr", NULL};
+    const char* debugNames[SW_DEBUG_COUNT + 1] = {NULL};
+    for (int i = 0; i < SW_DEBUG_COUNT; ++i)
+    {
+        debugNames[i] = swDebugMode_GetName((swDebugMode)i);
+    }
+    const char* scenePath = NULL;
+    RenderOptions render = {.size = {1280, 720},
+                            .time = (double)NAN,
+                            .frames = 1,
+                            .fps = 30.0,
+                            .sunElevation = (double)NAN,
+                            .sunAzimuth = (double)NAN,
+                            .warmup = 10.0,
+                            .samples = 1};
+    const Option options[] = {
+        {.name = "out",
+         .kind = OPTION_TEXT,
+         .value = &render.outPath,
+         .placeholder = "FILE",
+         .help = "name.png, name.exr (linear light), name.mp4, or a folder"},
+        {.name = "size",
+         .kind = OPTION_SIZE,
+         .value = &render.size,
+         .placeholder = "WxH",
+         .help = "pixels (default 1280x720)",
+         .min = 16,
+         .max = 16384},
+        {.name = "time",
+         .kind = OPTION_NUMBER,
+         .value = &render.time,
+         .placeholder = "T",
+         .help = "of the first frame, s (default: the scene's)",
+         .min = -1e9,
+         .max = 1e9},
+        {.name = "frames",
+         .kind = OPTION_INT,
+         .value = &render.frames,
+         .placeholder = "N",
+         .help = "frames of a video or a folder (default 1)",
+         .min = 1,
+         .max = 1e6},
+        {.name = "fps",
+         .kind = OPTION_NUMBER,
+         .value = &render.fps,
+         .placeholder = "F",
+         .help = "frames per second of the sea and the video (default 30)",
+         .min = 1,
+         .max = 1000},
+        {.name = "view",
+         .kind = OPTION_TEXT,
+         .value = &render.viewName,
+         .placeholder = "NAME",
+         .help = "a view of the scene (default: its first)"},
+        {.name = "to-view",
+         .kind = OPTION_TEXT,
+         .value = &render.toViewName,
+         .placeholder = "NAME",
+         .help = "move there over the frames, height growing by equal factors"},
+        {.name = "ease", .kind = OPTION_FLAG, .value = &render.ease, .help = "start and end that move gently"},
+        {.name = "ride",
+         .kind = OPTION_FLAG,
+         .value = &render.ride,
+         .help = "the view's height counts from the water under it"},
+        {.name = "device",
+         .kind = OPTION_DEVICE,
+         .value = &render.device,
+         .placeholder = "D",
+         .help = "auto, gpu, software, or a number of `seaway devices`"},
+        {.name = "samples",
+         .kind = OPTION_INT,
+         .value = &render.samples,
+         .placeholder = "N",
+         .help = "rendered pixels for each finished one, a square (default 1)",
+         .min = 1,
+         .max = 64},
+        {.name = "sun-elevation",
+         .kind = OPTION_NUMBER,
+         .value = &render.sunElevation,
+         .placeholder = "DEG",
+         .help = "of the sun, in place of the scene's",
+         .min = -90,
+         .max = 90},
+        {.name = "sun-azimuth",
+         .kind = OPTION_NUMBER,
+         .value = &render.sunAzimuth,
+         .placeholder = "DEG",
+         .help = "bearing of the sun, in place of the scene's",
+         .min = -360,
+         .max = 360},
+        {.name = "exposure",
+         .kind = OPTION_NUMBER,
+         .value = &render.exposureEv,
+         .placeholder = "EV",
+         .help = "stops to add to the scene's exposure",
+         .min = -20,
+         .max = 20},
+        {.name = "warmup",
+         .kind = OPTION_NUMBER,
+         .value = &render.warmup,
+         .placeholder = "S",
+         .help = "seconds of foam before the first frame (default 10)",
+         .max = 600},
+        {.name = "debug",
+         .kind = OPTION_CHOICE,
+         .value = &render.debug,
+         .placeholder = "MODE",
+         .help = "show slices, normals, height and the like",
+         .choices = debugNames},
+        {.name = "frame-format",
+         .kind = OPTION_CHOICE,
+         .value = &render.frameFormat,
+         .placeholder = "F",
+         .help = "of frames in a folder: png (default) or exr",
+         .choices = formats},
+        {.name = "exr-float",
+         .kind = OPTION_FLAG,
+         .value = &render.singlePrecision,
+         .help = "32 instead of 16 bits a component"},
+        {.name = "validate",
+         .kind = OPTION_FLAG,
+         .value = &render.enableValidation,
+         .help = "Vulkan validation layers; a message of theirs is a problem"},
+    };
+    const Verb verb = {.name = "render",
+                       .synopsis = "SCENE --out FILE [options]",
+                       .text = "Make a picture, numbered frames or a video of a scene, without a window.\n\n"
+                               "  seaway render scenes/gale.yaml --out gale.png\n"
+                               "  seaway render scenes/gale.yaml --out gale.mp4 --frames 300 --view low --to-view high",
+                       .options = options,
+                       .optionCount = sizeof(options) / sizeof(options[0]),
+                       .positionalMin = 1,
+                       .positionalMax = 1,
+                       .positionalName = "a scene file",
+                       .positionals = &scenePath};
+    ParseResult parsed = ParseArguments(&verb, argumentCount, arguments);
+    if (parsed != PARSE_FINE)
+    {
+        return GetParseExit(parsed);
+    }
+    return CheckOptions(&render) ? RenderScene(&render, scenePath) : EXIT_USAGE;
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// `seaway spectrum`: a measured sea state, printed and drawn.
+
+#include <string.h>
+
+#include "args.h"
+#include "spectrum_plot.h"
+#include "verbs.h"
+
+static swSpectrumDef MakeTableDef(const swMeasuredRecord* record)
+{
+    swSpectrumDef def = swDefaultSpectrumDef();
+    def.kind = SW_SPECTRUM_TABLE;
+    def.table = &record->table;
+    def.direction = 0.0f;
+    def.extendTail = false;
+    return def;
+}
+
+static bool FindState(const swMeasuredRecord* record, swSeaState* state)
+{
+    swSpectrumDef def = MakeTableDef(record);
+    memset(state, 0, sizeof(*state));
+    return swSpectrum_GetSeaState(&def, 0.0f, 0.0f, state) == SW_SUCCESS;
+}
+
+static void PrintList(const swMeasuredSea* sea, bool asJson)
+{
+    Json json = OpenJson(stdout);
+    if (asJson)
+    {
+        JsonOpenArray(&json, NULL);
+    }
+    else
+    {
+        printf("%-16s  %6s  %6s  %6s  %5s\n", "time (UTC)", "Hs, m", "Tp, s", "Tm02,s", "from");
+    }
+    for (int i = 0; i < swMeasuredSea_GetCount(sea); ++i)
+    {
+        swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
+        swSeaState state;
+        bool isCalm = !FindState(&record, &state); // a record without energy
+        if (asJson)
+        {
+            JsonOpenObject(&json, NULL);
+            JsonText(&json, "time_utc", record.time);
+            WriteSeaState(&json, &state);
+            JsonCloseObject(&json);
+        }
+        else if (isCalm)
+        {
+            printf("%-16s  %6.2f       -       -      -\n", record.time, 0.0);
+        }
+        else
+        {
+            printf("%-16s  %6.2f  %6.2f  %6.2f  %5.0f\n", record.time, (double)state.significantHeight,
+                   (double)state.peakPeriod, (double)state.periodTm02, BearingFrom((double)state.meanDirection));
+        }
+    }
+    if (asJson)
+    {
+        JsonCloseArray(&json);
+    }
+}
+
+static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeasuredRecord* record)
+{
+    swSeaState state;
+    bool hasWaves = FindState(record, &state);
+    const swSpectrumTable* table = &record->table;
+    printf("%s, %s UTC, one of %d records\n", path, record->time, swMeasuredSea_GetCount(sea));
+    printf("  %d frequencies, %.4g to %.4g Hz; %s\n", table->frequencyCount, (double)table->frequencies[0],
+           (double)table->frequencies[table->frequencyCount - 1],
+           record->meanDirection != NULL ? "with directions" : "without directions: spread as cos^16(theta/2)");
+    if (record->correctedCount > 0)
+    {
+        printf("  %d frequencies had moments that no distribution can have; they were corrected\n",
+               record->correctedCount);
+    }
+    if (!hasWaves)
+    {
+        printf("  no waves\n");
+        return;
+    }
+    printf("  Hs    %6.2f m     significant wave height\n", (double)state.significantHeight);
+    printf("  Tp    %6.2f s     period of the peak\n", (double)state.peakPeriod);
+    printf("  Tm01  %6.2f s\n", (double)state.periodTm01);
+    printf("  Tm02  %6.2f s\n", (double)state.periodTm02);
+    printf("  Te    %6.2f s     energy period\n", (double)state.energyPeriod);
+    printf("  from  %6.0f deg   mean direction that waves come from, clockwise from north\n",
+           BearingFrom((double)state.meanDirection));
+    printf("  peak  %6.0f deg   direction at the peak\n", BearingFrom((double)state.peakDirection));
+    printf("  spread%6.0f deg\n", (double)state.spread * (180.0 / SW_PI));
+    printf("  slope %8.5f   mean square slope of these frequencies\n", (double)state.meanSquareSlope);
+}
+
+static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const swMeasuredRecord* record)
+{
+    swSeaState state;
+    FindState(record, &state);
+    Json json = OpenJson(stdout);
+    JsonOpenObject(&json, NULL);
+    JsonText(&json, "file", path);
+    JsonText(&json, "time_utc", record->time);
+    JsonInteger(&json, "record_count", swMeasuredSea_GetCount(sea));
+    WriteSeaState(&json, &state);
+    JsonNull(&json, "whitecap_fraction");
+    JsonInteger(&json, "corrected_count", record->correctedCount);
+    JsonFloats(&json, "frequency_hz", record->table.frequencies, record->table.frequencyCount);
+    JsonFloats(&json, "bandwidth_hz", record->table.bandwidths, record->table.frequencyCount);
+    JsonFloats(&json, "energy_m2_per_hz", record->energy, record->table.frequencyCount);
+    JsonCloseObject(&json);
+}
+
+static int FindRecord(const swMeasuredSea* sea, const char* at)
+{
+    if (at == NULL)
+    {
+        return swMeasuredSea_FindLargest(sea);
+    }
+    char time[32]; // "2022-05-08T12:40Z" means the same
+    snprintf(time, sizeof(time), "%s", at);
+    if (strlen(time) > 10 && time[10] == 'T')
+    {
+        time[10] = ' ';
+    }
+    if (strlen(time) > 0 && time[strlen(time) - 1] == 'Z')
+    {
+        time[strlen(time) - 1] = 0;
+    }
+    return swMeasuredSea_FindTime(sea, time);
+}
+
+static int ShowRecord(const char* path, const swMeasuredSea* sea, int index, const char* plotPath, bool asJson)
+{
+    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
+    if (asJson)
+    {
+        PrintRecordJson(path, sea, &record);
+    }
+    else
+    {
+        PrintRecord(path, sea, &record);
+    }
+    swSeaState state;
+    bool hasWaves = FindState(&record, &state);
+    if (plotPath != NULL && !hasWaves)
+    {
+        Complain("%s at %s holds no waves to plot", path, record.time);
+        return EXIT_PROBLEM;
+    }
+    bool isFine = FinishOutput();
+    return (plotPath == NULL || PlotSpectrum(plotPath, path, &record, &state)) && isFine ? EXIT_FINE : EXIT_PROBLEM;
+}
+
+int RunSpectrum(int argumentCount, char** arguments)
+{
+    const char* path = NULL;
+    const char* at = NULL;
+    const char* plotPath = NULL;
+    bool asJson = false, asList = false;
+    const Option options[] = {
+        {.name = "at",
+         .kind = OPTION_TEXT,
+         .value = &at,
+         .placeholder = "TIME",
+         .help = "the record nearest to \"YYYY-MM-DD hh:mm\" UTC (default: the largest Hs)"},
+        {.name = "plot",
+         .kind = OPTION_TEXT,
+         .value = &plotPath,
+         .placeholder = "FILE.svg",
+         .help = "draw energy over frequency and direction"},
+        {.name = "list", .kind = OPTION_FLAG, .value = &asList, .help = "one line for each record"},
+        {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
+    };
+    const Verb verb = {.name = "spectrum",
+                       .synopsis = "FILE [--at TIME] [--plot FILE.svg] [--list] [--json]",
+                       .text =
+                           "Read a measured sea state. FILE is the energy file of an NDBC set (44013.data_spec, or a\n"
+                           "yearly 44013w2022.txt), plain or gzip; the direction files beside it are found by name.",
+                       .options = options,
+                       .optionCount = sizeof(options) / sizeof(options[0]),
+                       .positionalMin = 1,
+                       .positionalMax = 1,
+                       .positionalName = "a spectrum file",
+                       .positionals = &path};
+    ParseResult parsed = ParseArguments(&verb, argumentCount, arguments);
+    if (parsed != PARSE_FINE)
+    {
+        return GetParseExit(parsed);
+    }
+    swHost host = MakeHost();
+    swMeasuredSea* sea = NULL;
+    swResult result = swReadMeasuredSea(&host, path, &sea);
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, path);
+        return EXIT_PROBLEM;
+    }
+    int exitCode = EXIT_USAGE;
+    int index = FindRecord(sea, at);
+    if (index < 0)
+    {
+        Complain("spectrum: --at wants a time such as \"2022-05-08 12:40\" (UTC), not \"%s\"", at);
+    }
+    else if (asList)
+    {
+        PrintList(sea, asJson);
+        exitCode = FinishOutput() ? EXIT_FINE : EXIT_PROBLEM;
+    }
+    else
+    {
+        exitCode = ShowRecord(path, sea, index, plotPath, asJson);
+    }
+    swDestroyMeasuredSea(sea);
+    return exitCode;
+}

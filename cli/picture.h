@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pictures of a world without a window: an own device, an HDR and a depth image, and the way back to the host.
+// Frames run one after the other: record, submit, wait. Two records of a sea's frame never overlap.
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "seaway/draw.h"
+
+typedef struct PictureMaker PictureMaker;
+
+typedef struct PictureMakerDef
+{
+    swDeviceChoice device;
+    int deviceIndex;
+    int width, height; // of the finished picture
+    int supersample;   // each pixel is the mean of supersample^2 rendered ones
+    bool enableValidation;
+} PictureMakerDef;
+
+// Complains and returns NULL if there is no device, no memory, or the picture is larger than the device can draw.
+// The world must outlive it.
+PictureMaker* CreatePictureMaker(const swHost* host, const PictureMakerDef* def, const swWorld* world);
+
+// Run the passes of the world's last step and draw nothing: how foam gathers before the first picture.
+bool AdvancePicture(PictureMaker* maker);
+
+// Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;
+// `isFirst` jumps to the measured exposure.
+bool MakePicture(PictureMaker* maker, const swPicture* picture, float dt, bool isFirst);
+
+// Room for width * height * 3. Bytes are tone mapped and sRGB encoded; floats are linear light before tone mapping.
+void ReadPictureBytes(const PictureMaker* maker, uint8_t* rgb);
+void ReadPictureFloats(const PictureMaker* maker, float* rgb);
+
+const swGpu* GetPictureGpu(const PictureMaker* maker);
+size_t GetPictureMemory(const PictureMaker* maker);
+
+// Returns the number of messages that the validation layers gave. NULL is allowed.
+int DestroyPictureMaker(PictureMaker* maker);

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+// A gauge is a particle of the water: it rests at u, and heave and slopes at u are linear in the waves' amplitudes however
+// steep the sea, so that their spectra are those that were asked for. (A wave staff at a fixed place sees sharper crests,
+// and its spectrum has harmonics.)
+//
+// A record h(t), hx(t), hz(t) is multiplied by a Hann window w, transformed, and |H|^2 / (sum w^2) is its spectrum; the
+// window's power is divided out, so that the expected variance is that of the sea, and no mean or trend is removed,
+// which would take energy away from the longest waves. Frequencies are shared among bins by overlap. Records of all
+// gauges are averaged [Welch 1967].
+// For a wave along (cos, sin), H conj(Hx) = i k cos |H|^2, so with quadrature q and k eliminated [Longuet-Higgins 1963]
+//   a1 = q(h, hx) / sqrt(S(h) (S(hx) + S(hz))),  b1 likewise with hz.
+
+#include "sea_estimate.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Complex
+{
+    double re, im;
+} Complex;
+
+// Heave and slopes of all gauges, a gauge's record contiguous.
+typedef struct Records
+{
+    int gaugeCount, sampleCount;
+    double dt;
+    float* h;
+    float* x;
+    float* z;
+} Records;
+
+void UseTableBins(const swSpectrumTable* table, SeaBins* bins)
+{
+    bins->count = table->frequencyCount < SEA_MAX_BINS ? table->frequencyCount : SEA_MAX_BINS;
+    for (int i = 0; i < bins->count; ++i)
+    {
+        bins->center[i] = (double)table->frequencies[i];
+        bins->low[i] = bins->center[i] - 0.5 * (double)table->bandwidths[i];
+        bins->high[i] = bins->center[i] + 0.5 * (double)table->bandwidths[i];
+    }
+}
+
+void UseEqualBins(double low, double high, int count, SeaBins* bins)
+{
+    bins->count = count < SEA_MAX_BINS ? count : SEA_MAX_BINS;
+    double width = (high - low) / bins->count;
+    for (int i = 0; i < bins->count; ++i)
+    {
+        bins->low[i] = low + width * i;
+        bins->high[i] = low + width * (i + 1);
+        bins->center[i] = low + width * (i + 0.5);
+    }
+}
+
+double FindFrequency(double wavelength, double depth, double gravity)
+{
+    double k = 2.0 * SW_PI / wavelength;
+    double omega2 = gravity * k * (isfinite(depth) ? tanh(k * depth) : 1.0);
+    return sqrt(omega2) / (2.0 * SW_PI);
+}
+
+double FindWavelength(double frequency, double depth, double gravity)
+{
+    double shortest = 1e-4, longest = 1e7; // the frequency falls with the length
+    for (int i = 0; i < 80; ++i)
+    {
+        double middle = sqrt(shortest * longest);
+        if (FindFrequency(middle, depth, gravity) > frequency)
+        {
+            shortest = middle;
+        }
+        else
+        {
+            longest = middle;
+        }
+    }
+    return longest;
+}
+
+// Points spread evenly however many there are: fractions of two irrational numbers, the plane's golden ratio.
+static swPosXZ PlaceGauge(double area, int index)
+{
+    double x = 0.7548776662466927 * (index + 1), z = 0.5698402909980532 * (index + 1);
+    return (swPosXZ){area * (x - floor(x) - 0.5), area * (z - floor(z) - 0.5)};
+}
+
+// In place, `count` a power of two: e^(-2 pi i j n / count).
+static void Transform(Complex* data, int count, const Complex* roots)
+{
+    for (int i = 1, j = 0; i < count; ++i)
+    {
+        int bit = count >> 1;
+        for (; (j & bit) != 0; bit >>= 1)
+        {
+            j ^= bit;
+        }
+        j |= bit;
+        if (i < j)
+        {
+            Complex swap = data[i];
+            data[i] = data[j];
+            data[j] = swap;
+        }
+    }
+    for (int half = 1; half < count; half *= 2)
+    {
+        int stride = count / (2 * half);
+        for (int first = 0; first < count; first += 2 * half)
+        {
+            for (int i = 0; i < half; ++i)
+            {
+                Complex root = roots[i * stride];
+                Complex a = data[first + i], b = data[first + i + half];
+                Complex turned = {b.re * root.re - b.im * root.im, b.re * root.im + b.im * root.re};
+                data[first + i] = (Complex){a.re + turned.re, a.im + turned.im};
+                data[first + i + half] = (Complex){a.re - turned.re, a.im - turned.im};
+            }
+        }
+    }
+}
+
+// Of a transform of a + i b, both real: the transform of a and of b at bin j.
+static void SplitPair(const Complex* data, int count, int j, Complex* a, Complex* b)
+{
+    Complex p = data[j], q = data[(count - j) % count];
+    *a = (Complex){0.5 * (p.re + q.re), 0.5 * (p.im - q.im)};
+    *b = (Complex){0.5 * (p.im + q.im), 0.5 * (q.re - p.re)};
+}
+
+// Share what lies at [low, high] among the bins.
+static void AddToBins(const SeaBins* bins, double low, double high, const double values[6], SeaSums* sums)
+{
+    for (int i = 0; i < bins->count; ++i)
+    {
+        double overlap = fmin(high, bins->high[i]) - fmax(low, bins->low[i]);
+        if (overlap > 0.0)
+        {
+            double share = overlap / (high - low);
+            sums->h[i] += share * values[0];
+            sums->hx[i] += share * values[1];
+            sums->hz[i] += share * values[2];
+            sums->xx[i] += share * values[3];
+            sums->zz[i] += share * values[4];
+            sums->xz[i] += share * values[5];
+        }
+    }
+}
+
+// Cross spectra of one gauge's record, added up over gauges in spectra[count / 2][6].
+static void AddGauge(const Records* records, int gauge, const double* window, const Complex* roots, Complex* first,
+                     Complex* second, double* spectra)
+{
+    int count = records->sampleCount;
+    size_t begin = (size_t)gauge * (size_t)count;
+    for (int i = 0; i < count; ++i)
+    {
+        size_t at = begin + (size_t)i;
+        first[i] = (Complex){window[i] * (double)records->h[at], window[i] * (double)records->x[at]};
+        second[i] = (Complex){window[i] * (double)records->z[at], 0.0};
+    }
+    Transform(first, count, roots);
+    Transform(second, count, roots);
+    for (int j = 1; j < count / 2; ++j)
+    {
+        Complex h, x, z = second[j];
+        SplitPair(first, count, j, &h, &x);
+        double* sum = spectra + 6 * (size_t)j;
+        sum[0] += h.re * h.re + h.im * h.im;
+        sum[1] += h.im * x.re - h.re * x.im;
+        sum[2] += h.im * z.re - h.re * z.im;
+        sum[3] += x.re * x.re + x.im * x.im;
+        sum[4] += z.re * z.re + z.im * z.im;
+        sum[5] += x.re * z.re + x.im * z.im;
+    }
+}
+
+// Work space of a transform, all in one piece.
+typedef struct Workspace
+{
+    double* window;
+    Complex *roots, *first, *second;
+    double* spectra;
+} Workspace;
+
+static double* CreateWorkspace(int count, Workspace* work)
+{
+    size_t n = (size_t)count;
+    double* memory = calloc(n * (1 + 1 + 2 + 2 + 3), sizeof(double));
+    if (memory == NULL)
+    {
+        return NULL;
+    }
+    work->window = memory;
+    work->roots = (Complex*)(memory + n);
+    work->first = (Complex*)(memory + 2 * n);
+    work->second = (Complex*)(memory + 4 * n);
+    work->spectra = memory + 6 * n;
+    for (int i = 0; i < count; ++i)
+    {
+        work->window[i] = 0.5 - 0.5 * cos(2.0 * SW_PI * i / count);
+    }
+    for (int i = 0; i < count / 2; ++i)
+    {
+        work->roots[i] = (Complex){cos(2.0 * SW_PI * i / count), -sin(2.0 * SW_PI * i / count)};
+    }
+    return memory;
+}
+
+static bool SumRecords(const Records* records, const SeaBins* bins, SeaSums* sums)
+{
+    int count = records->sampleCount;
+    Workspace work;
+    double* memory = CreateWorkspace(count, &work);
+    if (memory == NULL)
+    {
+        return false;
+    }
+    double windowPower = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        windowPower += work.window[i] * work.window[i];
+    }
+    for (int gauge = 0; gauge < records->gaugeCount; ++gauge)
+    {
+        AddGauge(records, gauge, work.window, work.roots, work.first, work.second, work.spectra);
+    }
+    double step = 1.0 / (count * records->dt);
+    double scale = 2.0 / (windowPower * count); // both signs of frequency; Parseval
+    for (int j = 1; j < count / 2; ++j)
+    {
+        double* values = work.spectra + 6 * (size_t)j;
+        for (int i = 0; i < 6; ++i)
+        {
+            values[i] *= scale;
+        }
+        AddToBins(bins, (j - 0.5) * step, (j + 0.5) * step, values, sums);
+    }
+    sums->weight += records->gaugeCount;
+    free(memory);
+    return true;
+}
+
+// Step through the record and note heave and slopes of all gauges.
+static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* records)
+{
+    size_t count = (size_t)records->gaugeCount;
+    swPosXZ* points = malloc(count * sizeof(swPosXZ));
+    swVec3* displacement = malloc(count * sizeof(swVec3));
+    swVec2* slopes = malloc(count * sizeof(swVec2));
+    bool isFine = points != NULL && displacement != NULL && slopes != NULL;
+    for (int i = 0; i < records->gaugeCount && isFine; ++i)
+    {
+        points[i] = PlaceGauge(gauges->area, i);
+    }
+    swQueryDef def = swDefaultQueryDef();
+    swSurfaceSamples samples = {.displacement = displacement};
+    for (int j = 0; j < records->sampleCount && isFine; ++j)
+    {
+        swWorld_SetTime(world, records->dt * j);
+        isFine = swWorld_Step(world, 0.0) == SW_SUCCESS;
+        swWorld_QueryParticles(world, &def, records->gaugeCount, points, &samples, slopes);
+        for (size_t i = 0; i < count; ++i)
+        {
+            size_t at = i * (size_t)records->sampleCount + (size_t)j;
+            records->h[at] = displacement[i].y;
+            records->x[at] = slopes[i].x;
+            records->z[at] = slopes[i].y;
+        }
+    }
+    free(points);
+    free(displacement);
+    free(slopes);
+    return isFine;
+}
+
+bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, SeaSums* sums)
+{
+    // Sampled a fifth faster than the last bin needs; a power of two of samples.
+    Records records = {.gaugeCount = gauges->gaugeCount, .dt = 1.0 / (2.4 * bins->high[bins->count - 1])};
+    records.sampleCount = 64;
+    while (records.sampleCount * records.dt < gauges->duration)
+    {
+        records.sampleCount *= 2;
+    }
+    size_t count = (size_t)records.gaugeCount * (size_t)records.sampleCount;
+    float* memory = malloc(3 * count * sizeof(float));
+    if (memory == NULL)
+    {
+        return false;
+    }
+    records.h = memory;
+    records.x = memory + count;
+    records.z = memory + 2 * count;
+    bool isFine = FillRecords(world, gauges, &records) && SumRecords(&records, bins, sums);
+    free(memory);
+    return isFine;
+}
+
+void AddSums(const SeaSums* from, SeaSums* to)
+{
+    to->weight += from->weight;
+    for (int i = 0; i < SEA_MAX_BINS; ++i)
+    {
+        to->h[i] += from->h[i];
+        to->hx[i] += from->hx[i];
+        to->hz[i] += from->hz[i];
+        to->xx[i] += from->xx[i];
+        to->zz[i] += from->zz[i];
+        to->xz[i] += from->xz[i];
+    }
+}
+
+int FindPeakBin(const SeaBins* bins, const SeaSums* sums)
+{
+    int peak = 0;
+    double largest = 0.0;
+    for (int i = 0; i < bins->count; ++i)
+    {
+        double density = sums->h[i] / (bins->high[i] - bins->low[i]);
+        if (density > largest)
+        {
+            largest = density;
+            peak = i;
+        }
+    }
+    return peak;
+}
+
+void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
+{
+    double before = 0.0, m0 = 0.0, m1 = 0.0, m2 = 0.0, slope = 0.0, a = 0.0, b = 0.0, peakA = 0.0, peakB = 0.0;
+    double scale = sums->weight > 0.0 ? 1.0 / sums->weight : 0.0;
+    int peak = FindPeakBin(bins, sums);
+    memset(state, 0, sizeof(*state));
+    for (int i = 0; i < bins->count; ++i)
+    {
+        double variance = sums->h[i] * scale, f = bins->center[i];
+        double norm = sqrt(sums->h[i] * (sums->xx[i] + sums->zz[i]));
+        before += variance / f;
+        m0 += variance;
+        m1 += variance * f;
+        m2 += variance * f * f;
+        slope += (sums->xx[i] + sums->zz[i]) * scale;
+        if (norm > 0.0)
+        {
+            a += variance * sums->hx[i] / norm;
+            b += variance * sums->hz[i] / norm;
+        }
+        peakA = i == peak ? sums->hx[i] : peakA;
+        peakB = i == peak ? sums->hz[i] : peakB;
+    }
+    if (m0 <= 0.0)
+    {
+        return;
+    }
+    state->significantHeight = (float)(4.0 * sqrt(m0));
+    state->peakPeriod = (float)(1.0 / bins->center[peak]);
+    state->periodTm01 = (float)(m0 / m1);
+    state->periodTm02 = (float)sqrt(m0 / m2);
+    state->energyPeriod = (float)(before / m0);
+    state->meanDirection = (float)atan2(b, a);
+    state->peakDirection = (float)atan2(peakB, peakA);
+    state->spread = (float)sqrt(fmax(2.0 * (1.0 - sqrt(a * a + b * b) / m0), 0.0));
+    state->meanSquareSlope = (float)slope;
+}
+
+bool LookAtSurface(const swWorld* world, double area, int count, float foamThreshold, SurfaceSums* sums)
+{
+    size_t n = (size_t)count;
+    swPosXZ* points = malloc(n * sizeof(swPosXZ));
+    float* height = malloc(n * sizeof(float));
+    float* jacobian = malloc(n * sizeof(float));
+    swVec3* normal = malloc(n * sizeof(swVec3));
+    swVec2* slopes = malloc(n * sizeof(swVec2));
+    bool isFine = points != NULL && height != NULL && jacobian != NULL && normal != NULL && slopes != NULL;
+    if (isFine)
+    {
+        swQueryDef def = swDefaultQueryDef();
+        swSurfaceSamples samples = {.height = height, .normal = normal, .jacobian = jacobian};
+        for (int i = 0; i < count; ++i)
+        {
+            points[i] = PlaceGauge(area, i);
+        }
+        swWorld_QuerySurface(world, &def, count, points, &samples, NULL);
+        swWorld_QueryParticles(world, &def, count, points, &(swSurfaceSamples){0}, slopes);
+    }
+    for (int i = 0; i < count && isFine; ++i)
+    {
+        double h = (double)height[i] - swWorld_GetSeaLevel(world);
+        double x = (double)normal[i].x, y = (double)normal[i].y, z = (double)normal[i].z;
+        sums->count += 1.0;
+        sums->height += h;
+        sums->heightSquare += h * h;
+        sums->slopeSquare += y > 0.0 ? (x * x + z * z) / (y * y) : 0.0;
+        sums->particleSlopeSquare +=
+            (double)slopes[i].x * (double)slopes[i].x + (double)slopes[i].y * (double)slopes[i].y;
+        sums->whitecaps += jacobian[i] < foamThreshold;
+    }
+    free(points);
+    free(height);
+    free(jacobian);
+    free(normal);
+    free(slopes);
+    return isFine;
+}

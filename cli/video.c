@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "video.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "output.h"
+#include "verbs.h"
+
+#define EXIT_NO_PROGRAM 127
+
+struct Video
+{
+    OutputFile output;
+    pid_t process;
+    int pipe;
+    FILE* messages; // what ffmpeg says
+    size_t frameSize;
+    bool isFine;
+};
+
+// In the child: stdin from the pipe, stderr to a file, then become ffmpeg.
+static void BecomeEncoder(int input, int messages, const char* path, int width, int height, double framesPerSecond)
+{
+    char size[32], rate[32];
+    snprintf(size, sizeof(size), "%dx%d", width, height);
+    snprintf(rate, sizeof(rate), "%.6g", framesPerSecond);
+    const char* arguments[] = {"ffmpeg",      "-hide_banner", "-loglevel",
+                               "error",       "-nostdin",     "-y",
+                               "-f",          "rawvideo",     "-pix_fmt",
+                               "rgb24",       "-s",           size,
+                               "-r",          rate,           "-i",
+                               "pipe:0",      "-an",          "-c:v",
+                               "libx264",     "-preset",      "medium",
+                               "-crf",        "17",           "-pix_fmt",
+                               "yuv420p",     "-vf",          "scale=out_color_matrix=bt709",
+                               "-colorspace", "bt709",        "-color_primaries",
+                               "bt709",       "-color_trc",   "bt709",
+                               "-movflags",   "+faststart",   "-f",
+                               "mp4",         path,           NULL};
+    char* copies[sizeof(arguments) / sizeof(arguments[0])];
+    memcpy(copies, arguments, sizeof(arguments)); // execvp's char* const* is older than const
+    dup2(input, STDIN_FILENO);
+    dup2(messages, STDERR_FILENO);
+    dup2(messages, STDOUT_FILENO);
+    signal(SIGPIPE, SIG_DFL);
+    execvp(copies[0], copies);
+    _exit(EXIT_NO_PROGRAM);
+}
+
+static bool StartEncoder(Video* video, int width, int height, double framesPerSecond)
+{
+    int ends[2];
+    video->messages = tmpfile();
+    if (video->messages == NULL || pipe(ends) != 0)
+    {
+        Complain("cannot start ffmpeg: %s", strerror(errno));
+        return false;
+    }
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC); // or ffmpeg would hold the pipe open that it waits on
+    signal(SIGPIPE, SIG_IGN);
+    video->process = fork();
+    if (video->process == 0)
+    {
+        close(ends[1]);
+        BecomeEncoder(ends[0], fileno(video->messages), video->output.path, width, height, framesPerSecond);
+    }
+    close(ends[0]);
+    video->pipe = ends[1];
+    if (video->process < 0)
+    {
+        Complain("cannot start ffmpeg: %s", strerror(errno));
+        close(video->pipe);
+        return false;
+    }
+    return true;
+}
+
+Video* OpenVideo(const char* path, int width, int height, double framesPerSecond)
+{
+    Video* video = calloc(1, sizeof(Video));
+    if (video == NULL)
+    {
+        Complain("no memory for a video");
+        return NULL;
+    }
+    if (!BeginOutput(&video->output, path))
+    {
+        free(video);
+        return NULL;
+    }
+    if (!StartEncoder(video, width, height, framesPerSecond))
+    {
+        EndOutput(&video->output, false);
+        if (video->messages != NULL)
+        {
+            fclose(video->messages);
+        }
+        free(video);
+        return NULL;
+    }
+    video->frameSize = (size_t)width * (size_t)height * 3;
+    video->isFine = true;
+    return video;
+}
+
+bool WriteVideoFrame(Video* video, const uint8_t* rgb)
+{
+    for (size_t done = 0; done < video->frameSize && video->isFine;)
+    {
+        ssize_t written = write(video->pipe, rgb + done, video->frameSize - done);
+        if (written < 0 && errno != EINTR)
+        {
+            video->isFine = false; // ffmpeg has left; CloseVideo() says why
+        }
+        done += written > 0 ? (size_t)written : 0;
+    }
+    return video->isFine;
+}
+
+static void ComplainAboutEncoder(Video* video, int status)
+{
+    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_NO_PROGRAM)
+    {
+        Complain("cannot write %s: ffmpeg is not installed; `--out FOLDER/` writes numbered pictures instead",
+                 video->output.finalPath);
+        return;
+    }
+    char message[512] = "it gave no reason";
+    rewind(video->messages);
+    if (fgets(message, sizeof(message), video->messages) != NULL)
+    {
+        message[strcspn(message, "\n")] = 0;
+    }
+    Complain("cannot write %s: ffmpeg failed: %s", video->output.finalPath, message);
+}
+
+bool CloseVideo(Video* video, bool keep)
+{
+    if (video == NULL)
+    {
+        return false;
+    }
+    close(video->pipe);
+    int status = 0;
+    while (waitpid(video->process, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    bool isWritten = video->isFine && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (!isWritten)
+    {
+        ComplainAboutEncoder(video, status);
+    }
+    isWritten = EndOutput(&video->output, isWritten && keep);
+    fclose(video->messages);
+    free(video);
+    return isWritten;
+}
