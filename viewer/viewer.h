@@ -21,7 +21,7 @@ typedef struct ViewerOptions
     bool enableVsync;
     bool hidePanel;
 
-    int frameCount;             // 0: until the window is closed; else leave after that many frames, 1/30 s of the sea each
+    int frameCount; // 0: until the window is closed; else leave after that many frames, 1/30 s of the sea each
     const char* screenshotPath; // PNG of the last of `frameCount` frames, panel included; NULL: none
 } ViewerOptions;
 

@@ -82,6 +82,9 @@ SW_API void swWorld_SetTime(swWorld* world, double time);
 /// Time of the last step's surface, s.
 SW_API double swWorld_GetTime(const swWorld* world);
 
+/// Change how foam is born and fades, from the next step on. Foam that is there stays.
+SW_API void swWorld_SetFoam(swWorld* world, const swFoamDef* foam);
+
 SW_API double swWorld_GetSeaLevel(const swWorld* world);
 SW_API float swWorld_GetGravity(const swWorld* world);
 

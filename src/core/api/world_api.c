@@ -32,6 +32,12 @@ static bool isWithin(float value, float least, float most)
     return value >= least && value <= most;
 }
 
+static bool isFoamValid(const swFoamDef* foam)
+{
+    return isWithin(foam->fadeRate, 0.01f, 10.0f) && isWithin(foam->threshold, 0.0f, 1.0f) &&
+           isWithin(foam->gain, 0.0f, 50.0f);
+}
+
 static swResult checkWorldDef(const swHost* host, const swWorldDef* def)
 {
     if (!(def->gravity > 0.0f && def->gravity <= 100.0f))
@@ -43,8 +49,7 @@ static swResult checkWorldDef(const swHost* host, const swWorldDef* def)
     {
         return swFail(host, SW_ERROR_INVALID, "sea level is %g m; it must be within 1000 km of 0", def->seaLevel);
     }
-    if (!isWithin(def->foam.fadeRate, 0.01f, 10.0f) || !isWithin(def->foam.threshold, 0.0f, 1.0f) ||
-        !isWithin(def->foam.gain, 0.0f, 50.0f))
+    if (!isFoamValid(&def->foam))
     {
         return swFail(host, SW_ERROR_INVALID,
                       "foam has fade rate %g (0.01 to 10), threshold %g (0 to 1) and gain %g (0 to 50)",
@@ -114,6 +119,17 @@ void swWorld_SetTime(swWorld* world, double time)
 double swWorld_GetTime(const swWorld* world)
 {
     return world->frame.time;
+}
+
+void swWorld_SetFoam(swWorld* world, const swFoamDef* foam)
+{
+    bool isValid = world != NULL && foam != NULL && foam->internalValue == SW_DEF_COOKIE && isFoamValid(foam);
+    SW_ASSERT(isValid);
+    if (isValid)
+    {
+        world->def.foam = *foam;
+        world->frame.foam = *foam;
+    }
 }
 
 double swWorld_GetSeaLevel(const swWorld* world)

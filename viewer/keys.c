@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "app.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "screenshot.h"
+
+#define RADIANS_PER_PIXEL 0.0025f
+
+static void ScaleTime(App* app, float factor)
+{
+    float scale = app->clock.scale * factor;
+    app->clock.scale = scale < 1.0f / 16.0f ? 1.0f / 16.0f : scale > 16.0f ? 16.0f : scale;
+    ShowNote(app, "time x %.3g", (double)app->clock.scale);
+}
+
+static void ToggleFullscreen(App* app)
+{
+    int* place = app->windowPlace;
+    if (glfwGetWindowMonitor(app->window) != NULL)
+    {
+        glfwSetWindowMonitor(app->window, NULL, place[0], place[1], place[2], place[3], 0);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    if (mode == NULL)
+    {
+        ShowNote(app, "there is no monitor to fill");
+        return;
+    }
+    glfwGetWindowPos(app->window, &place[0], &place[1]);
+    glfwGetWindowSize(app->window, &place[2], &place[3]);
+    glfwSetWindowMonitor(app->window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+static void CycleDebug(App* app, int by)
+{
+    app->debug = (swDebugMode)(((int)app->debug + by + SW_DEBUG_COUNT) % SW_DEBUG_COUNT);
+    ShowNote(app, "view: %s", swDebugMode_GetName(app->debug));
+}
+
+static void TogglePause(App* app)
+{
+    app->clock.isPaused = !app->clock.isPaused;
+    ShowNote(app, app->clock.isPaused ? "paused" : "running");
+}
+
+static void PressKey(App* app, int key, bool hasShift)
+{
+    switch (key)
+    {
+    case GLFW_KEY_ESCAPE:
+        glfwSetWindowShouldClose(app->window, GLFW_TRUE);
+        break;
+    case GLFW_KEY_SPACE:
+        TogglePause(app);
+        break;
+    case GLFW_KEY_PERIOD:
+        app->clock.isPaused = true;
+        app->clock.stepOnce = true;
+        break;
+    case GLFW_KEY_LEFT_BRACKET:
+        ScaleTime(app, 0.5f);
+        break;
+    case GLFW_KEY_RIGHT_BRACKET:
+        ScaleTime(app, 2.0f);
+        break;
+    case GLFW_KEY_O:
+        ToggleOrbit(&app->camera, swWorld_GetSeaLevel(app->sea.world));
+        ShowNote(app, app->camera.mode == CAMERA_ORBIT ? "orbiting" : "flying");
+        break;
+    case GLFW_KEY_U:
+        app->camera.mayDive = !app->camera.mayDive;
+        ShowNote(app, app->camera.mayDive ? "the camera may go under the water" : "the camera stays above the water");
+        break;
+    case GLFW_KEY_R:
+        app->wantsReload = true;
+        break;
+    case GLFW_KEY_F1:
+        app->showPanel = !app->showPanel;
+        break;
+    case GLFW_KEY_F2:
+        CycleDebug(app, hasShift ? -1 : 1);
+        break;
+    case GLFW_KEY_F11:
+        ToggleFullscreen(app);
+        break;
+    case GLFW_KEY_F12:
+        NameScreenshot(app->capturePath, sizeof(app->capturePath));
+        app->capture = hasShift ? CAPTURE_WINDOW : CAPTURE_SEA;
+        break;
+    default:
+        if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
+        {
+            GoToView(app, key - GLFW_KEY_1);
+        }
+        break;
+    }
+}
+
+static void OnKey(GLFWwindow* window, int key, int scancode, int action, int modifiers)
+{
+    (void)scancode;
+    App* app = glfwGetWindowUserPointer(window);
+    if (action == GLFW_PRESS && !(app->hasUi && HasUiKeyboard()))
+    {
+        PressKey(app, key, (modifiers & GLFW_MOD_SHIFT) != 0);
+    }
+}
+
+static void OnScroll(GLFWwindow* window, double x, double y)
+{
+    (void)x;
+    App* app = glfwGetWindowUserPointer(window);
+    if (!(app->hasUi && HasUiMouse()))
+    {
+        app->wheel += (float)y;
+    }
+}
+
+void OpenInput(App* app)
+{
+    glfwSetWindowUserPointer(app->window, app);
+    glfwSetKeyCallback(app->window, OnKey);
+    glfwSetScrollCallback(app->window, OnScroll);
+}
+
+static float GetAxis(GLFWwindow* window, int positive, int negative)
+{
+    return (float)(glfwGetKey(window, positive) == GLFW_PRESS) - (float)(glfwGetKey(window, negative) == GLFW_PRESS);
+}
+
+// Looking starts on the picture, not on a widget, and goes on until the button is released.
+static void UpdateLooking(App* app)
+{
+    bool isHeld =
+        glfwGetMouseButton(app->window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS ||
+        (app->camera.mode == CAMERA_ORBIT && glfwGetMouseButton(app->window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS);
+    bool isLooking = isHeld && (app->isLooking || !HasUiMouse());
+    if (isLooking != app->isLooking)
+    {
+        app->isLooking = isLooking;
+        glfwSetInputMode(app->window, GLFW_CURSOR, isLooking ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        glfwGetCursorPos(app->window, &app->cursorX, &app->cursorY);
+    }
+}
+
+CameraInput ReadCameraInput(App* app)
+{
+    GLFWwindow* window = app->window;
+    CameraInput input = {.wheel = app->wheel};
+    app->wheel = 0.0f;
+    UpdateLooking(app);
+    if (!HasUiKeyboard())
+    {
+        input.right = GetAxis(window, GLFW_KEY_D, GLFW_KEY_A);
+        input.up = GetAxis(window, GLFW_KEY_E, GLFW_KEY_Q);
+        input.forward = GetAxis(window, GLFW_KEY_W, GLFW_KEY_S);
+        input.isFast = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                       glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+    }
+    if (app->isLooking)
+    {
+        double x = 0.0, y = 0.0;
+        glfwGetCursorPos(window, &x, &y);
+        input.turnRight = (float)(x - app->cursorX) * RADIANS_PER_PIXEL;
+        input.turnUp = (float)(app->cursorY - y) * RADIANS_PER_PIXEL;
+        app->cursorX = x;
+        app->cursorY = y;
+    }
+    return input;
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Where time and memory go, and the digest.
+
+#include <stdio.h>
+
+#include "panels.h"
+
+#define MAX_PASSES 48
+#define MEBI (1.0 / (1024.0 * 1024.0))
+
+static void DrawFrameTimes(const Clock* clock)
+{
+    float sum = 0.0f, worst = 0.0f;
+    int count = 0;
+    for (int i = 0; i < FRAME_TIME_COUNT; i++)
+    {
+        float time = clock->frameTimes[i];
+        sum += time;
+        worst = time > worst ? time : worst;
+        count += time > 0.0f;
+    }
+    char label[96];
+    float mean = count > 0 ? sum / (float)count : 0.0f;
+    snprintf(label, sizeof(label), "frame %.1f ms, worst %.1f ms, %.0f /s", (double)mean, (double)worst,
+             mean > 0.0f ? 1e3 / (double)mean : 0.0);
+    UiGraph(label, clock->frameTimes, FRAME_TIME_COUNT, clock->frameTimeNext, worst > 33.4f ? worst : 33.4f);
+}
+
+static void DrawPasses(const swGpu* gpu)
+{
+    static const char* const titles[] = {"GPU pass", "ms"};
+    swPassTime times[MAX_PASSES];
+    int count = swGpu_GetPassTimes(gpu, times, MAX_PASSES);
+    float sum = 0.0f;
+    if (count == 0)
+    {
+        UiFaint("this device has no timestamps, or none yet");
+        return;
+    }
+    if (!BeginUiTable("passes", 2, titles))
+    {
+        return;
+    }
+    for (int i = 0; i < count; i++)
+    {
+        UiCell("%s", times[i].name);
+        UiCell("%.3f", (double)times[i].milliseconds);
+        sum += times[i].milliseconds;
+    }
+    UiCell("all");
+    UiCell("%.3f", (double)sum);
+    EndUiTable();
+}
+
+void DrawTimingPanel(App* app)
+{
+    const Sea* sea = &app->sea;
+    if (!BeginUiSection("Timing and memory", true))
+    {
+        return;
+    }
+    DrawFrameTimes(&app->clock);
+    DrawPasses(app->gpu);
+    UiText("%s%s", swGpu_GetDeviceName(app->gpu), swGpu_IsSoftware(app->gpu) ? " (software)" : "");
+    UiText("memory: %.1f MiB in the core (%s), %.1f MiB on the device", (double)swWorld_GetMemory(sea->world) * MEBI,
+           swIsa_GetName(swWorld_GetIsa(sea->world)), (double)swGpuWorld_GetMemory(sea->gpuWorld) * MEBI);
+    UiText("digest %016llx", (unsigned long long)swWorld_GetDigest(sea->world));
+    UiTip("Equal on two machines exactly if their surfaces are");
+}

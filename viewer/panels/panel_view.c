@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Camera, the scene's views, debug views and the slices around the viewer.
+
+#include "panels.h"
+
+static const char* GetDebugName(void* context, int index)
+{
+    (void)context;
+    return swDebugMode_GetName((swDebugMode)index);
+}
+
+static void DrawCamera(App* app)
+{
+    Camera* camera = &app->camera;
+    swPos eye = GetCameraEye(camera);
+    float fov = ToDegrees(camera->verticalFov);
+    UiText("x %.1f  y %.1f  z %.1f m", eye.x, eye.y, eye.z);
+    UiText("heading %.0f deg, pitch %.0f deg", (double)ToDegrees(camera->heading), (double)ToDegrees(camera->pitch));
+    bool isOrbit = camera->mode == CAMERA_ORBIT;
+    if (UiCheckbox("orbit", &isOrbit))
+    {
+        ToggleOrbit(camera, swWorld_GetSeaLevel(app->sea.world));
+    }
+    UiSameLine();
+    UiCheckbox("may dive", &camera->mayDive);
+    UiLogSlider("speed", &camera->speed, 0.05f, 50.0f, "x %.2f");
+    if (UiSlider("field of view", &fov, 10.0f, 110.0f, "%.0f deg"))
+    {
+        camera->verticalFov = ToRadians(fov);
+    }
+}
+
+static void DrawNamedViews(App* app)
+{
+    const swScene* scene = app->sea.scene;
+    for (int i = 0; scene != NULL && i < scene->viewCount; i++)
+    {
+        if (i % 4 != 0)
+        {
+            UiSameLine();
+        }
+        if (UiButton(scene->views[i].name))
+        {
+            GoToView(app, i);
+        }
+    }
+}
+
+static void DrawSlices(const swView* view)
+{
+    static const char* const titles[] = {"slice", "texel m", "side m", "waves from m", "fade"};
+    if (!BeginUiTable("slices", 5, titles))
+    {
+        return;
+    }
+    for (int i = 0; i < swView_GetSliceCount(view); i++)
+    {
+        swSliceInfo slice = swView_GetSlice(view, i);
+        UiCell("%d", i);
+        UiCell("%.4g", slice.texel);
+        UiCell("%.4g", slice.texel * slice.resolution);
+        UiCell("%.3g", (double)slice.minWavelength);
+        UiCell("%.2f", (double)slice.fade);
+    }
+    EndUiTable();
+}
+
+void DrawViewPanel(App* app)
+{
+    if (BeginUiSection("Camera", false))
+    {
+        DrawCamera(app);
+        DrawNamedViews(app);
+    }
+    if (BeginUiSection("Debug views", false))
+    {
+        int mode = (int)app->debug;
+        if (UiChoice("show", &mode, SW_DEBUG_COUNT, GetDebugName, NULL))
+        {
+            app->debug = (swDebugMode)mode;
+        }
+        DrawSlices(app->sea.view);
+    }
+}

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+#include "screen.h"
+
+#include <stdio.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+static bool CreateSurface(Screen* screen)
+{
+    const Graphics* graphics = screen->graphics;
+    VkResult result = glfwCreateWindowSurface(graphics->instance, screen->window, NULL, &screen->surface);
+    if (!CheckVulkan(result, "draw to the window"))
+    {
+        return false;
+    }
+    VkBool32 canPresent = VK_FALSE;
+    graphics->vk.GetPhysicalDeviceSurfaceSupportKHR(graphics->physicalDevice, graphics->queueFamily, screen->surface,
+                                                    &canPresent);
+    if (!canPresent)
+    {
+        fprintf(stderr, "seaway: this device cannot show pictures in this window; try another with --device\n");
+    }
+    return canPresent;
+}
+
+// Prefers 8 bits; what is written is encoded already, so the format must not encode again.
+static bool ChooseFormat(const Screen* screen, VkSurfaceFormatKHR* chosen)
+{
+    VkSurfaceFormatKHR formats[64];
+    uint32_t count = 64;
+    screen->graphics->vk.GetPhysicalDeviceSurfaceFormatsKHR(screen->graphics->physicalDevice, screen->surface, &count,
+                                                            formats);
+    const VkFormat wanted[] = {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_A8B8G8R8_UNORM_PACK32,
+                               VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_A2R10G10B10_UNORM_PACK32};
+    for (size_t w = 0; w < sizeof(wanted) / sizeof(wanted[0]); w++)
+    {
+        for (uint32_t i = 0; i < count; i++)
+        {
+            if (formats[i].format == wanted[w] && formats[i].colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR)
+            {
+                *chosen = formats[i];
+                return true;
+            }
+        }
+    }
+    fprintf(stderr, "seaway: the window offers no 8- or 10-bit UNORM format in the sRGB colour space\n");
+    return false;
+}
+
+// Without vsync the newest frame replaces the waiting one, or, failing that, tears.
+static VkPresentModeKHR ChoosePresentMode(const Screen* screen)
+{
+    VkPresentModeKHR modes[16];
+    uint32_t count = 16;
+    screen->graphics->vk.GetPhysicalDeviceSurfacePresentModesKHR(screen->graphics->physicalDevice, screen->surface,
+                                                                 &count, modes);
+    VkPresentModeKHR chosen = VK_PRESENT_MODE_FIFO_KHR;
+    for (uint32_t i = 0; i < count && !screen->enableVsync; i++)
+    {
+        bool isBetter = modes[i] == VK_PRESENT_MODE_MAILBOX_KHR ||
+                        (modes[i] == VK_PRESENT_MODE_IMMEDIATE_KHR && chosen == VK_PRESENT_MODE_FIFO_KHR);
+        chosen = isBetter ? modes[i] : chosen;
+    }
+    return chosen;
+}
+
+static uint32_t Clamp(uint32_t value, uint32_t low, uint32_t high)
+{
+    return value < low ? low : value > high ? high : value;
+}
+
+static VkExtent2D GetWindowExtent(const Screen* screen)
+{
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(screen->window, &width, &height);
+    return (VkExtent2D){width > 0 ? (uint32_t)width : 0, height > 0 ? (uint32_t)height : 0};
+}
+
+// The surface's size, or the window's where the surface takes any.
+static VkExtent2D ChooseExtent(const Screen* screen, const VkSurfaceCapabilitiesKHR* can)
+{
+    if (can->currentExtent.width != UINT32_MAX)
+    {
+        return can->currentExtent;
+    }
+    return (VkExtent2D){Clamp(screen->windowExtent.width, can->minImageExtent.width, can->maxImageExtent.width),
+                        Clamp(screen->windowExtent.height, can->minImageExtent.height, can->maxImageExtent.height)};
+}
+
+static void DestroySwapchain(Screen* screen)
+{
+    const Graphics* graphics = screen->graphics;
+    for (uint32_t i = 0; i < MAX_SWAPCHAIN_IMAGES; i++)
+    {
+        graphics->vk.DestroySemaphore(graphics->device, screen->isDrawn[i], NULL);
+        screen->isDrawn[i] = VK_NULL_HANDLE;
+    }
+    if (screen->swapchain != VK_NULL_HANDLE)
+    {
+        graphics->vk.DestroySwapchainKHR(graphics->device, screen->swapchain, NULL);
+        screen->swapchain = VK_NULL_HANDLE;
+    }
+    screen->imageCount = 0;
+}
+
+static bool ListImages(Screen* screen)
+{
+    const Graphics* graphics = screen->graphics;
+    uint32_t count = 0;
+    graphics->vk.GetSwapchainImagesKHR(graphics->device, screen->swapchain, &count, NULL);
+    if (count > MAX_SWAPCHAIN_IMAGES)
+    {
+        fprintf(stderr, "seaway: the swapchain has %u images, more than the %d that the viewer handles\n", count,
+                MAX_SWAPCHAIN_IMAGES);
+        return false;
+    }
+    screen->imageCount = count;
+    VkResult result = graphics->vk.GetSwapchainImagesKHR(graphics->device, screen->swapchain, &count, screen->images);
+    VkSemaphoreCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++)
+    {
+        result = graphics->vk.CreateSemaphore(graphics->device, &info, NULL, &screen->isDrawn[i]);
+    }
+    return CheckVulkan(result, "list the swapchain's images");
+}
+
+static VkResult CreateSwapchain(Screen* screen, const VkSurfaceCapabilitiesKHR* can, VkSurfaceFormatKHR format)
+{
+    uint32_t most = can->maxImageCount > 0 ? can->maxImageCount : MAX_SWAPCHAIN_IMAGES;
+    bool canBeOpaque = (can->supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0;
+    VkSwapchainKHR old = screen->swapchain;
+    VkSwapchainCreateInfoKHR info = {
+        .sType = VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR,
+        .surface = screen->surface,
+        .minImageCount = Clamp(can->minImageCount + 1, can->minImageCount, most),
+        .imageFormat = format.format,
+        .imageColorSpace = format.colorSpace,
+        .imageExtent = screen->extent,
+        .imageArrayLayers = 1,
+        .imageUsage = VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+        .preTransform = can->currentTransform,
+        .compositeAlpha = canBeOpaque ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR,
+        .presentMode = ChoosePresentMode(screen),
+        .clipped = VK_TRUE,
+        .oldSwapchain = old,
+    };
+    VkSwapchainKHR swapchain = VK_NULL_HANDLE;
+    VkResult result = screen->graphics->vk.CreateSwapchainKHR(screen->graphics->device, &info, NULL, &swapchain);
+    DestroySwapchain(screen);
+    screen->swapchain = swapchain;
+    return result;
+}
+
+// Make the swapchain anew for the window as it is now. The surface itself is renewed if it was lost.
+static ScreenStatus RenewSwapchain(Screen* screen)
+{
+    const Graphics* graphics = screen->graphics;
+    if (!CheckVulkan(graphics->vk.DeviceWaitIdle(graphics->device), "wait for the device"))
+    {
+        return SCREEN_FAILED;
+    }
+    VkSurfaceCapabilitiesKHR can;
+    VkResult result =
+        graphics->vk.GetPhysicalDeviceSurfaceCapabilitiesKHR(graphics->physicalDevice, screen->surface, &can);
+    if (result == VK_ERROR_SURFACE_LOST_KHR)
+    {
+        DestroySwapchain(screen);
+        graphics->vk.DestroySurfaceKHR(graphics->instance, screen->surface, NULL);
+        screen->surface = VK_NULL_HANDLE;
+        if (!CreateSurface(screen))
+        {
+            return SCREEN_FAILED;
+        }
+        result = graphics->vk.GetPhysicalDeviceSurfaceCapabilitiesKHR(graphics->physicalDevice, screen->surface, &can);
+    }
+    if (!CheckVulkan(result, "ask the window's surface"))
+    {
+        return SCREEN_FAILED;
+    }
+    screen->windowExtent = GetWindowExtent(screen);
+    screen->extent = ChooseExtent(screen, &can);
+    if (screen->extent.width == 0 || screen->extent.height == 0)
+    {
+        return SCREEN_HIDDEN;
+    }
+    if ((can.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) == 0)
+    {
+        fprintf(stderr, "seaway: the window's images cannot be copied to on this device\n");
+        return SCREEN_FAILED;
+    }
+    VkSurfaceFormatKHR format;
+    if (!ChooseFormat(screen, &format) || !CheckVulkan(CreateSwapchain(screen, &can, format), "make a swapchain") ||
+        !ListImages(screen))
+    {
+        return SCREEN_FAILED;
+    }
+    return SCREEN_CHANGED;
+}
+
+static bool CreateFrames(Screen* screen)
+{
+    const Graphics* graphics = screen->graphics;
+    VkCommandPoolCreateInfo poolInfo = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+        .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
+        .queueFamilyIndex = graphics->queueFamily,
+    };
+    VkFenceCreateInfo fenceInfo = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, .flags = VK_FENCE_CREATE_SIGNALED_BIT};
+    VkSemaphoreCreateInfo semaphoreInfo = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    VkResult result = VK_SUCCESS;
+    for (int i = 0; i < FRAMES_IN_FLIGHT && result == VK_SUCCESS; i++)
+    {
+        FrameInFlight* frame = &screen->frames[i];
+        result = graphics->vk.CreateCommandPool(graphics->device, &poolInfo, NULL, &frame->pool);
+        VkCommandBufferAllocateInfo info = {
+            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+            .commandPool = frame->pool,
+            .commandBufferCount = 1,
+        };
+        result = result ? result : graphics->vk.AllocateCommandBuffers(graphics->device, &info, &frame->commands);
+        result = result ? result : graphics->vk.CreateFence(graphics->device, &fenceInfo, NULL, &frame->isDone);
+        result =
+            result ? result : graphics->vk.CreateSemaphore(graphics->device, &semaphoreInfo, NULL, &frame->isAcquired);
+    }
+    return CheckVulkan(result, "make command buffers");
+}
+
+bool OpenScreen(Screen* screen, const Graphics* graphics, struct GLFWwindow* window, bool enableVsync)
+{
+    *screen = (Screen){.graphics = graphics, .window = window, .enableVsync = enableVsync};
+    return CreateSurface(screen) && CreateFrames(screen) && RenewSwapchain(screen) != SCREEN_FAILED;
+}
+
+void CloseScreen(Screen* screen)
+{
+    const Graphics* graphics = screen->graphics;
+    if (graphics == NULL)
+    {
+        return;
+    }
+    graphics->vk.DeviceWaitIdle(graphics->device);
+    for (int i = 0; i < FRAMES_IN_FLIGHT; i++)
+    {
+        graphics->vk.DestroySemaphore(graphics->device, screen->frames[i].isAcquired, NULL);
+        graphics->vk.DestroyFence(graphics->device, screen->frames[i].isDone, NULL);
+        graphics->vk.DestroyCommandPool(graphics->device, screen->frames[i].pool, NULL);
+    }
+    DestroySwapchain(screen);
+    if (screen->surface != VK_NULL_HANDLE)
+    {
+        graphics->vk.DestroySurfaceKHR(graphics->instance, screen->surface, NULL);
+    }
+    *screen = (Screen){0};
+}
+
+static bool IsScreenGone(VkResult result)
+{
+    return result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR;
+}
+
+ScreenStatus BeginScreenFrame(Screen* screen, uint64_t frameIndex, FrameInFlight** frame)
+{
+    const Graphics* graphics = screen->graphics;
+    VkExtent2D size = GetWindowExtent(screen);
+    if (size.width == 0 || size.height == 0)
+    {
+        return SCREEN_HIDDEN;
+    }
+    bool hasChanged = size.width != screen->windowExtent.width || size.height != screen->windowExtent.height;
+    if (screen->swapchain == VK_NULL_HANDLE || hasChanged)
+    {
+        return RenewSwapchain(screen);
+    }
+    FrameInFlight* next = &screen->frames[frameIndex % FRAMES_IN_FLIGHT];
+    VkResult result = graphics->vk.WaitForFences(graphics->device, 1, &next->isDone, VK_TRUE, UINT64_MAX);
+    if (!CheckVulkan(result, "wait for a frame"))
+    {
+        return SCREEN_FAILED;
+    }
+    result = graphics->vk.AcquireNextImageKHR(graphics->device, screen->swapchain, UINT64_MAX, next->isAcquired,
+                                              VK_NULL_HANDLE, &screen->imageIndex);
+    if (IsScreenGone(result))
+    {
+        return RenewSwapchain(screen);
+    }
+    graphics->vk.ResetCommandPool(graphics->device, next->pool, 0);
+    VkCommandBufferBeginInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                     .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+    result = result < 0 ? result : graphics->vk.BeginCommandBuffer(next->commands, &info);
+    *frame = next;
+    return CheckVulkan(result, "begin a frame") ? SCREEN_READY : SCREEN_FAILED;
+}
+
+static VkResult SubmitFrame(const Screen* screen, FrameInFlight* frame)
+{
+    const Graphics* graphics = screen->graphics;
+    VkSemaphoreSubmitInfo wait = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                  .semaphore = frame->isAcquired,
+                                  .stageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT};
+    VkSemaphoreSubmitInfo signal = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
+                                    .semaphore = screen->isDrawn[screen->imageIndex],
+                                    .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
+    VkCommandBufferSubmitInfo commands = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+                                          .commandBuffer = frame->commands};
+    VkSubmitInfo2 info = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .waitSemaphoreInfoCount = 1,
+        .pWaitSemaphoreInfos = &wait,
+        .commandBufferInfoCount = 1,
+        .pCommandBufferInfos = &commands,
+        .signalSemaphoreInfoCount = 1,
+        .pSignalSemaphoreInfos = &signal,
+    };
+    VkResult result = graphics->vk.ResetFences(graphics->device, 1, &frame->isDone);
+    return result ? result : graphics->vk.QueueSubmit2(graphics->queue, 1, &info, frame->isDone);
+}
+
+ScreenStatus EndScreenFrame(Screen* screen, FrameInFlight* frame)
+{
+    const Graphics* graphics = screen->graphics;
+    VkResult result = graphics->vk.EndCommandBuffer(frame->commands);
+    result = result ? result : SubmitFrame(screen, frame);
+    if (!CheckVulkan(result, "submit a frame"))
+    {
+        return SCREEN_FAILED;
+    }
+    VkPresentInfoKHR info = {
+        .sType = VK_STRUCTURE_TYPE_PRESENT_INFO_KHR,
+        .waitSemaphoreCount = 1,
+        .pWaitSemaphores = &screen->isDrawn[screen->imageIndex],
+        .swapchainCount = 1,
+        .pSwapchains = &screen->swapchain,
+        .pImageIndices = &screen->imageIndex,
+    };
+    result = graphics->vk.QueuePresentKHR(graphics->queue, &info);
+    if (IsScreenGone(result) || result == VK_SUBOPTIMAL_KHR)
+    {
+        return RenewSwapchain(screen);
+    }
+    return CheckVulkan(result, "show a frame") ? SCREEN_READY : SCREEN_FAILED;
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "screenshot.h"
+
+#include <png.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static bool Exists(const char* path)
+{
+    FILE* file = fopen(path, "rb");
+    if (file != NULL)
+    {
+        fclose(file);
+    }
+    return file != NULL;
+}
+
+void NameScreenshot(char* path, size_t size)
+{
+    for (int i = 1; i < 10000; i++)
+    {
+        snprintf(path, size, "seaway_%04d.png", i);
+        if (!Exists(path))
+        {
+            return;
+        }
+    }
+}
+
+bool WriteScreenshot(const char* path, const uint8_t* rgba, uint32_t width, uint32_t height, char* reason, size_t size)
+{
+    size_t count = (size_t)width * height;
+    uint8_t* rgb = malloc(count * 3);
+    if (rgb == NULL)
+    {
+        snprintf(reason, size, "%s was not written: out of memory", path);
+        return false;
+    }
+    for (size_t i = 0; i < count; i++)
+    {
+        rgb[3 * i + 0] = rgba[4 * i + 0];
+        rgb[3 * i + 1] = rgba[4 * i + 1];
+        rgb[3 * i + 2] = rgba[4 * i + 2];
+    }
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = PNG_FORMAT_RGB};
+    bool isWritten = png_image_write_to_file(&image, path, 0, rgb, 0, NULL) != 0;
+    if (!isWritten)
+    {
+        snprintf(reason, size, "%s was not written: %s", path, image.message);
+    }
+    free(rgb);
+    return isWritten;
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The widgets of the panel, in C. ui_imgui.cpp makes them with Dear ImGui, ui_draw.c draws what it leaves.
+// Widgets that change a value return whether the user changed it just now.
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "seaway/math.h"
+
+#if defined(__GNUC__)
+#define UI_PRINTF(text, arguments) __attribute__((format(printf, text, arguments)))
+#else
+#define UI_PRINTF(text, arguments)
+#endif
+
+struct GLFWwindow;
+
+// Chains its input callbacks in front of those that the window has.
+bool OpenUi(struct GLFWwindow* window);
+void CloseUi(void);
+
+// Letters and shapes as 8-bit coverage; one texture serves every command.
+const uint8_t* GetUiAtlas(int* width, int* height);
+
+// Whether mouse or keys belong to a widget now.
+bool HasUiMouse(void);
+bool HasUiKeyboard(void);
+
+void BeginUiFrame(void);
+
+// One vertex: position in window units, place in the atlas, colour as sRGB bytes r, g, b, a.
+typedef struct UiVertex
+{
+    float position[2];
+    float uv[2];
+    uint8_t color[4];
+} UiVertex;
+
+typedef struct UiCommand
+{
+    float clip[4]; // left, top, right, bottom, pixels
+    uint32_t indexCount;
+    uint32_t firstIndex;
+    int32_t vertexOffset;
+} UiCommand;
+
+#define MAX_UI_COMMANDS 256
+
+// Everything to draw this frame, in order.
+typedef struct UiMesh
+{
+    float width, height; // of the window, window units
+    uint32_t vertexCount;
+    uint32_t indexCount;
+    int commandCount;
+    UiCommand commands[MAX_UI_COMMANDS];
+} UiMesh;
+
+void EndUiFrame(UiMesh* mesh);
+
+// Fill arrays of as many vertices and indices as the last EndUiFrame() counted.
+void CopyUiMesh(UiVertex* vertices, uint16_t* indices);
+
+// A window at the left edge; draw its widgets between the two, also when the user folded it away.
+void BeginUiPanel(const char* title);
+void EndUiPanel(void);
+
+// A line over the picture, at the bottom.
+void ShowUiNote(const char* text);
+
+// A part of the panel that folds; draw its widgets if it returns true.
+bool BeginUiSection(const char* label, bool isOpen);
+
+// Widgets between the two may have the same labels as others elsewhere.
+void PushUiScope(int id);
+void PopUiScope(void);
+
+void UiText(const char* format, ...) UI_PRINTF(1, 2);
+void UiFaint(const char* format, ...) UI_PRINTF(1, 2);   // for notes
+void UiWarning(const char* format, ...) UI_PRINTF(1, 2); // wraps
+void UiTip(const char* text);                            // shown when the mouse rests on the last widget
+void UiSpace(void);
+void UiSameLine(void);
+bool UiButton(const char* label);
+bool UiCheckbox(const char* label, bool* value);
+bool UiSlider(const char* label, float* value, float low, float high, const char* format);
+bool UiLogSlider(const char* label, float* value, float low, float high, const char* format);
+bool UiSliderInt(const char* label, int* value, int low, int high, const char* format);
+bool UiColor(const char* label, swVec3* rgb);
+
+// Name of item `index` for lists too long to spell out.
+typedef const char* (*UiItemFcn)(void* context, int index);
+bool UiChoice(const char* label, int* index, int count, UiItemFcn getName, void* context);
+
+// Values in a ring of `count`, the oldest at `offset`, from 0 to `high`.
+void UiGraph(const char* label, const float* values, int count, int offset, float high);
+
+// A bar as long as `fraction`, with a text beside it.
+void UiBar(float fraction, const char* text);
+
+bool BeginUiTable(const char* label, int columnCount, const char* const* titles);
+void UiCell(const char* format, ...) UI_PRINTF(1, 2);
+void EndUiTable(void);

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: MIT
+// The viewer's life: open, frame after frame, close.
+
+#include "viewer.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app.h"
+#include "panels/panels.h"
+#include "screenshot.h"
+
+#define TEST_STEP (1.0 / 30.0) // s of the sea per frame when frames are counted
+#define PAUSED_STEP (1.0 / 60.0)
+#define LONGEST_STEP 0.1   // a frame that took longer slows the sea instead of making it jump
+#define STAMP_INTERVAL 0.5 // s between looks at the scene file
+#define MAX_WORKERS 15
+
+ViewerOptions DefaultViewerOptions(void)
+{
+    return (ViewerOptions){.device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true};
+}
+
+void ShowNote(App* app, const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(app->note, sizeof(app->note), format, arguments);
+    va_end(arguments);
+    app->noteUntil = glfwGetTime() + 3.0;
+}
+
+// A view may bring a sun of its own.
+static void PlaceInView(App* app, const swSceneView* view)
+{
+    swSkyDef sky = swScene_GetSky(app->sea.scene, view);
+    app->sea.sky.sunAzimuth = sky.sunAzimuth;
+    app->sea.sky.sunElevation = sky.sunElevation;
+    PlaceCamera(&app->camera, view, swWorld_GetSeaLevel(app->sea.world));
+    app->jumpExposure = true;
+}
+
+void GoToView(App* app, int index)
+{
+    const swScene* scene = app->sea.scene;
+    if (scene == NULL || index >= scene->viewCount)
+    {
+        ShowNote(app, "the scene has no view %d", index + 1);
+        return;
+    }
+    PlaceInView(app, &scene->views[index]);
+    ShowNote(app, "view: %s", scene->views[index].name);
+}
+
+static const char* GetGlfwError(void)
+{
+    const char* text = NULL;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+static bool OpenWindow(App* app)
+{
+    const ViewerOptions* options = &app->options;
+    if (!glfwInit())
+    {
+        fprintf(stderr, "seaway: there is no display to open a window on (%s); `seaway render` needs none\n",
+                GetGlfwError());
+        return false;
+    }
+    if (!glfwVulkanSupported())
+    {
+        fprintf(stderr, "seaway: no Vulkan loader or driver that can show a window was found (%s)\n", GetGlfwError());
+        return false;
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    GLFWmonitor* monitor = options->isFullscreen ? glfwGetPrimaryMonitor() : NULL;
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    app->windowPlace[0] = 60;
+    app->windowPlace[1] = 60;
+    app->windowPlace[2] = options->width;
+    app->windowPlace[3] = options->height;
+    app->window = glfwCreateWindow(mode ? mode->width : options->width, mode ? mode->height : options->height, "Seaway",
+                                   monitor, NULL);
+    if (app->window == NULL)
+    {
+        fprintf(stderr, "seaway: a window of %d x %d could not be opened (%s)\n", options->width, options->height,
+                GetGlfwError());
+        return false;
+    }
+    OpenInput(app);
+    return true;
+}
+
+static void OpenHost(App* app)
+{
+    OpenMessages(&app->messages);
+    app->host = swDefaultHost();
+    app->host.log = WriteMessage;
+    app->host.logContext = &app->messages;
+    long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    int workers = cores < 1 ? 0 : cores > MAX_WORKERS ? MAX_WORKERS : (int)cores - 1;
+    if (swCreateTaskPool(&app->host, workers, &app->pool) == SW_SUCCESS)
+    {
+        swTaskPool_Attach(app->pool, &app->host);
+    }
+}
+
+static bool OpenDevice(App* app)
+{
+    swGpuDef def = swDefaultGpuDef();
+    def.choice = app->options.device;
+    def.deviceIndex = app->options.deviceIndex;
+    def.enableValidation = app->options.enableValidation;
+    def.framesInFlight = FRAMES_IN_FLIGHT;
+    def.presentable = true;
+    def.instanceExtensions = glfwGetRequiredInstanceExtensions(&def.instanceExtensionCount);
+    if (swCreateGpu(&app->host, &def, &app->gpu) != SW_SUCCESS)
+    {
+        return false; // the log has named each device and what it lacks
+    }
+    return OpenGraphics(&app->graphics, app->gpu) &&
+           OpenScreen(&app->screen, &app->graphics, app->window, app->options.enableVsync);
+}
+
+static bool OpenPanel(App* app)
+{
+    app->hasUi = OpenUi(app->window);
+    return app->hasUi && OpenUiDrawer(&app->drawer, &app->graphics, PICTURE_FORMAT);
+}
+
+static int64_t GetSceneStamp(const App* app)
+{
+    struct stat status;
+    if (app->options.scenePath == NULL || stat(app->options.scenePath, &status) != 0)
+    {
+        return 0;
+    }
+    return (int64_t)status.st_mtim.tv_sec * 1000000000 + status.st_mtim.tv_nsec;
+}
+
+static void SetTitle(App* app)
+{
+    char title[256];
+    snprintf(title, sizeof(title), "Seaway: %s", app->sea.name);
+    glfwSetWindowTitle(app->window, title);
+}
+
+static bool OpenFirstSea(App* app)
+{
+    app->sceneStamp = GetSceneStamp(app);
+    if (!OpenSea(&app->sea, &app->host, app->gpu, app->options.scenePath))
+    {
+        return false;
+    }
+    app->camera = DefaultCamera(swWorld_GetSeaLevel(app->sea.world));
+    const swSceneView* view = app->sea.scene ? swScene_FindView(app->sea.scene, app->options.viewName) : NULL;
+    if (view != NULL)
+    {
+        PlaceInView(app, view);
+    }
+    else if (app->options.viewName != NULL)
+    {
+        fprintf(stderr, "seaway: the scene has no view named \"%s\"\n", app->options.viewName);
+        return false;
+    }
+    SetTitle(app);
+    return true;
+}
+
+// A scene that cannot be read leaves the sea as it is; the log, which the panel shows, says why.
+static void ReloadSea(App* app)
+{
+    Sea fresh;
+    app->sceneStamp = GetSceneStamp(app);
+    app->wantsReload = false;
+    app->hasSceneFailed = !OpenSea(&fresh, &app->host, app->gpu, app->options.scenePath);
+    if (app->hasSceneFailed)
+    {
+        ShowNote(app, "the scene has an error; see the panel");
+        return;
+    }
+    swWorld_SetTime(fresh.world, swWorld_GetTime(app->sea.world));
+    app->graphics.vk.DeviceWaitIdle(app->graphics.device);
+    CloseSea(&app->sea);
+    app->sea = fresh;
+    app->jumpExposure = true;
+    SetTitle(app);
+    ShowNote(app, "scene read");
+}
+
+static void FollowSceneFile(App* app)
+{
+    double now = glfwGetTime();
+    if (now >= app->nextStampCheck)
+    {
+        app->nextStampCheck = now + STAMP_INTERVAL;
+        int64_t stamp = GetSceneStamp(app);
+        app->wantsReload = app->wantsReload || (stamp != 0 && stamp != app->sceneStamp);
+    }
+    if (app->wantsReload)
+    {
+        ReloadSea(app);
+    }
+}
+
+static void RecordFrameTime(Clock* clock, double seconds)
+{
+    clock->frameTimes[clock->frameTimeNext] = (float)(seconds * 1e3);
+    clock->frameTimeNext = (clock->frameTimeNext + 1) % FRAME_TIME_COUNT;
+}
+
+// Seconds since the last frame, as the camera moves by them.
+static double AdvanceClock(App* app)
+{
+    Clock* clock = &app->clock;
+    double now = glfwGetTime();
+    double passed = now - clock->lastFrame;
+    clock->lastFrame = now;
+    RecordFrameTime(clock, passed);
+    if (app->options.frameCount > 0)
+    {
+        return TEST_STEP;
+    }
+    return passed < LONGEST_STEP ? passed : LONGEST_STEP;
+}
+
+static double GetSeaStep(Clock* clock, double passed)
+{
+    double step = clock->isPaused ? (clock->stepOnce ? PAUSED_STEP : 0.0) : passed * (double)clock->scale;
+    clock->stepOnce = false;
+    return step;
+}
+
+static bool StepSea(App* app, double passed)
+{
+    CameraInput input = ReadCameraInput(app);
+    MoveCamera(&app->camera, &input, passed, swWorld_GetSeaLevel(app->sea.world));
+    swView_SetViewpoint(app->sea.view, GetCameraEye(&app->camera));
+    if (swWorld_Step(app->sea.world, GetSeaStep(&app->clock, passed)) != SW_SUCCESS)
+    {
+        return false;
+    }
+    app->waterHeight = swWorld_GetHeight(app->sea.world, app->camera.position.x, app->camera.position.z);
+    KeepCameraDry(&app->camera, app->waterHeight);
+    return true;
+}
+
+static void BuildPanel(App* app)
+{
+    BeginUiFrame();
+    if (app->showPanel)
+    {
+        DrawPanels(app);
+    }
+    if (glfwGetTime() < app->noteUntil)
+    {
+        ShowUiNote(app->note);
+    }
+    EndUiFrame(&app->mesh);
+}
+
+static bool SaveCapture(App* app)
+{
+    app->graphics.vk.QueueWaitIdle(app->graphics.queue);
+    const Image* picture = &app->targets.picture;
+    char reason[600];
+    bool isWritten = WriteScreenshot(app->capturePath, app->targets.readback.data, picture->width, picture->height,
+                                     reason, sizeof(reason));
+    if (isWritten)
+    {
+        ShowNote(app, "saved %s", app->capturePath);
+    }
+    else
+    {
+        WriteMessage(&app->messages, SW_LOG_ERROR, reason);
+        ShowNote(app, "%s", reason);
+    }
+    app->capture = CAPTURE_NONE;
+    return isWritten;
+}
+
+static bool IsLastFrame(const App* app)
+{
+    return app->options.frameCount > 0 && app->frameIndex + 1 >= (uint64_t)app->options.frameCount;
+}
+
+static PictureDef DescribePicture(App* app, double passed)
+{
+    const Sea* sea = &app->sea;
+    return (PictureDef){
+        .graphics = &app->graphics,
+        .screen = &app->screen,
+        .targets = &app->targets,
+        .sea = &app->sea,
+        .drawer = &app->drawer,
+        .mesh = &app->mesh,
+        .picture =
+            {
+                .view = sea->view,
+                .camera = MakePictureCamera(&app->camera, app->screen.extent.width, app->screen.extent.height),
+                .sky = sea->sky,
+                .water = sea->water,
+                .debug = app->debug,
+                .time = swWorld_GetTime(sea->world),
+                .exposureEv = sea->exposureEv,
+            },
+        .frameIndex = app->frameIndex,
+        .dt = (float)passed,
+        .jumpExposure = app->jumpExposure,
+        .capture = app->capture,
+    };
+}
+
+// One frame into the image that was acquired.
+static bool MakeFrame(App* app, FrameInFlight* frame)
+{
+    double passed = AdvanceClock(app);
+    BuildPanel(app);
+    if (!StepSea(app, passed))
+    {
+        return false;
+    }
+    bool isLast = IsLastFrame(app);
+    if (isLast && app->options.screenshotPath != NULL)
+    {
+        snprintf(app->capturePath, sizeof(app->capturePath), "%s", app->options.screenshotPath);
+        app->capture = CAPTURE_WINDOW;
+    }
+    PictureDef picture = DescribePicture(app, passed);
+    app->jumpExposure = app->frameIndex == 0;
+    if (!RecordPicture(&picture, frame->commands) || EndScreenFrame(&app->screen, frame) == SCREEN_FAILED)
+    {
+        return false;
+    }
+    bool isSaved = app->capture == CAPTURE_NONE || SaveCapture(app);
+    app->frameIndex++;
+    if (isLast)
+    {
+        glfwSetWindowShouldClose(app->window, GLFW_TRUE);
+    }
+    return isSaved || !isLast;
+}
+
+// Targets follow the window's size.
+static bool FitTargets(App* app)
+{
+    VkExtent2D extent = app->screen.extent;
+    if (extent.width == app->targets.picture.width && extent.height == app->targets.picture.height)
+    {
+        return true;
+    }
+    app->graphics.vk.DeviceWaitIdle(app->graphics.device);
+    CloseTargets(&app->targets, &app->graphics);
+    return OpenTargets(&app->targets, &app->graphics, extent);
+}
+
+static bool RunFrames(App* app)
+{
+    while (!glfwWindowShouldClose(app->window))
+    {
+        glfwPollEvents();
+        FollowSceneFile(app);
+        FrameInFlight* frame = NULL;
+        switch (BeginScreenFrame(&app->screen, app->frameIndex, &frame))
+        {
+        case SCREEN_READY:
+            if (!FitTargets(app) || !MakeFrame(app, frame))
+            {
+                return false;
+            }
+            break;
+        case SCREEN_HIDDEN:
+            glfwWaitEventsTimeout(0.2);
+            break;
+        case SCREEN_CHANGED:
+            break;
+        case SCREEN_FAILED:
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool OpenApp(App* app)
+{
+    OpenHost(app);
+    app->clock.scale = 1.0f;
+    app->showPanel = !app->options.hidePanel;
+    app->jumpExposure = true;
+    if (!OpenWindow(app) || !OpenDevice(app) || !OpenPanel(app) || !OpenFirstSea(app))
+    {
+        return false;
+    }
+    app->clock.lastFrame = glfwGetTime();
+    return true;
+}
+
+static void CloseApp(App* app)
+{
+    if (app->graphics.device != VK_NULL_HANDLE)
+    {
+        app->graphics.vk.DeviceWaitIdle(app->graphics.device);
+        CloseSea(&app->sea);
+        CloseUiDrawer(&app->drawer);
+        CloseTargets(&app->targets, &app->graphics);
+        CloseScreen(&app->screen);
+    }
+    if (app->hasUi)
+    {
+        CloseUi();
+    }
+    swDestroyGpu(app->gpu);
+    if (app->window != NULL)
+    {
+        glfwDestroyWindow(app->window);
+    }
+    glfwTerminate();
+    swDestroyTaskPool(app->pool);
+    CloseMessages(&app->messages);
+}
+
+int RunViewer(const ViewerOptions* options)
+{
+    App* app = calloc(1, sizeof(App));
+    if (app == NULL)
+    {
+        fprintf(stderr, "seaway: out of memory\n");
+        return 1;
+    }
+    app->options = *options;
+    bool isGood = OpenApp(app) && RunFrames(app);
+    int problems = app->gpu != NULL && options->enableValidation ? swGpu_GetValidationCount(app->gpu) : 0;
+    if (problems > 0)
+    {
+        fprintf(stderr, "seaway: the validation layers had %d message%s\n", problems, problems == 1 ? "" : "s");
+    }
+    CloseApp(app);
+    free(app);
+    return isGood && problems == 0 ? 0 : 1;
+}
