@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What every shader of a picture reads: camera, sun and air, mesh, water. Written once a frame by draw/surface.c.
+//
+// Positions are metres from the camera, y up. Radiance is cd/m^2 in linear sRGB primaries, times SW_PRE_EXPOSURE, which
+// brings the sun's disc and a moonless dusk alike into the range of half floats; exposure divides it out again.
+#ifndef SW_SHARED_PICTURE_H
+#define SW_SHARED_PICTURE_H
+#include "limits.h"
+#include "types.h"
+
+#define SW_PRE_EXPOSURE (1.0f / 32768.0f)
+
+// Sizes of the sky's tables, texels.
+#define SW_SKY_TRANSMITTANCE_WIDTH 256
+#define SW_SKY_TRANSMITTANCE_HEIGHT 64
+#define SW_SKY_MULTIPLE_SIDE 32
+#define SW_SKY_VIEW_WIDTH 256
+#define SW_SKY_VIEW_HEIGHT 128
+#define SW_SKY_MAP_MIPS 6
+#define SW_SKY_AIR_SIDE 64
+
+// Detail of foam: a square texture of four patterns.
+#define SW_FOAM_TEXTURE_SIDE 256
+#define SW_FOAM_TEXTURE_MIPS 8
+
+SW_PARAMS(swPictureParams)
+{
+    sw_vec4 clip[4];  // columns: metres from the camera to clip space
+    sw_vec4 rayX;     // xyz: world direction that one unit of clip x adds to a ray; w: output width
+    sw_vec4 rayY;     // the same for y; w: output height
+    sw_vec4 forward;  // xyz: where the camera looks; w: metres that a pixel covers at distance 1
+    sw_vec4 sun;      // xyz: towards the sun; w: cosine of its angular radius
+    sw_vec4 sunLight; // rgb: illuminance above the atmosphere, pre-exposed lux; w: haze
+    sw_vec4 absorption;  // 1/m; w: refractive index
+    sw_vec4 scattering;  // 1/m; w: deviation of height, m
+    sw_vec4 foamAlbedo;  // w: cloud cover
+
+    float cameraHeight; // above sea level, m
+    float seaY;         // sea level from the camera, m
+    float anchorX;      // the mesh's anchor from the camera, m
+    float anchorZ;
+
+    float viewX; // the viewer, finest steps from the anchor
+    float viewZ;
+    float step; // of the finest ring, m
+    float fade;
+
+    float quads; // d of mesh_rings
+    float flatDistance;
+    float earthRadius; // m
+    float horizonScale; // log2 of the horizon strip's outer over its inner edge
+
+    sw_uint ringCount;
+    sw_uint tileCount; // of the mesh
+    sw_uint tileSide;
+    sw_uint resolution; // texels along a slice
+
+    sw_uint bandCount;     // tiles of waves
+    sw_uint debugMode;     // swDebugMode
+    float finestWavelength; // shortest wave that slice 0 carries, m; doubles with each slice
+    float rippleVariance;   // slope variance of each axis that no band holds
+
+    float horizontalReach; // most that a vertex is displaced, m: bounds for culling
+    float verticalReach;
+    float foamX; // the anchor in the foam texture's period, m
+    float foamZ;
+
+    float foamPhase; // of the cross-fade between two foam patterns, [0, 1)
+    float foamSeed;
+    float cloudX; // the camera above the clouds' lattice, and their drift, km
+    float cloudZ;
+};
+SW_PARAMS_SIZE(swPictureParams, 304);
+
+// A tile of waves as the fragment shader reads it: its layer of slopes, and where the mesh's anchor lies in it.
+SW_PARAMS(swDetailParams)
+{
+    float offsetX, offsetZ; // texture coordinate of the anchor
+    float perMetre;         // 1 / side
+    float minWavelength;    // m
+    float maxWavelength;    // m
+    float slopeVarianceX, slopeVarianceZ;
+    float weight;
+};
+SW_PARAMS_SIZE(swDetailParams, 32);
+
+// Light at sea level, pre-exposed. Written by sky_light.comp.
+SW_PARAMS(swSkyLight)
+{
+    sw_vec4 sun;  // illuminance on a surface that faces the sun
+    sw_vec4 sky;  // illuminance of the sky on a level surface
+    sw_vec4 high; // the sun's at the clouds
+};
+SW_PARAMS_SIZE(swSkyLight, 48);
+
+// Written by expose.comp. All zero before the first measurement.
+SW_PARAMS(swExposure)
+{
+    float exposure; // factor on pre-exposed radiance that brings middle grey to 0.18
+    float average;  // log2 of the measured luminance, cd/m^2
+    float unused0, unused1;
+};
+SW_PARAMS_SIZE(swExposure, 16);
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The sky behind everything: air, clouds, and the sun's disc, darker towards its limb [Hestroffer and Magnan 1998].
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/picture.h"
+#include "lib/atmosphere.glsl"
+#include "lib/noise.glsl"
+#include "lib/clouds.glsl"
+
+layout(std430, binding = 0) readonly buffer Picture
+{
+    swPictureParams picture;
+};
+layout(std430, binding = 1) readonly buffer Light
+{
+    swSkyLight light;
+};
+layout(binding = 2) uniform sampler2DArray skyView;
+layout(binding = 3) uniform sampler2D transmittance;
+
+layout(location = 0) in vec2 clip;
+layout(location = 0) out vec4 color;
+
+vec3 sunDisc(vec3 direction, float radius)
+{
+    const vec3 limbPower = vec3(0.397, 0.503, 0.652);
+    const float sunAngle = 0.004654;
+    float angle = acos(clamp(dot(direction, picture.sun.xyz), -1.0, 1.0));
+    // At least a pixel wide at its edge, so that it does not shimmer.
+    float edge = clamp((sunAngle - angle) / max(picture.forward.w, 1e-5) + 0.5, 0.0, 1.0);
+    if (edge <= 0.0)
+    {
+        return vec3(0.0);
+    }
+    float x = min(angle / sunAngle, 1.0);
+    vec3 limb = pow(vec3(max(1.0 - x * x, 1e-3)), 0.5 * limbPower);
+    vec3 mean = 2.0 / (limbPower + 2.0);
+    vec3 through = textureLod(transmittance, transmittanceUv(radius, direction.y), 0.0).rgb;
+    vec3 radiance = picture.sunLight.rgb / (pi * sunAngle * sunAngle) * limb / mean * through;
+    return min(edge * radiance, vec3(60000.0));
+}
+
+void main()
+{
+    vec3 direction = normalize(picture.forward.xyz + clip.x * picture.rayX.xyz + clip.y * picture.rayY.xyz);
+    float radius = earthBottom + max(picture.cameraHeight, 1.0) * 1e-3;
+    float horizon = asin(horizonCosine(radius));
+    vec3 sky = textureLod(skyView, vec3(skyViewUv(direction, horizon), 0.0), 0.0).rgb;
+    vec4 clouds = cloudsAlong(direction, radius, vec2(picture.cloudX, picture.cloudZ), picture.sun.xyz, light,
+                              picture.foamAlbedo.w, picture.forward.w);
+    float above = smoothstep(horizon - 0.5 * picture.forward.w, horizon + 0.5 * picture.forward.w, asin(direction.y));
+    sky += above * sunDisc(direction, radius);
+    color = vec4(sky * (1.0 - clouds.a) + clouds.rgb, 1.0);
+}

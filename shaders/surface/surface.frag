@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// The colour of the sea: sky and sun reflected by slopes that are seen and by those that are not, light that comes back out
+// of the water, foam, and the air in front of it all.
+//
+// The sky's part is an average over the facets that a viewer sees: slopes along the line of sight, weighted by how large
+// each facet appears, which is what lifts the mean reflection above the horizon on a rough sea [Bruneton 2010]. Across
+// the line of sight the sky's blurred copies do.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/picture.h"
+#include "shared/mesh.h"
+#include "lib/atmosphere.glsl"
+#include "lib/water_brdf.glsl"
+#include "lib/surface_slopes.glsl"
+#include "lib/foam_detail.glsl"
+
+layout(std430, binding = 0) readonly buffer Picture
+{
+    swPictureParams picture;
+};
+layout(std430, binding = 1) readonly buffer Slices
+{
+    swMeshSlice slices[];
+};
+layout(std430, binding = 4) readonly buffer Bands
+{
+    swDetailParams bands[];
+};
+layout(std430, binding = 5) readonly buffer Light
+{
+    swSkyLight light;
+};
+layout(std430, binding = 6) readonly buffer Exposure
+{
+    swExposure exposure;
+};
+layout(binding = 7) uniform sampler2DArray derivatives;
+layout(binding = 8) uniform sampler2DArray foamLayer;
+layout(binding = 9) uniform sampler2DArray detail;
+layout(binding = 10) uniform sampler2D skyMap;
+layout(binding = 11) uniform sampler2DArray air;
+layout(binding = 12) uniform sampler2D foamTexture;
+
+layout(location = 0) in vec2 place;
+layout(location = 1) in vec3 position;
+layout(location = 2) in float blend;
+layout(location = 3) in float height;
+layout(location = 4) flat in uint ring;
+
+layout(location = 0) out vec4 color;
+
+// The two slices to read, and how much each counts.
+struct SlicePair
+{
+    uint first, second;
+    float firstWeight, secondWeight;
+};
+
+SlicePair pairAt(float level)
+{
+    float last = float(picture.ringCount - 1);
+    float whole = floor(min(level, last));
+    float next = clamp(level - whole, 0.0, 1.0);
+    SlicePair pair;
+    pair.first = uint(whole);
+    pair.second = min(pair.first + 1, picture.ringCount - 1);
+    pair.firstWeight = (1.0 - next) * slices[pair.first].weight;
+    pair.secondWeight = pair.first + 1 < picture.ringCount ? next * slices[pair.second].weight : 0.0;
+    return pair;
+}
+
+// How much of a band with this shortest wave the pair holds.
+float carriedBy(SlicePair pair, float wavelength)
+{
+    float cut = picture.finestWavelength * 0.999;
+    return (wavelength >= cut * slices[pair.first].scale ? pair.firstWeight : 0.0) +
+           (wavelength >= cut * slices[pair.second].scale ? pair.secondWeight : 0.0);
+}
+
+void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, vec2 dx, vec2 dy, vec2 footprint)
+{
+    for (uint i = 0; i < picture.bandCount; ++i)
+    {
+        swDetailParams band = bands[i];
+        float missing = 1.0 - carriedBy(pair, band.minWavelength);
+        if (missing <= 0.0)
+        {
+            continue;
+        }
+        if (band.maxWavelength < 0.7 * footprint.y)
+        {
+            slopes.variance += missing * vec2(band.slopeVarianceX, band.slopeVarianceZ);
+            continue;
+        }
+        vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
+        vec4 m = textureGrad(detail, vec3(uv, float(i)), dx * band.perMetre, dy * band.perMetre);
+        slopes.mean += missing * m.xy;
+        slopes.variance += missing * max(m.zw - m.xy * m.xy, vec2(0.0));
+    }
+}
+
+Slopes slopesAt(vec2 rest, vec2 dx, vec2 dy, out SlicePair pair)
+{
+    vec2 footprint = footprintOf(dx, dy);
+    Slopes slopes;
+    float byDistance = float(ring) + blend;
+    // A pixel may cover as much as the shortest wave's quarter, a texel.
+    float byFootprint = log2(max(4.0 * footprint.x / picture.finestWavelength, 1e-6));
+    slopes.level = clamp(max(byDistance, byFootprint), 0.0, float(picture.ringCount));
+    pair = pairAt(slopes.level);
+    vec3 d = vec3(0.0, 0.0, 1.0 - pair.firstWeight - pair.secondWeight);
+    float resolution = float(picture.resolution);
+    d += pair.firstWeight *
+         textureLod(derivatives, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).xyz;
+    if (pair.secondWeight > 0.0)
+    {
+        d += pair.secondWeight *
+             textureLod(derivatives, vec3(sliceUv(slices[pair.second], place, resolution), float(pair.second)), 0.0).xyz;
+    }
+    slopes.jacobian = d.z;
+    // A fold would be vertical; its place is under foam, and steeper than this no water stands.
+    slopes.mean = d.xy / max(d.z, 0.25);
+    slopes.mean *= min(1.0, 1.4 * inversesqrt(max(dot(slopes.mean, slopes.mean), 1e-8)));
+    slopes.variance = vec2(picture.rippleVariance);
+    addBands(slopes, pair, rest, dx, dy, footprint);
+    return slopes;
+}
+
+float foamAmount(SlicePair pair)
+{
+    float resolution = float(picture.resolution);
+    float amount = pair.firstWeight *
+                   textureLod(foamLayer, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).r;
+    if (pair.secondWeight > 0.0)
+    {
+        amount += pair.secondWeight *
+                  textureLod(foamLayer, vec3(sliceUv(slices[pair.second], place, resolution), float(pair.second)), 0.0).r;
+    }
+    return clamp(amount, 0.0, 1.0);
+}
+
+// Radiance that reaches the water along `direction`; near and below the horizon other waves stand in the way, which
+// themselves mirror the sky at a grazing angle over the water's own colour.
+vec3 surroundings(vec3 direction, float blur, vec3 leaving)
+{
+    vec3 up = vec3(direction.x, abs(direction.y), direction.z);
+    vec3 sky = textureLod(skyMap, skyViewUv(up, 0.0), blur).rgb;
+    float open = smoothstep(-0.10, 0.06, direction.y);
+    float mirror = fresnelWater(up.y + 0.12, picture.absorption.w);
+    return mix(mix(leaving, sky, mirror), sky, open);
+}
+
+// Reflected sky; returns the mean Fresnel reflectance in `reflectance`.
+vec3 reflectedSky(vec3 view, Slopes slopes, vec3 leaving, out float reflectance)
+{
+    vec2 along = view.xz * inversesqrt(max(dot(view.xz, view.xz), 1e-8));
+    vec2 across = vec2(-along.y, along.x);
+    float level = length(view.xz);
+    float deviation = sqrt(dot(along * along, slopes.variance));
+    float blur = log2(max(2.0 * sqrt(dot(across * across, slopes.variance)), 1e-3) * 32.0);
+
+    const int facets = 5;
+    float highest = clamp((view.y - level * dot(slopes.mean, along)) / max(level * deviation, 1e-4), -6.0, 2.4);
+    float lowest = min(-2.4, highest - 2.4);
+    vec3 sum = vec3(0.0);
+    float fresnel = 0.0;
+    float total = 1e-9;
+    for (int i = 0; i < facets; ++i)
+    {
+        float x = mix(lowest, highest, (float(i) + 0.5) / float(facets));
+        vec3 normal = facetNormal(slopes.mean + along * (x * deviation));
+        float cosine = dot(view, normal);
+        float weight = exp(-0.5 * x * x) * max(cosine, 1e-4) / normal.y;
+        float f = fresnelWater(cosine, picture.absorption.w);
+        sum += weight * f * surroundings(reflect(-view, normal), max(blur, 0.0), leaving);
+        fresnel += weight * f;
+        total += weight;
+    }
+    reflectance = fresnel / total;
+    return sum / total;
+}
+
+// Light scattered back by deep water, leaving it per unit of its own solid angle: R = 0.33 bb / a under the surface
+// [Morel and Prieur 1977], 0.54 for both passages through it [Mobley 1994]. A fiftieth of what particles scatter goes
+// backward [Petzold 1972]; bubbles scatter back white.
+vec3 leavingWater(vec3 illuminance, float bubbles)
+{
+    vec3 back = 0.0183 * picture.scattering.rgb + vec3(0.0006, 0.0009, 0.0019) + vec3(0.08 * bubbles);
+    vec3 reflectance = 0.33 * back / (picture.absorption.rgb + back);
+    return illuminance * reflectance * (0.54 / pi);
+}
+
+// Sunlight that comes through a crest: once scattered, strongly forward, on a path as long as the crest is thick.
+vec3 throughCrest(vec3 view, vec3 normal, float illuminated)
+{
+    vec3 sun = picture.sun.xyz;
+    float deviation = max(picture.scattering.w, 0.01);
+    float crest = height / deviation;
+    float thickness = 2.5 * deviation * exp2(-max(crest, 0.0));
+    vec3 inward = refract(-view, normal, 1.0 / picture.absorption.w);
+    // The crest's far side leans towards the sun.
+    vec3 back = normalize(vec3(0.4 * sun.x, 1.0, 0.4 * sun.z));
+    vec3 travel = refract(-sun, back, 1.0 / picture.absorption.w);
+    float cosine = dot(travel, -inward);
+    float phase = 0.0151 / pow(max(1.81 - 1.8 * cosine, 1e-3), 1.5) + 0.006;
+    vec3 lost = picture.absorption.rgb + 0.1 * picture.scattering.rgb;
+    float entering = max(dot(back, sun), 0.0) * (1.0 - fresnelWater(dot(back, sun), picture.absorption.w));
+    return light.sun.rgb * picture.scattering.rgb * phase * thickness * exp(-2.0 * lost * thickness) *
+           (entering * illuminated * smoothstep(-0.2, 1.6, crest) / (picture.absorption.w * picture.absorption.w));
+}
+
+vec3 debugColor(Slopes slopes, float foam)
+{
+    vec3 hue = 0.5 + 0.5 * cos(6.2831853 * (float(ring) * 0.381966 + vec3(0.0, 0.33, 0.67)));
+    switch (picture.debugMode)
+    {
+    case 1: // slices: their colours, blending
+    {
+        vec3 next = 0.5 + 0.5 * cos(6.2831853 * (float(ring + 1) * 0.381966 + vec3(0.0, 0.33, 0.67)));
+        return mix(hue, next, blend) * (0.35 + 0.65 * facetNormal(slopes.mean).y * facetNormal(slopes.mean).y);
+    }
+    case 2: // wireframe
+        return hue;
+    case 3: // normals
+        return 0.5 + 0.5 * facetNormal(slopes.mean).xzy;
+    case 4: // height: two deviations from black to white
+        return vec3(0.5 + 0.25 * height / max(picture.scattering.w, 0.01));
+    case 5: // Jacobian: grey 1, red below 0
+        return slopes.jacobian < 0.0 ? vec3(1.0, 0.1, 0.0) : vec3(0.5 * slopes.jacobian);
+    case 6: // foam
+        return vec3(foam);
+    default: // roughness
+        return vec3(sqrt(slopes.variance) * 4.0, 0.0);
+    }
+}
+
+void main()
+{
+    vec2 rest = place * picture.step;
+    vec2 dx = dFdx(rest);
+    vec2 dy = dFdy(rest);
+    SlicePair pair;
+    Slopes slopes = slopesAt(rest, dx, dy, pair);
+    float amount = foamAmount(pair);
+    if (picture.debugMode != 0)
+    {
+        color = vec4(debugColor(slopes, amount) / max(exposure.exposure, 1e-6), 1.0);
+        return;
+    }
+
+    float range = length(position);
+    vec3 view = -position / range;
+    vec3 sun = picture.sun.xyz;
+    vec3 normal = facetNormal(slopes.mean);
+    float index = picture.absorption.w;
+
+    float sunOnWater = max(sun.y, 0.0) * (1.0 - fresnelWater(sun.y, index));
+    vec3 entering = light.sun.rgb * sunOnWater + light.sky.rgb * 0.934;
+    vec3 leaving = leavingWater(entering, amount);
+
+    float reflectance;
+    vec3 radiance = reflectedSky(view, slopes, leaving, reflectance);
+    float area = facingArea(view, slopes.mean, slopes.variance);
+    radiance += light.sun.rgb * sunGlitter(view, sun, slopes.mean, slopes.variance, area, index);
+    radiance += (1.0 - reflectance) * (leaving + throughCrest(view, normal, 1.0));
+
+    FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), dx, dy, amount,
+                                   picture.foamPhase, picture.foamSeed);
+    float lambert = max(0.85 * dot(normal, sun) + 0.15, 0.0);
+    vec3 foamLight = (light.sun.rgb * lambert * smoothstep(-0.02, 0.05, sun.y) + light.sky.rgb) / pi;
+    radiance = mix(radiance, foamLight * picture.foamAlbedo.rgb, foam.cover * foam.thickness);
+
+    vec2 airAt = airUv(-view, sun, range * 1e-3, picture.cameraHeight * 1e-3);
+    vec3 added = textureLod(air, vec3(airAt, 0.0), 0.0).rgb;
+    vec3 passed = textureLod(air, vec3(airAt, 1.0), 0.0).rgb;
+    color = vec4(min(radiance * passed + added, vec3(60000.0)), 1.0);
+}

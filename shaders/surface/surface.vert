@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// A vertex of the surface: an instance is a tile of a ring, the vertex index a corner of its grid. Smaller tiles fold the
+// rest of the grid into their last row and column, where its triangles have no area.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shared/picture.h"
+#include "shared/mesh.h"
+
+layout(std430, binding = 0) readonly buffer Picture
+{
+    swPictureParams picture;
+};
+layout(std430, binding = 1) readonly buffer Slices
+{
+    swMeshSlice slices[];
+};
+layout(std430, binding = 2) readonly buffer Tiles
+{
+    swMeshTile tiles[];
+};
+layout(binding = 3) uniform sampler2DArray displacement;
+
+layout(location = 0) out vec2 place;   // at rest, finest steps from the anchor
+layout(location = 1) out vec3 position; // displaced, metres from the camera
+layout(location = 2) out float blend;
+layout(location = 3) out float height; // of the displaced point above sea level, m
+layout(location = 4) flat out uint ring;
+
+// Bilinear by hand: filtering hardware rounds its weights, and most vertices lie on a texel anyway.
+vec3 displacementAt(uint index, vec2 at)
+{
+    swMeshSlice slice = slices[index];
+    vec2 texel = vec2(swMeshTexel(at.x, slice.originX, slice.texelX, slice.scale),
+                      swMeshTexel(at.y, slice.originZ, slice.texelZ, slice.scale));
+    texel = clamp(texel, vec2(0.0), vec2(float(picture.resolution) - 1.0));
+    vec2 low = floor(texel);
+    vec2 f = texel - low;
+    ivec3 t = ivec3(ivec2(low), int(index));
+    vec3 value = texelFetch(displacement, t, 0).xyz;
+    if (f.x > 0.0 || f.y > 0.0)
+    {
+        ivec2 next = min(t.xy + 1, ivec2(int(picture.resolution) - 1));
+        vec3 b = texelFetch(displacement, ivec3(next.x, t.y, t.z), 0).xyz;
+        vec3 c = texelFetch(displacement, ivec3(t.x, next.y, t.z), 0).xyz;
+        vec3 d = texelFetch(displacement, ivec3(next, t.z), 0).xyz;
+        value = mix(mix(value, b, f.x), mix(c, d, f.x), f.y);
+    }
+    return value;
+}
+
+void placeOnRing(swMeshTile tile, ivec2 corner)
+{
+    swMeshSlice slice = slices[tile.ring];
+    ivec2 at = ivec2(tile.x, tile.z) + min(corner, ivec2(tile.width, tile.height));
+    vec2 view = (vec2(picture.viewX, picture.viewZ) - vec2(slice.originX, slice.originZ)) / slice.scale;
+    blend = swMeshBlend(float(at.x), float(at.y), view.x, view.y, picture.quads, tile.ring == 0 ? picture.fade : 0.0);
+    place = vec2(swMeshPlace(at.x, slice.phaseX, slice.originX, slice.scale, blend),
+                 swMeshPlace(at.y, slice.phaseZ, slice.originZ, slice.scale, blend));
+
+    vec3 offset = vec3(0.0);
+    float fine = (1.0 - blend) * slice.weight;
+    if (fine > 0.0)
+    {
+        offset += fine * displacementAt(tile.ring, place);
+    }
+    if (blend > 0.0 && tile.ring + 1 < picture.ringCount)
+    {
+        offset += blend * slices[tile.ring + 1].weight * displacementAt(tile.ring + 1, place);
+    }
+    vec2 rest = place * picture.step + vec2(picture.anchorX, picture.anchorZ);
+    position = vec3(rest.x + offset.x, picture.seaY + offset.y, rest.y + offset.z);
+    height = offset.y;
+}
+
+// The strip continues the rim along rays from the viewer, farther by a constant factor with each row.
+void placeOnHorizon(swMeshTile tile, ivec2 corner)
+{
+    uint last = picture.ringCount - 1;
+    swMeshSlice slice = slices[last];
+    int side = 4 * int(picture.quads);
+    int along = 2 * (tile.x + min(corner.x, tile.width));
+    ivec2 at = ivec2(along, 0);
+    at = tile.height == 1 ? ivec2(side, along) : at;
+    at = tile.height == 2 ? ivec2(side - along, side) : at;
+    at = tile.height == 3 ? ivec2(0, side - along) : at;
+    place = vec2(swMeshPlace(at.x, slice.phaseX, slice.originX, slice.scale, 1.0),
+                 swMeshPlace(at.y, slice.phaseZ, slice.originZ, slice.scale, 1.0));
+    blend = 1.0;
+    if (corner.y > 0)
+    {
+        float row = float(corner.y) / float(picture.tileSide);
+        vec2 view = vec2(picture.viewX, picture.viewZ);
+        place = view + (place - view) * exp2(row * picture.horizonScale);
+    }
+    vec2 rest = place * picture.step + vec2(picture.anchorX, picture.anchorZ);
+    position = vec3(rest.x, picture.seaY, rest.y);
+    height = 0.0;
+}
+
+void main()
+{
+    swMeshTile tile = tiles[gl_InstanceIndex];
+    uint row = picture.tileSide + 1;
+    ivec2 corner = ivec2(uint(gl_VertexIndex) % row, uint(gl_VertexIndex) / row);
+    ring = min(tile.ring, picture.ringCount - 1);
+    if (tile.ring < picture.ringCount)
+    {
+        placeOnRing(tile, corner);
+    }
+    else
+    {
+        placeOnHorizon(tile, corner);
+    }
+    position.y -= swMeshDrop(length(position.xz), picture.flatDistance, picture.earthRadius);
+    gl_Position = picture.clip[0] * position.x + picture.clip[1] * position.y + picture.clip[2] * position.z + picture.clip[3];
+}

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "seaway/draw.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/assert.h"
+#include "gpu/draw/sky.h"
+#include "gpu/draw/surface.h"
+#include "gpu/draw/tonemap.h"
+
+#define SW_SKY_COOKIE 0x534b59
+#define SW_WATER_COOKIE 0x575452
+#define SW_RENDERER_COOKIE 0x524e44
+
+#define SW_NEAR_PLANE 0.1f
+
+struct swRenderer
+{
+    swGpuWorld* gpuWorld;
+    swRendererDef def;
+    swSky sky;
+    swSurface surface;
+    swTonemap tonemap;
+    bool isPrepared;
+    swPictureFrame picture; // of the last swRenderer_Prepare()
+    const swGpuView* view;
+    float time, exposureEv;
+};
+
+// Camera axes from heading, pitch and roll; the projection maps the near plane to depth 1 and infinity to 0.
+swCamera swMakeCamera(swPos position, float heading, float pitch, float roll, float verticalFov, uint32_t width,
+                      uint32_t height)
+{
+    double sh = sin((double)heading), ch = cos((double)heading);
+    double sp = sin((double)pitch), cp = cos((double)pitch);
+    double sr = sin((double)roll), cr = cos((double)roll);
+    double right[3] = {ch, 0.0, sh};
+    double forward[3] = {sh * cp, sp, -ch * cp};
+    double up[3] = {-sh * sp, cp, ch * sp};
+    swCamera camera = {.position = position, .nearPlane = SW_NEAR_PLANE, .width = width, .height = height};
+    for (int i = 0; i < 3; ++i)
+    {
+        camera.view.m[4 * i + 0] = (float)(right[i] * cr - up[i] * sr);
+        camera.view.m[4 * i + 1] = (float)(right[i] * sr + up[i] * cr);
+        camera.view.m[4 * i + 2] = (float)-forward[i];
+    }
+    camera.view.m[15] = 1.0f;
+    double focal = 1.0 / tan(0.5 * (double)verticalFov);
+    camera.projection.m[0] = (float)(focal * height / width);
+    camera.projection.m[5] = (float)-focal;
+    camera.projection.m[11] = -1.0f;
+    camera.projection.m[14] = SW_NEAR_PLANE;
+    return camera;
+}
+
+swSkyDef swDefaultSkyDef(void)
+{
+    return (swSkyDef){
+        .sunAzimuth = (float)(135.0 * SW_PI / 180.0),
+        .sunElevation = (float)(40.0 * SW_PI / 180.0),
+        .sunIlluminance = 128e3f,
+        .haze = 1.0f,
+        .clouds = 0.35f,
+        .internalValue = SW_SKY_COOKIE,
+    };
+}
+
+// Clear ocean with some plankton: absorption of pure water [Pope 1997] and pigments at about 610, 540 and 460 nm.
+swWaterDef swDefaultWaterDef(void)
+{
+    return (swWaterDef){
+        .absorption = {0.30f, 0.066f, 0.040f},
+        .scattering = {0.22f, 0.26f, 0.30f},
+        .refractiveIndex = 1.34f,
+        .foamAlbedo = {0.9f, 0.9f, 0.9f},
+        .windSpeed = 7.0f,
+        .internalValue = SW_WATER_COOKIE,
+    };
+}
+
+const char* swDebugMode_GetName(swDebugMode mode)
+{
+    static const char* const names[SW_DEBUG_COUNT] = {
+        [SW_DEBUG_NONE] = "none",       [SW_DEBUG_SLICES] = "slices",       [SW_DEBUG_WIREFRAME] = "wireframe",
+        [SW_DEBUG_NORMALS] = "normals", [SW_DEBUG_HEIGHT] = "height",       [SW_DEBUG_JACOBIAN] = "jacobian",
+        [SW_DEBUG_FOAM] = "foam",       [SW_DEBUG_ROUGHNESS] = "roughness",
+    };
+    return (unsigned)mode < SW_DEBUG_COUNT ? names[mode] : "unknown";
+}
+
+swRendererDef swDefaultRendererDef(void)
+{
+    return (swRendererDef){
+        .colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT,
+        .depthFormat = VK_FORMAT_D32_SFLOAT,
+        .outputFormat = VK_FORMAT_R8G8B8A8_SRGB,
+        .internalValue = SW_RENDERER_COOKIE,
+    };
+}
+
+static bool isDrawable(const swGpu* gpu, VkFormat format, VkFormatFeatureFlags feature)
+{
+    VkFormatProperties properties;
+    gpu->vk.GetPhysicalDeviceFormatProperties(gpu->physicalDevice, format, &properties);
+    return (properties.optimalTilingFeatures & feature) == feature;
+}
+
+static swResult checkFormats(const swGpu* gpu, const swRendererDef* def)
+{
+    const struct
+    {
+        const char* name;
+        VkFormat format;
+        VkFormatFeatureFlags feature;
+    } formats[] = {
+        {"colour", def->colorFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT},
+        {"depth", def->depthFormat, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT},
+        {"output", def->outputFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT},
+    };
+    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); ++i)
+    {
+        if (!isDrawable(gpu, formats[i].format, formats[i].feature))
+        {
+            return swFail(&gpu->host, SW_ERROR_UNSUPPORTED,
+                          "The device %s cannot draw to the renderer's %s format (VkFormat %d).",
+                          gpu->properties.deviceName, formats[i].name, (int)formats[i].format);
+        }
+    }
+    return SW_SUCCESS;
+}
+
+swResult swCreateRenderer(swGpuWorld* gpuWorld, const swRendererDef* def, swRenderer** renderer)
+{
+    *renderer = NULL;
+    SW_ASSERT(gpuWorld && def->internalValue == SW_RENDERER_COOKIE);
+    swGpu* gpu = gpuWorld->gpu;
+    swResult result = checkFormats(gpu, def);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swRenderer* created = swAllocateZero(&gpu->host, sizeof(*created));
+    if (!created)
+    {
+        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for a renderer.");
+    }
+    created->gpuWorld = gpuWorld;
+    created->def = *def;
+    result = swCreateSky(gpu, def, &created->sky);
+    if (result == SW_SUCCESS)
+    {
+        result = swCreateSurface(gpu, def, &created->surface);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swCreateTonemap(gpu, def, &created->tonemap);
+    }
+    if (result != SW_SUCCESS)
+    {
+        swDestroyRenderer(created);
+        return result;
+    }
+    *renderer = created;
+    return SW_SUCCESS;
+}
+
+void swDestroyRenderer(swRenderer* renderer)
+{
+    if (!renderer)
+    {
+        return;
+    }
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    swDestroyTonemap(gpu, &renderer->tonemap);
+    swDestroySurface(gpu, &renderer->surface);
+    swDestroySky(gpu, &renderer->sky);
+    swFree(&gpu->host, renderer, sizeof(*renderer));
+}
+
+static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view)
+{
+    for (int i = 0; i < frame->viewCount; ++i)
+    {
+        if (frame->views[i].view == view)
+        {
+            return &frame->views[i];
+        }
+    }
+    return NULL;
+}
+
+swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
+                            uint64_t frameIndex)
+{
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    renderer->isPrepared = false;
+    SW_ASSERT(picture->sky.internalValue == SW_SKY_COOKIE && picture->water.internalValue == SW_WATER_COOKIE);
+    const swFrame* frame = swGetWorldFrame(renderer->gpuWorld->world);
+    const swViewFrame* view = findViewFrame(frame, picture->view);
+    renderer->view = swFindGpuView(renderer->gpuWorld, picture->view);
+    if (!view || !renderer->view)
+    {
+        return swFail(&gpu->host, SW_ERROR_INVALID,
+                      "The picture's view was not recorded: step the world and call swGpuWorld_Record() first.");
+    }
+    swBeginGpuFrame(gpu, commands, frameIndex);
+    renderer->time = (float)fmod(picture->time, 4096.0);
+    renderer->exposureEv = picture->exposureEv;
+    swBuildPicture(picture, frame, view, renderer->gpuWorld->detail.width, &renderer->picture);
+    swResult result = swUploadPicture(gpu, &renderer->picture);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swClearExposure(gpu, commands, &renderer->tonemap);
+    swRecordSkyTables(gpu, commands, &renderer->sky, &renderer->picture);
+    result = swRecordSurface(gpu, commands, &renderer->surface, &renderer->sky.halvePipeline, &renderer->picture);
+    renderer->isPrepared = result == SW_SUCCESS;
+    return result;
+}
+
+void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands)
+{
+    SW_ASSERT(renderer->isPrepared);
+    if (renderer->isPrepared)
+    {
+        swDrawSurface(renderer->gpuWorld->gpu, commands, &renderer->surface, &renderer->sky,
+                      &renderer->tonemap.exposure, renderer->gpuWorld, renderer->view, &renderer->picture);
+    }
+}
+
+void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands)
+{
+    SW_ASSERT(renderer->isPrepared);
+    if (renderer->isPrepared)
+    {
+        swDrawSky(renderer->gpuWorld->gpu, commands, &renderer->sky, &renderer->picture);
+    }
+}
+
+void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate)
+{
+    swClearExposure(renderer->gpuWorld->gpu, commands, &renderer->tonemap);
+    swRecordExposure(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, dt, immediate);
+}
+
+void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr)
+{
+    swDrawTonemap(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, renderer->time, renderer->exposureEv);
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// World coordinates end here: positions are subtracted in double, and what shaders get is small.
+
+#include "gpu/draw/picture.h"
+
+#include <math.h>
+#include <string.h>
+
+#define SW_EARTH_RADIUS 6360e3
+// Colour of a 5800 K black body in linear sRGB, luminance 1.
+#define SW_SUN_RED 1.047f
+#define SW_SUN_GREEN 0.995f
+#define SW_SUN_BLUE 0.915f
+#define SW_SUN_RADIUS 0.004654
+#define SW_FOAM_PERIOD 16.0
+#define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
+#define SW_CLOUD_DRIFT 0.015 // km/s
+
+static swVec4 withW(swVec3 v, float w)
+{
+    return (swVec4){v.x, v.y, v.z, w};
+}
+
+static double wrap(double x, double period)
+{
+    return x - floor(x / period) * period;
+}
+
+// Projection times view, columns. Both are camera-relative, so the fourth column is the projection's own.
+static void setCamera(const swCamera* camera, swPictureParams* p)
+{
+    const float* view = camera->view.m;
+    const float* projection = camera->projection.m;
+    float clip[16];
+    for (int column = 0; column < 4; ++column)
+    {
+        for (int row = 0; row < 4; ++row)
+        {
+            float sum = 0.0f;
+            for (int k = 0; k < 4; ++k)
+            {
+                sum += projection[4 * k + row] * view[4 * column + k];
+            }
+            clip[4 * column + row] = sum;
+        }
+    }
+    memcpy(p->clip, clip, sizeof(clip));
+    float perX = 1.0f / projection[0];
+    float perY = 1.0f / projection[5];
+    p->rayX = (swVec4){view[0] * perX, view[4] * perX, view[8] * perX, (float)camera->width};
+    p->rayY = (swVec4){view[1] * perY, view[5] * perY, view[9] * perY, (float)camera->height};
+    p->forward = (swVec4){-view[2], -view[6], -view[10], 2.0f * fabsf(perY) / (float)camera->height};
+}
+
+static void setSky(const swSkyDef* sky, swPictureParams* p)
+{
+    double level = cos((double)sky->sunElevation);
+    p->sun = (swVec4){(float)(sin((double)sky->sunAzimuth) * level), (float)sin((double)sky->sunElevation),
+                      (float)(-cos((double)sky->sunAzimuth) * level), (float)cos(SW_SUN_RADIUS)};
+    float light = sky->sunIlluminance * SW_PRE_EXPOSURE;
+    p->sunLight = (swVec4){light * SW_SUN_RED, light * SW_SUN_GREEN, light * SW_SUN_BLUE, sky->haze};
+}
+
+// [Cox 1954]: the slope variance of a sea under a wind, both directions together, less what the bands hold. Ripples below
+// the shortest band are never quite absent.
+static float getRippleVariance(float windSpeed, float resolved)
+{
+    float total = 0.003f + 5.12e-3f * windSpeed;
+    return 0.5f * fmaxf(total - resolved, 0.1f * total);
+}
+
+static void setWater(const swPicture* picture, const swFrame* frame, swPictureFrame* built)
+{
+    const swWaterDef* water = &picture->water;
+    swPictureParams* p = &built->params;
+    float variance = 0.0f;
+    float slopes = 0.0f;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        variance += frame->tiles[i].variance;
+        slopes += frame->tiles[i].slopeVarianceX + frame->tiles[i].slopeVarianceZ;
+    }
+    float deviation = sqrtf(variance);
+    p->absorption = withW(water->absorption, water->refractiveIndex);
+    p->scattering = withW(water->scattering, deviation);
+    p->foamAlbedo = withW(water->foamAlbedo, picture->sky.clouds);
+    p->rippleVariance = getRippleVariance(water->windSpeed, slopes);
+    // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
+    p->verticalReach = 6.0f * deviation + 0.1f;
+    p->horizontalReach = 12.0f * deviation + 0.1f;
+}
+
+static void setMesh(const swPicture* picture, const swFrame* frame, const swViewFrame* view, swPictureFrame* built)
+{
+    swPictureParams* p = &built->params;
+    const swMeshRings* rings = &built->rings;
+    const swPos* camera = &picture->camera.position;
+    p->cameraHeight = (float)(camera->y - frame->seaLevel);
+    p->seaY = (float)(frame->seaLevel - camera->y);
+    p->anchorX = (float)(rings->anchorX - camera->x);
+    p->anchorZ = (float)(rings->anchorZ - camera->z);
+    p->viewX = rings->viewX;
+    p->viewZ = rings->viewZ;
+    p->step = (float)rings->step;
+    p->fade = rings->fade;
+    p->quads = (float)rings->quads;
+    p->ringCount = (uint32_t)rings->ringCount;
+    p->tileCount = (uint32_t)rings->tileCount;
+    p->tileSide = (uint32_t)rings->tileSide;
+    p->resolution = (uint32_t)view->resolution;
+    p->finestWavelength = view->slices[0].minWavelength;
+
+    // Flat where queries and hulls are looked at closely; bent from a quarter of the way to the horizon on.
+    double height = fmax((double)p->cameraHeight, 1.0);
+    double rim = swGetMeshRim(rings);
+    double flat = fmin(rim, 0.25 * sqrt(2.0 * SW_EARTH_RADIUS * height));
+    double horizon = sqrt(flat * flat + 2.0 * SW_EARTH_RADIUS * height);
+    p->flatDistance = (float)flat;
+    p->earthRadius = (float)SW_EARTH_RADIUS;
+    p->horizonScale = (float)log2(fmax(1.2 * horizon / rim, 1.05));
+}
+
+static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* built)
+{
+    built->params.bandCount = (uint32_t)frame->tileCount;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        const swTile* tile = &frame->tiles[i];
+        double x = built->rings.anchorX / tile->side;
+        double z = built->rings.anchorZ / tile->side;
+        built->bands[i] = (swDetailParams){
+            .offsetX = (float)(x - floor(x) + 0.5 / detailSide),
+            .offsetZ = (float)(z - floor(z) + 0.5 / detailSide),
+            .perMetre = (float)(1.0 / tile->side),
+            .minWavelength = tile->minWavelength,
+            .maxWavelength = tile->maxWavelength,
+            .slopeVarianceX = tile->slopeVarianceX,
+            .slopeVarianceZ = tile->slopeVarianceZ,
+            .weight = tile->weight,
+        };
+    }
+}
+
+static void setTime(const swPicture* picture, swPictureFrame* built)
+{
+    swPictureParams* p = &built->params;
+    double turn = picture->time / SW_FOAM_RENEWAL;
+    p->foamX = (float)wrap(built->rings.anchorX, SW_FOAM_PERIOD);
+    p->foamZ = (float)wrap(built->rings.anchorZ, SW_FOAM_PERIOD);
+    p->foamPhase = (float)(turn - floor(turn));
+    p->foamSeed = (float)wrap(2.0 * floor(turn), 512.0);
+    p->cloudX = (float)(picture->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * picture->time);
+    p->cloudZ = (float)(picture->camera.position.z * 1e-3);
+}
+
+void swBuildPicture(const swPicture* picture, const swFrame* frame, const swViewFrame* view, uint32_t detailSide,
+                    swPictureFrame* built)
+{
+    memset(&built->params, 0, sizeof(built->params));
+    built->params.debugMode = (uint32_t)picture->debug;
+    swBuildMeshRings(view, &built->rings);
+    setCamera(&picture->camera, &built->params);
+    setSky(&picture->sky, &built->params);
+    setWater(picture, frame, built);
+    setMesh(picture, frame, view, built);
+    setBands(frame, detailSide, built);
+    setTime(picture, built);
+}
+
+swResult swUploadPicture(swGpu* gpu, swPictureFrame* built)
+{
+    swResult result = swUploadData(gpu, &built->params, sizeof(built->params), &built->paramsUpload);
+    if (result == SW_SUCCESS)
+    {
+        result = swUploadData(gpu, built->rings.slices, sizeof(built->rings.slices), &built->slicesUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swUploadData(gpu, built->rings.tiles, sizeof(built->rings.tiles), &built->tilesUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swUploadData(gpu, built->bands, sizeof(built->bands), &built->bandsUpload);
+    }
+    return result;
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// One picture's numbers for the shaders, and what the stages of drawing share.
+
+#include "gpu/draw/mesh_rings.h"
+#include "gpu/pass/gpu_world.h"
+#include "seaway/draw.h"
+#include "shared/picture.h"
+
+typedef struct swPictureFrame
+{
+    swPictureParams params;
+    swMeshRings rings;
+    swDetailParams bands[SW_MAX_TILES];
+    swUpload paramsUpload;
+    swUpload slicesUpload;
+    swUpload tilesUpload;
+    swUpload bandsUpload;
+} swPictureFrame;
+
+// Fill everything but the uploads. `detailSide` is the width of the detail layers.
+void swBuildPicture(const swPicture* picture, const swFrame* frame, const swViewFrame* view, uint32_t detailSide,
+                    swPictureFrame* built);
+
+// After swBeginGpuFrame().
+swResult swUploadPicture(swGpu* gpu, swPictureFrame* built);

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/draw/sky.h"
+
+#include <math.h>
+#include <string.h>
+
+static const uint32_t transmittanceCode[] =
+#include "sky_transmittance.comp.inc"
+    ;
+static const uint32_t multipleCode[] =
+#include "sky_multiple.comp.inc"
+    ;
+static const uint32_t viewCode[] =
+#include "sky_view.comp.inc"
+    ;
+static const uint32_t airCode[] =
+#include "sky_air.comp.inc"
+    ;
+static const uint32_t lightCode[] =
+#include "sky_light.comp.inc"
+    ;
+static const uint32_t mapCode[] =
+#include "sky_map.comp.inc"
+    ;
+static const uint32_t halveCode[] =
+#include "halve.comp.inc"
+    ;
+static const uint32_t fullscreenCode[] =
+#include "fullscreen.vert.inc"
+    ;
+static const uint32_t skyCode[] =
+#include "sky.frag.inc"
+    ;
+
+#define SW_STORAGE VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+#define SW_SAMPLED VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+#define SW_WRITTEN VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
+
+static swResult createSkyPipelines(swGpu* gpu, const swRendererDef* def, swSky* sky)
+{
+    const struct
+    {
+        swPipeline* pipeline;
+        swComputeDef def;
+    } computes[] = {
+        {&sky->transmittancePipeline,
+         {SW_SHADER(transmittanceCode), 2, {SW_STORAGE, SW_WRITTEN}, .name = "sky transmittance"}},
+        {&sky->multiplePipeline,
+         {SW_SHADER(multipleCode), 3, {SW_STORAGE, SW_SAMPLED, SW_WRITTEN}, .name = "sky multiple scattering"}},
+        {&sky->viewPipeline,
+         {SW_SHADER(viewCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_WRITTEN}, .name = "sky view"}},
+        {&sky->airPipeline,
+         {SW_SHADER(airCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_WRITTEN}, .name = "sky air"}},
+        {&sky->lightPipeline,
+         {SW_SHADER(lightCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_STORAGE}, .name = "sky light"}},
+        {&sky->mapPipeline,
+         {SW_SHADER(mapCode), 4, {SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_WRITTEN}, .name = "sky map"}},
+        {&sky->halvePipeline, {SW_SHADER(halveCode), 2, {SW_WRITTEN, SW_WRITTEN}, .name = "halve"}},
+    };
+    for (size_t i = 0; i < sizeof(computes) / sizeof(computes[0]); ++i)
+    {
+        swResult result = swCreateComputePipeline(gpu, &computes[i].def, computes[i].pipeline);
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+    }
+    const swGraphicsDef draw = {
+        .vertex = SW_SHADER(fullscreenCode),
+        .fragment = SW_SHADER(skyCode),
+        .bindingCount = 4,
+        .types = {SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED},
+        .colorFormat = def->colorFormat,
+        .depthFormat = def->depthFormat,
+        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+        .depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL,
+        .name = "sky",
+    };
+    return swCreateGraphicsPipeline(gpu, &draw, &sky->drawPipeline);
+}
+
+static swResult createTable(swGpu* gpu, uint32_t width, uint32_t height, uint32_t layers, uint32_t mips,
+                            const char* name, swImage* image)
+{
+    const swImageDef def = {
+        .format = VK_FORMAT_R16G16B16A16_SFLOAT,
+        .width = width,
+        .height = height,
+        .layers = layers,
+        .mips = mips,
+        .isArray = layers > 1,
+        .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+        .layout = VK_IMAGE_LAYOUT_GENERAL,
+        .name = name,
+    };
+    return swCreateImage(gpu, &def, image);
+}
+
+static swResult createTables(swGpu* gpu, swSky* sky)
+{
+    swResult result = createTable(gpu, SW_SKY_TRANSMITTANCE_WIDTH, SW_SKY_TRANSMITTANCE_HEIGHT, 1, 1,
+                                  "sky transmittance", &sky->transmittance);
+    if (result == SW_SUCCESS)
+    {
+        result = createTable(gpu, SW_SKY_MULTIPLE_SIDE, SW_SKY_MULTIPLE_SIDE, 1, 1, "sky multiple scattering",
+                             &sky->multiple);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = createTable(gpu, SW_SKY_VIEW_WIDTH, SW_SKY_VIEW_HEIGHT, 2, 1, "sky view", &sky->view);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = createTable(gpu, SW_SKY_AIR_SIDE, SW_SKY_AIR_SIDE, 2, 1, "sky air", &sky->air);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = createTable(gpu, SW_SKY_VIEW_WIDTH, SW_SKY_VIEW_HEIGHT, 1, SW_SKY_MAP_MIPS, "sky map", &sky->map);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swCreateBuffer(gpu, sizeof(swSkyLight), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
+                                "sky light", &sky->light);
+    }
+    return result;
+}
+
+swResult swCreateSky(swGpu* gpu, const swRendererDef* def, swSky* sky)
+{
+    swResult result = createSkyPipelines(gpu, def, sky);
+    return result == SW_SUCCESS ? createTables(gpu, sky) : result;
+}
+
+void swDestroySky(swGpu* gpu, swSky* sky)
+{
+    swPipeline* pipelines[] = {&sky->transmittancePipeline, &sky->multiplePipeline, &sky->viewPipeline,
+                               &sky->airPipeline,           &sky->lightPipeline,    &sky->mapPipeline,
+                               &sky->halvePipeline,         &sky->drawPipeline};
+    for (size_t i = 0; i < sizeof(pipelines) / sizeof(pipelines[0]); ++i)
+    {
+        swDestroyPipeline(gpu, pipelines[i]);
+    }
+    swImage* images[] = {&sky->transmittance, &sky->multiple, &sky->view, &sky->air, &sky->map};
+    for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
+    {
+        swDestroyImage(gpu, images[i]);
+    }
+    swDestroyBuffer(gpu, &sky->light);
+}
+
+static bool differs(float a, float b, float limit)
+{
+    return !(fabsf(a - b) <= limit);
+}
+
+static bool vectorDiffers(swVec4 a, swVec4 b, float limit)
+{
+    return differs(a.x, b.x, limit) || differs(a.y, b.y, limit) || differs(a.z, b.z, limit);
+}
+
+static swSkyState getState(const swPictureParams* p)
+{
+    return (swSkyState){
+        .haze = p->sunLight.w,
+        .sun = p->sun,
+        .sunLight = p->sunLight,
+        .cameraHeight = p->cameraHeight,
+        .clouds = p->foamAlbedo.w,
+        .cloudX = p->cloudX,
+        .cloudZ = p->cloudZ,
+    };
+}
+
+void swRecordMips(swGpu* gpu, VkCommandBuffer commands, const swPipeline* halve, const swImage* image)
+{
+    for (uint32_t mip = 1; mip < image->mips; ++mip)
+    {
+        const swBinding bindings[] = {
+            swBindView(gpu, image->mipViews[mip - 1], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+            swBindView(gpu, image->mipViews[mip], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+        };
+        swComputeBarrier(gpu, commands);
+        swBindPipeline(gpu, commands, halve, bindings, NULL);
+        uint32_t width = image->width >> mip;
+        uint32_t height = image->height >> mip;
+        gpu->vk.CmdDispatch(commands, (width + 7) / 8, (height + 7) / 8, 1);
+    }
+}
+
+static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+{
+    const swBinding first[] = {params, swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP)};
+    swBindPipeline(gpu, commands, &sky->transmittancePipeline, first, NULL);
+    gpu->vk.CmdDispatch(commands, SW_SKY_TRANSMITTANCE_WIDTH / 8, SW_SKY_TRANSMITTANCE_HEIGHT / 8, 1);
+    swComputeBarrier(gpu, commands);
+    const swBinding second[] = {params, swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
+                                swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP)};
+    swBindPipeline(gpu, commands, &sky->multiplePipeline, second, NULL);
+    gpu->vk.CmdDispatch(commands, SW_SKY_MULTIPLE_SIDE / 8, SW_SKY_MULTIPLE_SIDE / 8, 1);
+    swComputeBarrier(gpu, commands);
+}
+
+static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+{
+    swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
+    swBinding view = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X);
+    swBinding bindings[4] = {params, transmittance, swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP), view};
+    swBindPipeline(gpu, commands, &sky->viewPipeline, bindings, NULL);
+    gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 2);
+    bindings[3] = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP);
+    swBindPipeline(gpu, commands, &sky->airPipeline, bindings, NULL);
+    gpu->vk.CmdDispatch(commands, SW_SKY_AIR_SIDE / 8, SW_SKY_AIR_SIDE / 8, 1);
+    swComputeBarrier(gpu, commands);
+    const swBinding light[] = {params, transmittance, view, swBindBuffer(&sky->light)};
+    swBindPipeline(gpu, commands, &sky->lightPipeline, light, NULL);
+    gpu->vk.CmdDispatch(commands, 1, 1, 1);
+    swComputeBarrier(gpu, commands);
+}
+
+static void recordMap(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+{
+    const swBinding bindings[] = {
+        params, swBindBuffer(&sky->light), swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
+        swBindView(gpu, sky->map.mipViews[0], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP)};
+    swBindPipeline(gpu, commands, &sky->mapPipeline, bindings, NULL);
+    gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 1);
+    swRecordMips(gpu, commands, &sky->halvePipeline, &sky->map);
+}
+
+void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const swPictureFrame* picture)
+{
+    swSkyState now = getState(&picture->params);
+    const swSkyState* old = &sky->state;
+    float heightLimit = 0.02f * fmaxf(now.cameraHeight, 50.0f);
+    bool isNew = !sky->isValid;
+    bool airChanged = isNew || now.haze != old->haze;
+    bool lightChanged = airChanged || vectorDiffers(now.sun, old->sun, 1e-4f) ||
+                        vectorDiffers(now.sunLight, old->sunLight, 0.0f) ||
+                        differs(now.cameraHeight, old->cameraHeight, heightLimit);
+    bool mapChanged =
+        lightChanged || now.clouds != old->clouds ||
+        (now.clouds > 0.0f && (differs(now.cloudX, old->cloudX, 0.02f) || differs(now.cloudZ, old->cloudZ, 0.02f)));
+    if (!mapChanged)
+    {
+        return;
+    }
+    swBinding params = swBindUpload(&picture->paramsUpload);
+    swBeginPass(gpu, commands, "sky_tables");
+    swImage* images[] = {&sky->transmittance, &sky->multiple, &sky->view, &sky->air, &sky->map};
+    for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
+    {
+        swInitializeImage(gpu, commands, images[i]);
+    }
+    // The frame before may still read them.
+    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, 0, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+              VK_ACCESS_2_SHADER_WRITE_BIT);
+    if (airChanged)
+    {
+        recordAirTables(gpu, commands, sky, params);
+        sky->state.haze = now.haze;
+    }
+    if (lightChanged)
+    {
+        recordLightTables(gpu, commands, sky, params);
+        sky->state = now;
+    }
+    recordMap(gpu, commands, sky, params);
+    sky->state.clouds = now.clouds;
+    sky->state.cloudX = now.cloudX;
+    sky->state.cloudZ = now.cloudZ;
+    sky->isValid = true;
+    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT,
+              VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_READ_BIT);
+    swEndPass(gpu, commands);
+}
+
+void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture)
+{
+    const swBinding bindings[] = {
+        swBindUpload(&picture->paramsUpload),
+        swBindBuffer(&sky->light),
+        swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
+        swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
+    };
+    swBeginPass(gpu, commands, "sky");
+    swBindPipeline(gpu, commands, &sky->drawPipeline, bindings, NULL);
+    gpu->vk.CmdDraw(commands, 3, 1, 0, 0);
+    swEndPass(gpu, commands);
+}

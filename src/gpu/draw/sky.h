@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The sky's tables and the sky itself. Tables are computed again only when the sun, the air, the clouds or the camera's
+// height have changed enough to be seen.
+
+#include "gpu/draw/picture.h"
+
+typedef struct swSkyState
+{
+    float haze;
+    swVec4 sun, sunLight;
+    float cameraHeight;
+    float clouds, cloudX, cloudZ;
+} swSkyState;
+
+typedef struct swSky
+{
+    swPipeline transmittancePipeline, multiplePipeline, viewPipeline, airPipeline, lightPipeline, mapPipeline;
+    swPipeline halvePipeline;
+    swPipeline drawPipeline;
+    swImage transmittance; // to the top of the air
+    swImage multiple;      // light scattered more than once
+    swImage view;          // layer 0 from the camera, 1 from the sea
+    swImage air;           // layer 0 added, 1 let through between camera and sea
+    swImage map;           // what waves reflect, with blurred mips
+    swBuffer light;        // swSkyLight
+    bool isValid;
+    swSkyState state; // that the tables were computed for
+} swSky;
+
+swResult swCreateSky(swGpu* gpu, const swRendererDef* def, swSky* sky);
+void swDestroySky(swGpu* gpu, swSky* sky);
+
+// Outside of rendering: bring the tables up to date.
+void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const swPictureFrame* picture);
+// Inside rendering.
+void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture);
+
+// The chain of mips of an RGBA16F image, each from the one before.
+void swRecordMips(swGpu* gpu, VkCommandBuffer commands, const swPipeline* halve, const swImage* image);

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The water's surface: culling on the GPU and one indirect draw.
+
+#include "gpu/draw/sky.h"
+
+typedef struct swSurface
+{
+    swPipeline cullPipeline;
+    swPipeline drawPipeline;
+    swPipeline wirePipeline; // null if the device has no wireframe
+    swBuffer indices;        // of a tile's grid
+    uint32_t indicesSide;    // that the indices are for
+    swBuffer visible;        // swMeshTile[SW_MAX_MESH_TILES]
+    swBuffer arguments;      // VkDrawIndexedIndirectCommand
+    swImage foamTexture;
+} swSurface;
+
+swResult swCreateSurface(swGpu* gpu, const swRendererDef* def, swSurface* surface);
+void swDestroySurface(swGpu* gpu, swSurface* surface);
+
+// Outside of rendering: the tiles that the camera sees. `halve` makes mips.
+swResult swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve,
+                         const swPictureFrame* picture);
+// Inside rendering.
+void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
+                   const swBuffer* exposure, const swGpuWorld* gpuWorld, const swGpuView* view,
+                   const swPictureFrame* picture);

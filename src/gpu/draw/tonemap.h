@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// From the HDR target to the screen: automatic exposure and the tone curve.
+
+#include "gpu/draw/picture.h"
+
+typedef struct swTonemap
+{
+    swPipeline exposePipeline, tonemapPipeline;
+    swBuffer exposure; // swExposure
+    bool isCleared;
+} swTonemap;
+
+swResult swCreateTonemap(swGpu* gpu, const swRendererDef* def, swTonemap* tonemap);
+void swDestroyTonemap(swGpu* gpu, swTonemap* tonemap);
+
+// Outside of rendering, before anything reads the exposure.
+void swClearExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap);
+void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, VkImageView hdr, float dt,
+                      bool immediate);
+// Inside rendering.
+void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonemap, VkImageView hdr, float time,
+                   float stops);
