@@ -5,4 +5,25 @@
 #define SW_LIMIT_TILES 64
 #define SW_LIMIT_SLICES 15
 #define SW_LIMIT_RESOLUTION 512
+
+// Roots of unity that the FFT's table holds.
+#define SW_TWIDDLES 512
+
+// Columns that one workgroup of the FFT's second axis transforms, see waves_columns.comp.
+#define SW_COLUMN_BLOCK 4
+
+// Texels of a slice that one workgroup makes: a thread owns a run of texels along z. See slices.comp.
+#define SW_SLICE_WIDTH 64
+#define SW_SLICE_RUN 8
+#define SW_SLICE_RUNS 2
+#define SW_SLICE_HEIGHT 16
+// Tiles whose weights along z are in shared memory at once.
+#define SW_SLICE_BATCH 16
+
+// Side of the block of detail texels that one workgroup makes and averages down to one.
+#define SW_DETAIL_BLOCK 32
+#define SW_DETAIL_MIPS 6
+
+// Side of a foam workgroup.
+#define SW_FOAM_BLOCK 16
 #endif

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the wave passes read on the GPU: tiles, and the part of a tile that a slice sees.
 //
-// Tile texels on the GPU are vec4 (x, y, z, 0) at texels[first + row * (resolution + 3) + column], laid out as in
-// core/frame/frame.h: the window of spline coordinate s begins at floor(s), columns repeat so that it never wraps.
+// A tile's texels on the GPU are vec4 (x, y, z, 0), N rows of N + 3 columns: texel (i, j), at first + j (N + 3) + i, holds
+// the spline coefficient of sample (i - 1, j - 1) modulo N. The window of spline coordinate s begins at floor(s) along
+// either axis; columns repeat, so that it never wraps along x, and row indices are taken modulo N.
 #ifndef SW_SHARED_WAVES_H
 #define SW_SHARED_WAVES_H
 #include "limits.h"
@@ -11,12 +12,12 @@
 SW_PARAMS(swTileParams)
 {
     sw_uint firstRow;   // entry of the row table that holds where row 0's modes begin; maxBin + 2 entries
-    sw_uint firstLine;  // of the intermediate rows, in complex numbers
+    sw_uint firstLine;  // of what the rows pass leaves, in complex numbers; see waves_rows.comp
     sw_uint firstTexel; // of the texels, in vec4
     sw_uint resolution;
     sw_uint maxBin;
-    sw_uint phaseLow; // the step's ticks, 64 bits
-    sw_uint phaseHigh;
+    sw_uint ticksLow; // the tile's ticks, 64 bits
+    sw_uint ticksHigh;
     float weight;
     float side;          // m
     float minWavelength; // m
@@ -47,12 +48,13 @@ SW_PARAMS(swSliceList)
 };
 SW_PARAMS_SIZE(swSliceList, 8);
 
+// Foam of one slice over one frame; see foam.h.
 SW_PARAMS(swFoamSliceParams)
 {
     float deviation; // of J, from waves that the slice does not carry
-    float keep, grow, ceiling;
     float threshold;
-    sw_uint reset; // 1: start from the steady state
+    float keep, grow, ceiling;
+    sw_uint isSteady; // 1: no past, every texel starts from the steady state
     sw_uint unused0, unused1;
 };
 SW_PARAMS_SIZE(swFoamSliceParams, 32);

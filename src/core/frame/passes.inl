@@ -3,5 +3,6 @@
 // The core module, shaders/**/name.comp, gpu/pass/pass_name.c and tests/parity/parity_name.c go with each line.
 SW_PASS(WAVES_ROWS, waves_rows, "Spectra at this time, and the FFT's first axis")
 SW_PASS(WAVES_COLUMNS, waves_columns, "The FFT's second axis: tiles of spline coefficients")
+SW_PASS(DETAIL, detail, "Slopes of each tile with mips, for shading")
 SW_PASS(SLICES, slices, "Displacement and derivatives of all slices")
 SW_PASS(FOAM, foam, "Foam of all slices")

@@ -9,29 +9,36 @@
 #include "core/frame/frame.h"
 #include "gpu/vk/vk_device.h"
 #include "gpu/vk/vk_pipeline.h"
+#include "shared/limits.h"
 #include "shared/waves.h"
 
-// Sides of the detail layers: the largest tile resolution, kept within these. SW_DETAIL_MIPS mips, the last of a block of
-// 32 x 32 texels.
+// Side of the detail layers, texels: the largest tile resolution, kept within these.
 #define SW_DETAIL_MIN 32
 #define SW_DETAIL_MAX 256
-#define SW_DETAIL_MIPS 6
 
 // Layers of one view. Array layer = slice; texel centres are the lattice points, so point (column, row) of a slice is at
 // uv = ((column + 0.5) / R, (row + 0.5) / R).
 typedef struct swGpuView
 {
-    uint32_t viewVersion; // of the view it belongs to, 0 if the entry is free
-    const swView* view;   // identity only
+    uint32_t viewVersion; // of the view it belongs to
+    bool isUsed;
+    const swView* view; // identity only
     int sliceCount, resolution;
-    swImage displacement; // RGBA32F: x, y, z, J. J in full precision is what foam grows by
+    swImage displacement; // RGBA32F: x, y, z, J; foam grows by J in full precision
     swImage derivatives;  // RGBA16F: gx, gz, J, 0
     swImage foam[2];      // R32F, written in turns
-    int foamIndex;        // the one that the last recorded frame wrote
+    int foamIndex;        // the one that holds the last recorded frame
     bool hasFoam;
-    int64_t foamClock;
+    int64_t foamClock; // of the frame that foam was last brought to, see swViewFrame
     uint32_t foamResetCount;
     swSlice foamSlices[SW_MAX_SLICES]; // where the foam lies
+
+    // Set by each swGpuWorld_Record(), valid for this frame.
+    swUpload sliceLists;  // swSliceList[sliceCount]
+    swUpload sliceTiles;  // swSliceTile[]
+    swUpload foamParams;  // swFoamSliceParams[sliceCount]
+    swUpload foamSources; // swFoamSource[sliceCount * SW_FOAM_SOURCES]
+    bool foamMoves;       // the foam pass has something to do
 } swGpuView;
 
 // Pipelines of the passes, by log2(resolution) - 4 where a tile's resolution is built in.
@@ -50,28 +57,31 @@ struct swGpuWorld
     swGpu* gpu;
     const swWorld* world;
     swPasses passes;
-    swBuffer twiddles; // 512 complex roots of unity
-    swBuffer modes;    // of all tiles, as swMode
-    swBuffer rows;     // see swTileParams::firstRow
-    swBuffer lines;    // between the FFT's axes
-    swBuffer texels;
-    uint64_t frameIndex; // of the last recorded frame
-    bool hasRecorded;
-
-    // Set by each swGpuWorld_Record(), valid for this frame.
-    int tileCount;
-    const swTile* tiles;                 // the frame's tiles; index = element of tileParams = layer of detail
-    swUpload tileParams;                 // swTileParams[tileCount]
-    uint32_t tileVersions[SW_MAX_TILES]; // spectrumVersion that was uploaded
-    uint32_t tilesVersion;
-    swTileParams params[SW_MAX_TILES]; // host copy of tileParams
+    swBuffer roots;  // SW_TWIDDLES complex roots of unity
+    swBuffer modes;  // of all tiles, as swMode
+    swBuffer rows;   // see swTileParams::firstRow
+    swBuffer lines;  // between the FFT's axes
+    swBuffer texels; // see shaders/shared/waves.h
 
     // RGBA16F 2D array, one layer a tile, SW_DETAIL_MIPS mips: (sx, sz, sx^2, sz^2) with s the slope of the tile's height
     // by rest position at sample points; mips are averages, so that slopes lost by filtering have variance s2 - s s.
     // Rest point u of the plane is at uv = u / side + 0.5 / detail.width. Repeats.
     swImage detail;
 
-    int viewCapacity;
+    uint64_t frameIndex; // of the last recorded frame
+    bool hasRecorded;
+    bool hasTiles; // tilesVersion and spectrumVersions are of what modes and rows hold
+    uint32_t tilesVersion;
+    uint32_t spectrumVersions[SW_MAX_TILES];
+
+    // Set by each swGpuWorld_Record(), valid for this frame.
+    int tileCount;
+    const swTile* tiles;                // the frame's tiles; index = element of tileParams = layer of detail
+    swTileParams params[SW_MAX_TILES];  // host copy of tileParams
+    swUpload tileParams;                // swTileParams[tileCount]
+    swUpload order;                     // indices of tiles, grouped by resolution
+    uint32_t groupFirst[SW_TILE_SIZES]; // of each resolution, in order
+    uint32_t groupCount[SW_TILE_SIZES];
     swGpuView views[SW_MAX_VIEWS];
 };
 

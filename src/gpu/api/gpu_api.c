@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <string.h>
+
+#include "core/base/assert.h"
+#include "gpu/record/record.h"
+
+swGpuDef swDefaultGpuDef(void)
+{
+    return (swGpuDef){
+        .choice = SW_DEVICE_AUTO,
+        .framesInFlight = 2,
+        .internalValue = SW_DEF_COOKIE,
+    };
+}
+
+swResult swCreateGpu(const swHost* host, const swGpuDef* def, swGpu** gpu)
+{
+    SW_ASSERT(gpu != NULL && swIsHostValid(host) && def != NULL && def->internalValue == SW_DEF_COOKIE);
+    if (gpu == NULL)
+    {
+        return SW_ERROR_INVALID;
+    }
+    *gpu = NULL;
+    if (!swIsHostValid(host) || def == NULL || def->internalValue != SW_DEF_COOKIE)
+    {
+        return SW_ERROR_INVALID;
+    }
+    if (def->framesInFlight < 1 || def->framesInFlight > SW_MAX_FRAMES_IN_FLIGHT)
+    {
+        return swFail(host, SW_ERROR_INVALID, "swGpuDef::framesInFlight is %d; its range is [1, %d]",
+                      def->framesInFlight, SW_MAX_FRAMES_IN_FLIGHT);
+    }
+    return swCreateDevice(host, def, gpu);
+}
+
+void swDestroyGpu(swGpu* gpu)
+{
+    swDestroyDevice(gpu);
+}
+
+bool swGpu_CheckDevice(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance, VkPhysicalDevice device,
+                       char* missing, size_t size)
+{
+    SW_ASSERT(getInstanceProcAddr != NULL && instance != VK_NULL_HANDLE && device != VK_NULL_HANDLE);
+    return swCheckDeviceFeatures(getInstanceProcAddr, instance, device, missing, size);
+}
+
+const VkPhysicalDeviceFeatures2* swGpu_GetFeatures(swGpuFeatures* storage)
+{
+    swFillDeviceFeatures(storage);
+    return &storage->features;
+}
+
+const char* const* swGpu_GetDeviceExtensions(uint32_t* count)
+{
+    *count = SW_DEVICE_EXTENSION_COUNT;
+    return swDeviceExtensions;
+}
+
+VkInstance swGpu_GetInstance(const swGpu* gpu)
+{
+    return gpu->instance;
+}
+
+VkPhysicalDevice swGpu_GetPhysicalDevice(const swGpu* gpu)
+{
+    return gpu->physicalDevice;
+}
+
+VkDevice swGpu_GetDevice(const swGpu* gpu)
+{
+    return gpu->device;
+}
+
+VkQueue swGpu_GetQueue(const swGpu* gpu)
+{
+    return gpu->queue;
+}
+
+uint32_t swGpu_GetQueueFamily(const swGpu* gpu)
+{
+    return gpu->queueFamily;
+}
+
+const char* swGpu_GetDeviceName(const swGpu* gpu)
+{
+    return gpu->properties.deviceName;
+}
+
+bool swGpu_IsSoftware(const swGpu* gpu)
+{
+    return gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+
+int swGpu_GetValidationCount(const swGpu* gpu)
+{
+    return atomic_load(&gpu->validationCount);
+}
+
+swResult swGpu_GetPipelineCache(const swGpu* gpu, void* data, size_t* size)
+{
+    VkResult result = gpu->vk.GetPipelineCacheData(gpu->device, gpu->pipelineCache, size, data);
+    if (result == VK_INCOMPLETE)
+    {
+        return swFail(&gpu->host, SW_ERROR_INVALID, "the pipeline cache has more than the %zu bytes given", *size);
+    }
+    return swCheckVk(gpu, result, "reading the pipeline cache");
+}
+
+swResult swCreateGpuWorld(swGpu* gpu, const swWorld* world, swGpuWorld** gpuWorld)
+{
+    SW_ASSERT(gpu != NULL && world != NULL && gpuWorld != NULL);
+    if (gpu == NULL || world == NULL || gpuWorld == NULL)
+    {
+        return SW_ERROR_INVALID;
+    }
+    return swMakeGpuWorld(gpu, world, gpuWorld);
+}
+
+void swDestroyGpuWorld(swGpuWorld* gpuWorld)
+{
+    swFreeGpuWorld(gpuWorld);
+}
+
+swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex)
+{
+    SW_ASSERT(gpuWorld != NULL && commands != VK_NULL_HANDLE);
+    if (gpuWorld == NULL || commands == VK_NULL_HANDLE)
+    {
+        return SW_ERROR_INVALID;
+    }
+    return swRecordFrame(gpuWorld, commands, frameIndex);
+}
+
+size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld)
+{
+    size_t bytes = (size_t)(gpuWorld->detail.memory.size + gpuWorld->roots.memory.size + gpuWorld->modes.memory.size +
+                            gpuWorld->rows.memory.size + gpuWorld->lines.memory.size + gpuWorld->texels.memory.size);
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        const swGpuView* view = &gpuWorld->views[i];
+        bytes += (size_t)(view->displacement.memory.size + view->derivatives.memory.size + view->foam[0].memory.size +
+                          view->foam[1].memory.size);
+    }
+    return bytes;
+}
+
+swResult swGpuWorld_ReadLayer(swGpuWorld* gpuWorld, const swView* view, swLayer layer, int slice, float* texels)
+{
+    const swGpuView* gpuView = swFindGpuView(gpuWorld, view);
+    if (gpuView == NULL || texels == NULL || slice < 0 || slice >= gpuView->sliceCount || layer < 0 ||
+        layer >= SW_LAYER_COUNT)
+    {
+        return swFail(&gpuWorld->gpu->host, SW_ERROR_INVALID,
+                      "there is no layer %d of slice %d: the view was not recorded, or has fewer slices", (int)layer,
+                      slice);
+    }
+    return swReadLayer(gpuWorld, gpuView, layer, slice, texels);
+}
+
+int swGpu_GetPassTimes(const swGpu* gpu, swPassTime* times, int capacity)
+{
+    int count = gpu->timer.resultCount < capacity ? gpu->timer.resultCount : capacity;
+    if (count > 0)
+    {
+        memcpy(times, gpu->timer.results, sizeof(swPassTime) * (size_t)count);
+    }
+    return count > 0 ? count : 0;
+}

@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+target_sources(seaway_gpu PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/gpu_api.c)

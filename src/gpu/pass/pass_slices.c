@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// One dispatch a view for all its slices; nothing waits between views.
+
+#include "gpu/pass/passes.h"
+
+static const uint32_t slicesCode[] =
+#include "slices.comp.inc"
+    ;
+
+swResult swCreateSlices(swGpu* gpu, swPasses* passes)
+{
+    const swComputeDef def = {
+        .shader = SW_SHADER(slicesCode),
+        .bindingCount = 5,
+        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
+                  VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+        .name = "slices",
+    };
+    return swCreateComputePipeline(gpu, &def, &passes->slices);
+}
+
+void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swBeginPass(gpu, commands, "slices");
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        const swGpuView* view = &gpuWorld->views[i];
+        if (!view->isUsed)
+        {
+            continue;
+        }
+        const swBinding bindings[] = {
+            swBindUpload(&view->sliceLists),
+            swBindUpload(&view->sliceTiles),
+            swBindBuffer(&gpuWorld->texels),
+            swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, &view->derivatives, SW_SAMPLER_NEAREST_CLAMP),
+        };
+        uint32_t resolution = (uint32_t)view->resolution;
+        swBindPipeline(gpu, commands, &gpuWorld->passes.slices, bindings, NULL);
+        gpu->vk.CmdDispatch(commands, resolution / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
+                            (uint32_t)view->sliceCount);
+    }
+    swEndPass(gpu, commands);
+}

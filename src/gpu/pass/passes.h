@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// One pair of functions a line of core/frame/passes.inl: create the pass's pipeline, and record it. Each records its own
+// label and timestamps; barriers between passes belong to record/.
+
+#include "gpu/pass/gpu_world.h"
+
+// Pipelines for tiles of a resolution are created when the first such tile appears; a second call does nothing.
+swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes);
+swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes);
+swResult swCreateDetail(swGpu* gpu, swPasses* passes);
+swResult swCreateSlices(swGpu* gpu, swPasses* passes);
+swResult swCreateFoam(swGpu* gpu, swPasses* passes);
+void swDestroyPasses(swGpu* gpu, swPasses* passes);
+
+void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+void swRecordWavesColumns(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+void swRecordDetail(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+
+// log2(resolution) - 4: the index of a tile resolution's pipelines.
+static inline int swTileSizeIndex(int resolution)
+{
+    int index = 0;
+    while ((16 << index) < resolution)
+    {
+        index += 1;
+    }
+    return index;
+}

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+target_sources(seaway_gpu PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_waves_columns.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_waves_rows.c
+    ${CMAKE_CURRENT_LIST_DIR}/passes.c)
+list(APPEND SW_SHADERS
+    waves/waves_rows.comp
+    waves/waves_columns.comp
+    waves/detail.comp
+    sim/slices.comp
+    sim/foam.comp)

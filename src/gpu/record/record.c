@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/record/record.h"
+
+#include <math.h>
+
+#include "gpu/pass/passes.h"
+#include "gpu/vk/vk_submit.h"
+
+// exp(2 pi i n / SW_TWIDDLES), through the upload ring of a frame that is waited for.
+static swResult makeRoots(swGpuWorld* gpuWorld)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    float roots[SW_TWIDDLES][2];
+    for (int n = 0; n < SW_TWIDDLES; ++n)
+    {
+        double angle = 2.0 * SW_PI * n / SW_TWIDDLES;
+        roots[n][0] = (float)cos(angle);
+        roots[n][1] = (float)sin(angle);
+    }
+    swResult result = swCreateBuffer(gpu, sizeof(roots), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
+                                     "roots of unity", &gpuWorld->roots);
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    result = result == SW_SUCCESS ? swBeginSubmit(gpu, &commands) : result;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    gpu->vk.CmdUpdateBuffer(commands, gpuWorld->roots.handle, 0, sizeof(roots), roots);
+    return swEndSubmit(gpu);
+}
+
+swResult swMakeGpuWorld(swGpu* gpu, const swWorld* world, swGpuWorld** out)
+{
+    *out = NULL;
+    swGpuWorld* gpuWorld = swAllocateZero(&gpu->host, sizeof(swGpuWorld));
+    if (gpuWorld == NULL)
+    {
+        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "no memory for a swGpuWorld");
+    }
+    gpuWorld->gpu = gpu;
+    gpuWorld->world = world;
+    swPasses* passes = &gpuWorld->passes;
+    swResult result = makeRoots(gpuWorld);
+    result = result == SW_SUCCESS ? swCreateDetail(gpu, passes) : result;
+    result = result == SW_SUCCESS ? swCreateSlices(gpu, passes) : result;
+    result = result == SW_SUCCESS ? swCreateFoam(gpu, passes) : result;
+    if (result != SW_SUCCESS)
+    {
+        swFreeGpuWorld(gpuWorld);
+        return result;
+    }
+    *out = gpuWorld;
+    return SW_SUCCESS;
+}
+
+void swFreeGpuWorld(swGpuWorld* gpuWorld)
+{
+    if (gpuWorld == NULL)
+    {
+        return;
+    }
+    swGpu* gpu = gpuWorld->gpu;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        swGpuView* view = &gpuWorld->views[i];
+        swDestroyImage(gpu, &view->displacement);
+        swDestroyImage(gpu, &view->derivatives);
+        swDestroyImage(gpu, &view->foam[0]);
+        swDestroyImage(gpu, &view->foam[1]);
+    }
+    swDestroyImage(gpu, &gpuWorld->detail);
+    swDestroyBuffer(gpu, &gpuWorld->roots);
+    swDestroyBuffer(gpu, &gpuWorld->modes);
+    swDestroyBuffer(gpu, &gpuWorld->rows);
+    swDestroyBuffer(gpu, &gpuWorld->lines);
+    swDestroyBuffer(gpu, &gpuWorld->texels);
+    swDestroyPasses(gpu, &gpuWorld->passes);
+    swFree(&gpu->host, gpuWorld, sizeof(swGpuWorld));
+}
+
+// Everything that recorded work may have written or may still read, before this frame's first write.
+static void waitForFrameBefore(swGpu* gpu, VkCommandBuffer commands)
+{
+    const VkPipelineStageFlags2 shaders = VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
+                                          VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                                          VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    swBarrier(gpu, commands, shaders | VK_PIPELINE_STAGE_2_COPY_BIT,
+              VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT,
+              VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
+              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
+                  VK_ACCESS_2_TRANSFER_WRITE_BIT);
+}
+
+static void showToDrawing(swGpu* gpu, VkCommandBuffer commands)
+{
+    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+              VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+}
+
+swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swBeginGpuFrame(gpu, commands, frameIndex);
+    waitForFrameBefore(gpu, commands);
+    swResult result = swUploadFrame(gpuWorld, commands, swGetWorldFrame(gpuWorld->world));
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    gpuWorld->frameIndex = frameIndex;
+    gpuWorld->hasRecorded = true;
+
+    swRecordWavesRows(gpuWorld, commands);
+    swComputeBarrier(gpu, commands);
+    swRecordWavesColumns(gpuWorld, commands);
+    swComputeBarrier(gpu, commands);
+    swRecordDetail(gpuWorld, commands); // beside the slices: both read tiles only
+    swRecordSlices(gpuWorld, commands);
+    swComputeBarrier(gpu, commands);
+    swRecordFoam(gpuWorld, commands);
+    showToDrawing(gpu, commands);
+    return SW_SUCCESS;
+}
