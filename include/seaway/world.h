@@ -30,16 +30,18 @@ typedef struct swFoamDef
     float fadeRate;
 
     /// Folding (determinant of the Jacobian) below which foam is born: 1 is flat water, 0 a fold. Range [0, 1].
+    /// Default 0.4.
     float threshold;
 
-    /// Foam per second at a full fold. Range [0, 50].
+    /// Foam per second and unit of folding below the threshold. Range [0, 1000]. Default 250: where a wave folds for a
+    /// tenth of a second it leaves foam.
     float gain;
 
     /// Set by swDefaultFoamDef().
     int internalValue;
 } swFoamDef;
 
-/// Whitecaps of a fresh breeze.
+/// Foam whose mean over a sea of JONSWAP waves with chop 1 follows the whitecap cover of [Callaghan 2008] from 5 to 20 m/s.
 SW_API swFoamDef swDefaultFoamDef(void);
 
 /// Must be initialized with swDefaultWorldDef().

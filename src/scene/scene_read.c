@@ -41,7 +41,7 @@ static const swYamlField foamFields[] = {
      .low = 0.01,
      .high = 10.0},
     {.key = "threshold", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, threshold), .low = 0.0, .high = 1.0},
-    {.key = "gain_per_s", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, gain), .low = 0.0, .high = 50.0},
+    {.key = "gain_per_s", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, gain), .low = 0.0, .high = 1000.0},
 };
 
 static const swYamlField viewFields[] = {

@@ -122,7 +122,7 @@ static void DrawFoam(App* app)
     }
     bool hasChanged = UiSlider("threshold", &foam->threshold, 0.0f, 1.0f, "%.2f");
     UiTip("Folding below which foam is born: 1 is flat water, 0 a fold");
-    hasChanged |= UiLogSlider("gain", &foam->gain, 0.05f, 50.0f, "%.2f /s");
+    hasChanged |= UiLogSlider("gain", &foam->gain, 0.05f, 1000.0f, "%.2f /s");
     hasChanged |= UiLogSlider("fading", &foam->fadeRate, 0.01f, 10.0f, "%.2f /s");
     if (hasChanged)
     {

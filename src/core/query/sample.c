@@ -17,7 +17,7 @@
 #include "shared/surface_normal.h"
 
 // Points worked on together; everything about a block lives on the stack.
-#define SW_QUERY_BLOCK 64
+#define SW_QUERY_BLOCK 128
 
 typedef struct swSearch
 {

@@ -60,6 +60,11 @@ static swResult makeBandSet(swWorld* world, const swWaveSystemDef* def, const sw
     }
     set->resolution = def->resolution;
     swResult result = swBuildModes(&world->countedHost, def, world->def.gravity, set->bands);
+    if (result == SW_ERROR_NO_MEMORY)
+    {
+        swFail(&world->host, result, "no memory for the waves of a system with tiles of %d x %d samples",
+               def->resolution, def->resolution);
+    }
     if (result == SW_SUCCESS)
     {
         result = allocateTexels(world, set);

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+// Foam fades and grows by its law at any rate of steps, lies still in the world while slices scroll and change their
+// scale under it, and covers about as much of a sea as whitecaps do.
+
+#include "support/cmocka_setup.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/lod/stack.h"
+#include "core/sim/foam.h"
+#include "seaway/seaway.h"
+
+#define RESOLUTION 64
+#define SLICES 4
+#define TEXELS (RESOLUTION * RESOLUTION)
+
+// A stack with foam and without a world: J is 1 (flat) everywhere unless a test says otherwise.
+typedef struct FoamBed
+{
+    swStack stack;
+    swFoamState state;
+    swViewFrame view;
+    float derivatives[SLICES * TEXELS * 4];
+    float foam[2][SLICES * TEXELS];
+    int current;
+} FoamBed;
+
+static FoamBed bed;
+static const swFoamDef law = {.fadeRate = 0.8f, .threshold = 0.5f, .gain = 2.0f};
+
+static void SetJacobian(float jacobian)
+{
+    for (int i = 0; i < SLICES * TEXELS; ++i)
+    {
+        bed.derivatives[4 * i + 2] = jacobian;
+    }
+}
+
+static void StepBed(swPos viewpoint, double seconds)
+{
+    swSlice previous[SW_MAX_SLICES];
+    bool isFirst = !bed.stack.isPlaced;
+    memcpy(previous, bed.stack.slices, sizeof previous);
+    swPlaceStack(&bed.stack, viewpoint, 0.0);
+    bed.view.sliceCount = SLICES;
+    bed.view.resolution = RESOLUTION;
+    bed.view.derivatives = bed.derivatives;
+    memcpy(bed.view.slices, bed.stack.slices, sizeof bed.view.slices);
+    memcpy(bed.view.previousSlices, isFirst ? bed.stack.slices : previous, sizeof previous);
+    swPlanFoam(&bed.state, (int64_t)floor(seconds * SW_TICKS_PER_SECOND + 0.5), &bed.view);
+    for (int i = 0; i < SLICES; ++i)
+    {
+        swFindFoamSources(&bed.view.slices[i], RESOLUTION, SLICES, bed.view.previousSlices, bed.view.foamSources[i]);
+    }
+    swHost host = swDefaultHost();
+    swStepFoam(&host, &law, &bed.view, bed.foam[bed.current], bed.foam[bed.current ^ 1]);
+    bed.current ^= 1;
+}
+
+static void MakeBed(float jacobian)
+{
+    memset(&bed, 0, sizeof bed);
+    swViewDef def = {.sliceCount = SLICES, .resolution = RESOLUTION, .finestTexel = 0.25f, .maxScaleLevel = 6};
+    bed.stack = swMakeStack(&def);
+    SetJacobian(jacobian);
+    StepBed((swPos){0.0, 1.0, 0.0}, 0.0);
+}
+
+// Foam that says where in the world it lies. Smooth, so that a coarser lattice can hold it.
+static float Mark(double x, double z)
+{
+    return (float)(0.5 + 0.2 * sin(x * 0.05) + 0.2 * cos(z * 0.04));
+}
+
+static float* FoamAt(int slice, int row, int column)
+{
+    return &bed.foam[bed.current][(slice * RESOLUTION + row) * RESOLUTION + column];
+}
+
+static double PositionOf(int64_t first, int index, double texel)
+{
+    return (double)(first + index) * texel;
+}
+
+static void MarkBed(void)
+{
+    for (int slice = 0; slice < SLICES; ++slice)
+    {
+        const swSlice* s = &bed.stack.slices[slice];
+        for (int row = 0; row < RESOLUTION; ++row)
+        {
+            for (int column = 0; column < RESOLUTION; ++column)
+            {
+                *FoamAt(slice, row, column) =
+                    Mark(PositionOf(s->firstX, column, s->texel), PositionOf(s->firstZ, row, s->texel));
+            }
+        }
+    }
+}
+
+typedef struct Survey
+{
+    int exact, near, lost; // texels whose foam is Mark() to the bit, within interpolation error, or neither
+} Survey;
+
+static Survey SurveyBed(void)
+{
+    Survey survey = {0};
+    for (int slice = 0; slice < SLICES; ++slice)
+    {
+        const swSlice* s = &bed.stack.slices[slice];
+        for (int row = 0; row < RESOLUTION; ++row)
+        {
+            for (int column = 0; column < RESOLUTION; ++column)
+            {
+                float expected = Mark(PositionOf(s->firstX, column, s->texel), PositionOf(s->firstZ, row, s->texel));
+                float error = fabsf(*FoamAt(slice, row, column) - expected);
+                survey.exact += error == 0.0f ? 1 : 0;
+                survey.near += error > 0.0f && error < 0.01f ? 1 : 0;
+                survey.lost += error >= 0.01f ? 1 : 0;
+            }
+        }
+    }
+    return survey;
+}
+
+static void FoamFadesOnCalmWater(void** state)
+{
+    (void)state;
+    const int rates[] = {5, 30, 60, 144};
+    for (int r = 0; r < 4; ++r)
+    {
+        MakeBed(1.0f);
+        for (int i = 0; i < SLICES * TEXELS; ++i)
+        {
+            bed.foam[bed.current][i] = 1.0f;
+        }
+        for (int i = 0; i < rates[r]; ++i)
+        {
+            StepBed((swPos){0.0, 1.0, 0.0}, 1.0 / rates[r]);
+        }
+        // Ticks of 2^-24 s: the last of the 30 steps may fall just beyond the second.
+        float fullSecond = expf(-0.8f);
+        float stepLess = expf(-0.8f * 29.0f / 30.0f);
+        float foam = *FoamAt(1, 20, 30);
+        assert_true(fabsf(foam - fullSecond) < 1e-5f || fabsf(foam - stepLess) < 1e-5f);
+    }
+}
+
+static void FoamGrowsOnlyBelowTheThreshold(void** state)
+{
+    (void)state;
+    MakeBed(0.51f);
+    StepBed((swPos){0.0, 1.0, 0.0}, 0.5);
+    assert_true(*FoamAt(0, 5, 5) == 0.0f);
+    MakeBed(1.0f);
+    SetJacobian(0.3f);
+    StepBed((swPos){0.0, 1.0, 0.0}, 0.5);
+    // gain fold / fadeRate (1 - exp(-fadeRate t))
+    assert_float_equal(*FoamAt(0, 5, 5), 2.0f * 0.2f / 0.8f * (1.0f - expf(-0.4f)), 1e-5f);
+}
+
+static void FoamStaysWithinItsRange(void** state)
+{
+    (void)state;
+    MakeBed(-3.0f);
+    assert_true(*FoamAt(0, 5, 5) == 1.0f); // the steady state
+    StepBed((swPos){0.0, 1.0, 0.0}, 0.5);
+    assert_true(*FoamAt(0, 5, 5) == 1.0f);
+    for (int i = 0; i < 100; ++i)
+    {
+        SetJacobian(i % 2 == 0 ? -5.0f : 9.0f);
+        StepBed((swPos){0.0, 1.0, 0.0}, 0.9);
+        assert_true(*FoamAt(2, 9, 9) >= 0.0f && *FoamAt(2, 9, 9) <= 1.0f);
+    }
+}
+
+static void FoamStartsInTheSteadyStateAndKeepsIt(void** state)
+{
+    (void)state;
+    MakeBed(0.3f);
+    float steady = 2.0f * 0.2f / 0.8f;
+    assert_float_equal(*FoamAt(0, 5, 5), steady, 1e-6f);
+    for (int i = 0; i < 300; ++i)
+    {
+        StepBed((swPos){0.1 * i, 1.0, 0.0}, 1.0 / 30.0);
+    }
+    for (int i = 0; i < TEXELS; ++i)
+    {
+        assert_float_equal(bed.foam[bed.current][i], steady, 1e-5f);
+    }
+    // A jump in time, back or far ahead, starts anew.
+    SetJacobian(1.0f);
+    uint32_t resets = bed.state.resetCount;
+    StepBed((swPos){0.0, 1.0, 0.0}, -0.1);
+    assert_true(*FoamAt(0, 5, 5) == 0.0f);
+    StepBed((swPos){0.0, 1.0, 0.0}, 100.0);
+    assert_int_equal(bed.state.resetCount, resets + 2);
+}
+
+static void FoamLiesStillWhileSlicesScroll(void** state)
+{
+    (void)state;
+    MakeBed(1.0f);
+    const swPos path[] = {{0.25, 1.0, 0.0}, {0.9, 1.0, -3.1}, {-2.0, 1.0, 3.7}, {5.0, 1.0, 5.0}};
+    for (int i = 0; i < 4; ++i)
+    {
+        StepBed((swPos){0.0, 1.0, 0.0}, 0.0);
+        MarkBed();
+        StepBed(path[i], 0.0); // no time passes: nothing fades
+        Survey survey = SurveyBed();
+        print_message("moved to (%g, %g): %d exact, %d within 0.01, %d lost of %d\n", path[i].x, path[i].z,
+                      survey.exact, survey.near, survey.lost, SLICES * TEXELS);
+        // Only the strips that the outermost slice (texels of 2 m) newly covers have no past.
+        int strips = (int)(fabs(path[i].x) / 2.0 + fabs(path[i].z) / 2.0 + 2.0);
+        assert_true(survey.lost <= strips * RESOLUTION);
+        assert_true(survey.exact + survey.near >= SLICES * TEXELS - strips * RESOLUTION);
+    }
+}
+
+static void FoamLiesStillFarFromTheOrigin(void** state)
+{
+    (void)state;
+    MakeBed(1.0f);
+    StepBed((swPos){1e6, 1.0, -1e6}, 0.0);
+    MarkBed();
+    StepBed((swPos){1e6 + 0.6, 1.0, -1e6 - 0.6}, 0.0);
+    assert_true(SurveyBed().lost <= 2 * RESOLUTION);
+}
+
+static void FoamSurvivesAChangeOfScale(void** state)
+{
+    (void)state;
+    MakeBed(1.0f);
+    MarkBed();
+    StepBed((swPos){0.0, 12.0, 0.0}, 0.0); // finest slice is 16 m wide: 4 m and below is level 0, so this is level 1
+    assert_int_equal(bed.stack.scaleLevel, 1);
+    Survey up = SurveyBed();
+    print_message("one level up: %d exact, %d within 0.01, %d lost\n", up.exact, up.near, up.lost);
+    // The new outermost slice has a past only in the quarter that the old one covered.
+    assert_true(up.lost <= 3 * TEXELS / 4 + 4 * RESOLUTION);
+    assert_true(up.exact >= (SLICES - 1) * TEXELS + TEXELS / 4 - 4 * RESOLUTION);
+
+    MarkBed();
+    StepBed((swPos){0.0, 1.0, 0.0}, 0.0);
+    assert_int_equal(bed.stack.scaleLevel, 0);
+    Survey down = SurveyBed();
+    print_message("one level down: %d exact, %d within 0.01, %d lost\n", down.exact, down.near, down.lost);
+    assert_int_equal(down.lost, 0); // the new finest slice lies within the old one
+    assert_true(down.exact >= (SLICES - 1) * TEXELS + TEXELS / 4 - 4 * RESOLUTION);
+}
+
+static void AFarTeleportStartsFromTheSteadyState(void** state)
+{
+    (void)state;
+    MakeBed(0.3f);
+    MarkBed();
+    StepBed((swPos){5000.0, 1.0, 0.0}, 0.0);
+    for (int i = 0; i < SLICES * TEXELS; ++i)
+    {
+        assert_float_equal(bed.foam[bed.current][i], 0.5f, 1e-6f);
+    }
+}
+
+// The expectation over unresolved waves against a sum over the Gaussian.
+static void TheExpectedFoldIsThatOfAGaussian(void** state)
+{
+    (void)state;
+    double worst = 0.0;
+    for (double margin = -1.0; margin < 1.0; margin += 0.037)
+    {
+        const double deviation = 0.15;
+        double sum = 0.0;
+        for (double n = -8.0; n < 8.0; n += 0.001)
+        {
+            sum += fmax(margin + deviation * n, 0.0) * exp(-0.5 * n * n) * 0.001 * 0.3989422804;
+        }
+        double fold = (double)swFoamFold(0.5f - (float)margin, 0.5f, (float)deviation);
+        worst = fmax(worst, fabs(fold - sum));
+    }
+    print_message("worst error of the expected fold: %.2g\n", worst);
+    assert_true(worst < 1.5e-4);
+    assert_true(swFoamFold(0.2f, 0.5f, 0.0f) == 0.5f - 0.2f);
+    assert_true(swFoamFold(0.6f, 0.5f, 0.0f) == 0.0f);
+}
+
+// Mean foam of the finest slice over a few seconds of a sea.
+static double MeasureFoam(float windSpeed, float finestTexel)
+{
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef systemDef = swDefaultWaveSystemDef();
+    systemDef.spectrum.windSpeed = windSpeed;
+    systemDef.resolution = 64;
+    systemDef.tileWaves = 16;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(world, &systemDef, &id), SW_SUCCESS);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = 2;
+    viewDef.resolution = 128;
+    viewDef.finestTexel = finestTexel;
+    viewDef.enableCpuLayers = true;
+    swView* view;
+    assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+    double mean = 0.0;
+    for (int i = 0; i < 75; ++i)
+    {
+        swWorld_Step(world, 1.0 / 15.0);
+        for (int t = 0; i % 5 == 4 && t < 128 * 128; ++t)
+        {
+            mean += (double)swView_GetFoam(view, 0)[t] / (15.0 * 128.0 * 128.0);
+        }
+    }
+    swDestroyWorld(world);
+    return mean;
+}
+
+static void CoverGrowsWithWindAsWhitecapsDo(void** state)
+{
+    (void)state;
+    double light = MeasureFoam(3.0f, 0.5f);
+    double fresh = MeasureFoam(10.0f, 0.5f);
+    double gale = MeasureFoam(20.0f, 0.5f);
+    print_message("mean foam: %.3f %% at 3 m/s, %.2f %% at 10 m/s, %.2f %% at 20 m/s\n", 100.0 * light, 100.0 * fresh,
+                  100.0 * gale);
+    // [Monahan and O'Muircheartaigh 1980]: 0.016, 0.99 and 10.5 %; [Callaghan 2008]: 0, 0.80 and 5.1 %.
+    assert_true(light < 0.0005);
+    assert_true(fresh > 0.004 && fresh < 0.02);
+    assert_true(gale > 0.025 && gale < 0.15);
+}
+
+static void ACoarseSliceHoldsAsMuchFoamAsAFineOne(void** state)
+{
+    (void)state;
+    double fine = MeasureFoam(15.0f, 0.5f);
+    double coarse = MeasureFoam(15.0f, 2.0f);
+    print_message("mean foam at 15 m/s: %.2f %% in texels of 0.5 m, %.2f %% in texels of 2 m\n", 100.0 * fine,
+                  100.0 * coarse);
+    assert_true(coarse > 0.4 * fine && coarse < 2.5 * fine);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(FoamFadesOnCalmWater),
+        cmocka_unit_test(FoamGrowsOnlyBelowTheThreshold),
+        cmocka_unit_test(FoamStaysWithinItsRange),
+        cmocka_unit_test(FoamStartsInTheSteadyStateAndKeepsIt),
+        cmocka_unit_test(FoamLiesStillWhileSlicesScroll),
+        cmocka_unit_test(FoamLiesStillFarFromTheOrigin),
+        cmocka_unit_test(FoamSurvivesAChangeOfScale),
+        cmocka_unit_test(AFarTeleportStartsFromTheSteadyState),
+        cmocka_unit_test(TheExpectedFoldIsThatOfAGaussian),
+        cmocka_unit_test(CoverGrowsWithWindAsWhitecapsDo),
+        cmocka_unit_test(ACoarseSliceHoldsAsMuchFoamAsAFineOne),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+// Queries answer for the surface: the particle that is said to be above a point is there, its height is that of a dense
+// search, the normal is that of the heights around, and neither batch, thread nor view changes a bit.
+
+#include "support/cmocka_setup.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <string.h>
+
+#include "scenarios/scenario.h"
+
+#define POINT_COUNT 3000
+
+static void MakePoints(swPosXZ* points, int count, double aroundX, double aroundZ, double side)
+{
+    uint32_t seed = 12345;
+    for (int i = 0; i < count; ++i)
+    {
+        seed = seed * 1664525u + 1013904223u;
+        points[i].x = aroundX + side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
+        seed = seed * 1664525u + 1013904223u;
+        points[i].z = aroundZ + side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
+    }
+}
+
+static Scenario OpenSea(ScenarioKind kind, float chop, int resolution)
+{
+    ScenarioDef def = DefaultScenarioDef(kind);
+    def.chop = chop;
+    def.resolution = resolution;
+    Scenario scenario;
+    assert_int_equal(CreateScenario(&def, &scenario), SW_SUCCESS);
+    swWorld_Step(scenario.world, 33.0);
+    return scenario;
+}
+
+static void ResidualIsWhatItSaysAndWithinTheTolerance(void** state)
+{
+    (void)state;
+    static swPosXZ points[POINT_COUNT];
+    static float heights[POINT_COUNT], residuals[POINT_COUNT];
+    static swVec3 moved[POINT_COUNT];
+    for (int far = 0; far < 2; ++far)
+    {
+        Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 128);
+        MakePoints(points, POINT_COUNT, far * 1e6, far * -1e6, 2000.0);
+        swQueryDef def = swDefaultQueryDef();
+        swQueryStats stats;
+        swSurfaceSamples samples = {.height = heights, .displacement = moved, .residual = residuals};
+        swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, &stats);
+        assert_int_equal(stats.convergedCount, POINT_COUNT);
+        double worst = 0.0;
+        for (int i = 0; i < POINT_COUNT; ++i)
+        {
+            // The particle that rests at the point less the displacement must be found above the point.
+            swPosXZ rest = {points[i].x - (double)moved[i].x, points[i].z - (double)moved[i].z};
+            swVec3 there;
+            swSurfaceSamples particle = {.displacement = &there};
+            swWorld_QueryParticles(sea.world, &def, 1, &rest, &particle, NULL);
+            double error = hypot(rest.x + (double)there.x - points[i].x, rest.z + (double)there.z - points[i].z);
+            worst = error > worst ? error : worst;
+            assert_true(residuals[i] <= def.tolerance);
+            assert_true(heights[i] == moved[i].y);
+        }
+        print_message("%d km away: worst residual %.2g m as reported, %.2g m as measured, %.2f evaluations a point\n",
+                      far * 1000, (double)stats.worstResidual, worst, (double)stats.iterationCount / POINT_COUNT);
+        assert_true(worst < 1e-3);
+        DestroyScenario(&sea);
+    }
+}
+
+// Height above (x, z) by brute force: the finest of particles that rest around it, the nearest refined.
+static double SearchDensely(const swWorld* world, double x, double z)
+{
+    swQueryDef def = swDefaultQueryDef();
+    double centreX = x, centreZ = z, reach = 8.0;
+    double height = 0.0;
+    for (int level = 0; level < 9; ++level)
+    {
+        enum
+        {
+            SIDE = 33
+        };
+        static swPosXZ rest[SIDE * SIDE];
+        static swVec3 moved[SIDE * SIDE];
+        for (int i = 0; i < SIDE * SIDE; ++i)
+        {
+            rest[i].x = centreX + reach * ((i % SIDE) * 2.0 / (SIDE - 1) - 1.0);
+            rest[i].z = centreZ + reach * ((i / SIDE) * 2.0 / (SIDE - 1) - 1.0);
+        }
+        swSurfaceSamples samples = {.displacement = moved};
+        swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL);
+        double nearest = INFINITY;
+        int best = 0;
+        for (int i = 0; i < SIDE * SIDE; ++i)
+        {
+            double distance = hypot(rest[i].x + (double)moved[i].x - x, rest[i].z + (double)moved[i].z - z);
+            best = distance < nearest ? i : best;
+            nearest = distance < nearest ? distance : nearest;
+        }
+        centreX = rest[best].x;
+        centreZ = rest[best].z;
+        height = (double)moved[best].y;
+        reach *= 0.2;
+    }
+    return height;
+}
+
+static void HeightIsThatOfADenseSearch(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_BREEZE, 0.7f, 64);
+    swPosXZ points[40];
+    MakePoints(points, 40, 500.0, 500.0, 1000.0);
+    double worst = 0.0;
+    for (int i = 0; i < 40; ++i)
+    {
+        double found = swWorld_GetHeight(sea.world, points[i].x, points[i].z);
+        double error = fabs(found - SearchDensely(sea.world, points[i].x, points[i].z));
+        worst = error > worst ? error : worst;
+    }
+    print_message("worst height error against the dense search: %.2g m\n", worst);
+    assert_true(worst < 1e-3);
+    DestroyScenario(&sea);
+}
+
+static void NormalIsThatOfTheHeightsAround(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
+    swPosXZ points[200];
+    MakePoints(points, 200, 0.0, 0.0, 1000.0);
+    swQueryDef def = swDefaultQueryDef();
+    def.minWavelength = 4.0f; // smooth over the differences' baseline
+    def.tolerance = 2e-6f;
+    swVec3 normals[200];
+    float jacobians[200];
+    swSurfaceSamples samples = {.normal = normals, .jacobian = jacobians};
+    swWorld_QuerySurface(sea.world, &def, 200, points, &samples, NULL);
+    const double step = 0.02;
+    double worst = 0.0;
+    for (int i = 0; i < 200; ++i)
+    {
+        swPosXZ around[4] = {{points[i].x - step, points[i].z},
+                             {points[i].x + step, points[i].z},
+                             {points[i].x, points[i].z - step},
+                             {points[i].x, points[i].z + step}};
+        float heights[4];
+        swSurfaceSamples at = {.height = heights};
+        swWorld_QuerySurface(sea.world, &def, 4, around, &at, NULL);
+        double slopeX = ((double)heights[1] - (double)heights[0]) / (2.0 * step);
+        double slopeZ = ((double)heights[3] - (double)heights[2]) / (2.0 * step);
+        double length = sqrt(1.0 + slopeX * slopeX + slopeZ * slopeZ);
+        double error = fmax(fabs((double)normals[i].x + slopeX / length), fabs((double)normals[i].z + slopeZ / length));
+        error = fmax(error, fabs((double)normals[i].y - 1.0 / length));
+        worst = error > worst ? error : worst;
+        assert_true(jacobians[i] > 0.0f);
+    }
+    print_message("worst component error of a normal against differences over 4 cm: %.2g\n", worst);
+    assert_true(worst < 2e-3);
+    DestroyScenario(&sea);
+}
+
+static void ParticlesAndSurfaceAgree(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_GALE, 1.0f, 64);
+    static swPosXZ points[500];
+    static swVec3 moved[500], normals[500], again[500], againNormals[500];
+    static float jacobians[500], againJacobians[500];
+    MakePoints(points, 500, 0.0, 0.0, 1000.0);
+    swQueryDef def = swDefaultQueryDef();
+    swSurfaceSamples samples = {.displacement = moved, .normal = normals, .jacobian = jacobians};
+    swWorld_QuerySurface(sea.world, &def, 500, points, &samples, NULL);
+    for (int i = 0; i < 500; ++i)
+    {
+        points[i].x -= (double)moved[i].x;
+        points[i].z -= (double)moved[i].z;
+    }
+    swVec2 slopes[500];
+    float residuals[500];
+    swSurfaceSamples particles = {
+        .displacement = again, .normal = againNormals, .jacobian = againJacobians, .residual = residuals};
+    swWorld_QueryParticles(sea.world, &def, 500, points, &particles, slopes);
+    for (int i = 0; i < 500; ++i)
+    {
+        assert_float_equal(moved[i].y, again[i].y, 1e-3);
+        assert_float_equal(normals[i].x, againNormals[i].x, 0.02);
+        assert_float_equal(jacobians[i], againJacobians[i], 0.02);
+        assert_true(residuals[i] == 0.0f);
+        assert_true(isfinite(slopes[i].x) && isfinite(slopes[i].y));
+        float length = normals[i].x * normals[i].x + normals[i].y * normals[i].y + normals[i].z * normals[i].z;
+        assert_float_equal(length, 1.0f, 1e-5f);
+        assert_true(normals[i].y >= 0.0f);
+    }
+    DestroyScenario(&sea);
+}
+
+static void ASteepSeaConvergesOrSaysSo(void** state)
+{
+    (void)state;
+    static swPosXZ points[POINT_COUNT];
+    static float residuals[POINT_COUNT], jacobians[POINT_COUNT];
+    const float chops[] = {1.0f, 1.5f, 2.0f};
+    const double leastConverged[] = {1.0, 0.999, 0.98};
+    MakePoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
+    for (int c = 0; c < 3; ++c)
+    {
+        Scenario sea = OpenSea(SCENARIO_GALE, chops[c], 128);
+        swQueryDef def = swDefaultQueryDef();
+        swQueryStats stats;
+        swSurfaceSamples samples = {.jacobian = jacobians, .residual = residuals};
+        swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, &stats);
+        int within = 0, folded = 0;
+        float worst = 0.0f;
+        for (int i = 0; i < POINT_COUNT; ++i)
+        {
+            within += residuals[i] <= def.tolerance ? 1 : 0;
+            folded += jacobians[i] < 0.0f ? 1 : 0;
+            worst = residuals[i] > worst ? residuals[i] : worst;
+        }
+        print_message("chop %.1f: %d of %d converged, %d folded, worst residual %.2g m, %.2f evaluations a point\n",
+                      (double)chops[c], within, POINT_COUNT, folded, (double)worst,
+                      (double)stats.iterationCount / POINT_COUNT);
+        assert_int_equal(within, stats.convergedCount);
+        assert_true(worst == stats.worstResidual);
+        assert_true(within >= leastConverged[c] * POINT_COUNT);
+        DestroyScenario(&sea);
+    }
+}
+
+static void TheBatchDoesNotMatter(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_GALE, 1.0f, 64);
+    static swPosXZ points[POINT_COUNT];
+    static float whole[POINT_COUNT], parts[POINT_COUNT];
+    static swVec3 wholeNormals[POINT_COUNT], partNormals[POINT_COUNT];
+    MakePoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
+    swQueryDef def = swDefaultQueryDef();
+    swSurfaceSamples samples = {.height = whole, .normal = wholeNormals};
+    swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, NULL);
+    for (int first = 0, size = 1; first < POINT_COUNT; first += size, size = size % 97 + 1)
+    {
+        int count = POINT_COUNT - first < size ? POINT_COUNT - first : size;
+        swSurfaceSamples part = {.height = parts + first, .normal = partNormals + first};
+        swWorld_QuerySurface(sea.world, &def, count, points + first, &part, NULL);
+    }
+    assert_memory_equal(whole, parts, sizeof whole);
+    assert_memory_equal(wholeNormals, partNormals, sizeof wholeNormals);
+    DestroyScenario(&sea);
+}
+
+typedef struct Reader
+{
+    const swWorld* world;
+    const swPosXZ* points;
+    float heights[POINT_COUNT];
+} Reader;
+
+static void* ReadHeights(void* argument)
+{
+    Reader* reader = argument;
+    swQueryDef def = swDefaultQueryDef();
+    swSurfaceSamples samples = {.height = reader->heights};
+    swWorld_QuerySurface(reader->world, &def, POINT_COUNT, reader->points, &samples, NULL);
+    return NULL;
+}
+
+static void ManyThreadsReadAtOnce(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
+    static swPosXZ points[POINT_COUNT];
+    static Reader readers[6];
+    MakePoints(points, POINT_COUNT, 0.0, 0.0, 500.0);
+    pthread_t threads[6];
+    for (int i = 0; i < 6; ++i)
+    {
+        readers[i].world = sea.world;
+        readers[i].points = points;
+        assert_int_equal(pthread_create(&threads[i], NULL, ReadHeights, &readers[i]), 0);
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+        pthread_join(threads[i], NULL);
+        assert_memory_equal(readers[i].heights, readers[0].heights, sizeof readers[0].heights);
+    }
+    DestroyScenario(&sea);
+}
+
+static void AViewChangesNothing(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
+    double before = swWorld_GetHeight(sea.world, 17.0, 23.0);
+    swViewDef def = swDefaultViewDef();
+    swView* view;
+    assert_int_equal(swCreateView(sea.world, &def, &view), SW_SUCCESS);
+    swView_SetViewpoint(view, (swPos){1e5, 1e4, -1e5});
+    swWorld_Step(sea.world, 0.0);
+    assert_true(swWorld_GetHeight(sea.world, 17.0, 23.0) == before);
+    DestroyScenario(&sea);
+}
+
+static void CalmWaterIsFlat(void** state)
+{
+    (void)state;
+    ScenarioDef scenarioDef = DefaultScenarioDef(SCENARIO_CALM);
+    Scenario calm;
+    assert_int_equal(CreateScenario(&scenarioDef, &calm), SW_SUCCESS);
+    swQueryDef def = swDefaultQueryDef();
+    swPosXZ point = {5.0, 6.0};
+    float height, jacobian, residual;
+    swVec3 normal;
+    swSurfaceSamples samples = {.height = &height, .normal = &normal, .jacobian = &jacobian, .residual = &residual};
+    swQueryStats stats;
+    swWorld_QuerySurface(calm.world, &def, 1, &point, &samples, &stats);
+    assert_true(height == 0.0f && jacobian == 1.0f && residual == 0.0f && normal.y == 1.0f);
+    assert_int_equal(stats.convergedCount, 1);
+    swWorld_QuerySurface(calm.world, &def, 0, NULL, &samples, &stats);
+    assert_int_equal(stats.convergedCount, 0);
+    DestroyScenario(&calm);
+}
+
+static void ShortWavesCanBeLeftOut(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
+    swQueryDef def = swDefaultQueryDef();
+    static swPosXZ points[POINT_COUNT];
+    static swVec2 slopes[POINT_COUNT];
+    MakePoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
+    double steepness[3];
+    const float shortest[] = {0.0f, 8.0f, 1e9f};
+    for (int i = 0; i < 3; ++i)
+    {
+        def.minWavelength = shortest[i];
+        swSurfaceSamples samples = {0};
+        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, slopes);
+        steepness[i] = 0.0;
+        for (int p = 0; p < POINT_COUNT; ++p)
+        {
+            steepness[i] += (double)(slopes[p].x * slopes[p].x + slopes[p].y * slopes[p].y) / POINT_COUNT;
+        }
+    }
+    assert_true(steepness[0] > 1.5 * steepness[1]);
+    assert_true(steepness[1] > 0.0);
+    assert_true(steepness[2] == 0.0);
+    DestroyScenario(&sea);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ResidualIsWhatItSaysAndWithinTheTolerance),
+        cmocka_unit_test(HeightIsThatOfADenseSearch),
+        cmocka_unit_test(NormalIsThatOfTheHeightsAround),
+        cmocka_unit_test(ParticlesAndSurfaceAgree),
+        cmocka_unit_test(ASteepSeaConvergesOrSaysSo),
+        cmocka_unit_test(TheBatchDoesNotMatter),
+        cmocka_unit_test(ManyThreadsReadAtOnce),
+        cmocka_unit_test(AViewChangesNothing),
+        cmocka_unit_test(CalmWaterIsFlat),
+        cmocka_unit_test(ShortWavesCanBeLeftOut),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
