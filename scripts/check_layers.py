@@ -103,8 +103,10 @@ def may_include(root, path, target):
         return True
     if os.path.isfile(os.path.join(root, folder, target)):
         return True
+    if folder == "viewer" and re.fullmatch(r"\w+\.(vert|frag|comp)\.inc", target):
+        return True  # SPIR-V of the build
     # The command line opens the viewer through the one header that the viewer shows.
-    return folder == "cli" and target == "viewer/viewer.h"
+    return folder == "cli" and target in ("viewer.h", "viewer/viewer.h")
 
 
 def check_shader(path, target):
@@ -136,7 +138,7 @@ def check_names(files):
     for path in files:
         if path.startswith("src/") and path.endswith((".c", ".h", ".cpp", ".inl")):
             name = os.path.basename(path)
-            stem = os.path.splitext(name)[0]
+            stem = name if name.endswith(".inl") else os.path.splitext(name)[0]
             for key, other in ((name, seen.get(name)), (stem, seen.get(stem))):
                 if other and os.path.dirname(other) != os.path.dirname(path):
                     report("unique", path, f"has the base name of {other}")

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define STEP_SECONDS 0.5
+#define STEP_SECONDS 2.0
 #define POINT_COUNT 257
 
 typedef struct Run
@@ -20,6 +20,7 @@ typedef struct Run
     swIsa isa;
     int threads; // the caller's among them
     double minutes;
+    bool isQuiet; // an instruction set that this machine lacks is no error
 } Run;
 
 // FNV-1a, 64 bits.
@@ -91,7 +92,7 @@ static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* dig
     uint64_t hash = 0xcbf29ce484222325u;
     for (int step = 1; step <= stepCount; ++step)
     {
-        swView_SetViewpoint(view, (swPos){1.0e5 + 3.0 * step, 2.0 + 0.5 * step, -3.0e4});
+        swView_SetViewpoint(view, (swPos){1.0e5 + 12.0 * step, 2.0 + 2.0 * step, -3.0e4});
         swResult result = swWorld_Step(world, STEP_SECONDS);
         if (result != SW_SUCCESS)
         {
@@ -99,7 +100,7 @@ static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* dig
         }
         uint64_t tiles = swWorld_GetDigest(world);
         hash = Hash(hash, &tiles, sizeof(tiles));
-        if (step % 20 == 0)
+        if (step % 10 == 0)
         {
             hash = HashLayers(HashQueries(hash, world), view);
         }
@@ -111,6 +112,7 @@ static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* dig
 static swResult MakeDigest(const Run* run, uint64_t* digest)
 {
     swHost host = swDefaultHost();
+    host.log = run->isQuiet ? NULL : host.log;
     swTaskPool* pool = NULL;
     swWorld* world = NULL;
     swView* view = NULL;
@@ -146,7 +148,7 @@ static int Compare(double minutes)
     {
         for (int i = 0; i < 3; ++i)
         {
-            Run run = {(swIsa)isa, threadCounts[i], minutes};
+            Run run = {(swIsa)isa, threadCounts[i], minutes, true};
             uint64_t digest = 0;
             swResult result = MakeDigest(&run, &digest);
             if (result == SW_ERROR_UNSUPPORTED)
@@ -185,7 +187,7 @@ static bool FindIsa(const char* name, swIsa* isa)
 
 int main(int argc, char** argv)
 {
-    Run run = {SW_ISA_BEST, 1, 10.0};
+    Run run = {SW_ISA_BEST, 1, 10.0, false};
     bool compare = false;
     for (int i = 1; i < argc; ++i)
     {
