@@ -733,7 +733,7 @@ static Vector integrateVector(const swCompiledSpectrum* spectrum, double frequen
 }
 
 // Where in [frequency0, frequency1] the density is largest. Formulas have one peak; a table is linear between its bins
-// and falls beyond them.
+// and falls beyond them. Bins that are equal but for rounding tie, and the lowest frequency wins.
 static double findPeak(const swCompiledSpectrum* spectrum, double frequency0, double frequency1)
 {
     if (spectrum->kind != SW_SPECTRUM_TABLE)
@@ -747,7 +747,7 @@ static double findPeak(const swCompiledSpectrum* spectrum, double frequency0, do
     {
         double frequency = (double)spectrum->table.frequencies[i];
         double density = getTableDensity(spectrum, frequency);
-        if (frequency >= frequency0 && frequency <= frequency1 && density > largest)
+        if (frequency >= frequency0 && frequency <= frequency1 && density > largest * (1.0 + 1e-6))
         {
             best = frequency;
             largest = density;
