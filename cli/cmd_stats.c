@@ -2,6 +2,7 @@
 // `seaway stats`: the sea state that a scene's surface has, beside the one that was asked for.
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,6 +41,7 @@ typedef struct Stats
     SeaBins bins;
     SeaGauges gauges;
     SeedResult* seeds;
+    atomic_int doneCount; // seeds
 } Stats;
 
 // Frequencies that the system makes waves of, Hz.
@@ -61,7 +63,7 @@ static double FindPeakFrequency(const swSceneWaves* waves)
 }
 
 // One measured sea is measured in its own bins; else in bins a twentieth of the lowest peak wide, from 0.4 of the lowest
-// peak to 5 times the highest.
+// peak to 4 times the highest.
 static bool ChooseBins(Stats* stats)
 {
     const swScene* scene = stats->scene;
@@ -88,13 +90,13 @@ static bool ChooseBins(Stats* stats)
     else
     {
         low = fmax(low, 0.4 * first);
-        high = fmin(high, 5.0 * last);
+        high = fmin(high, 4.0 * last);
         UseEqualBins(low, high, (int)fmin(ceil((high - low) * 20.0 / first), 512.0), &stats->bins);
     }
     double period = 1.0 / first, length = FindWavelength(first, (double)INFINITY, (double)scene->world.gravity);
     stats->gauges.gaugeCount = GAUGE_COUNT;
-    stats->gauges.duration = stats->options.duration > 0.0 ? stats->options.duration : 60.0 * period;
-    stats->gauges.area = stats->options.area > 0.0 ? stats->options.area : 20.0 * length;
+    stats->gauges.duration = stats->options.duration > 0.0 ? stats->options.duration : 40.0 * period;
+    stats->gauges.area = stats->options.area > 0.0 ? stats->options.area : 40.0 * length;
     return true;
 }
 
@@ -155,9 +157,10 @@ static void MeasureSeeds(void* context, int begin, int end, int worker)
         swSeaState state;
         FindSeaState(&stats->bins, &seed->sums, &state);
         seed->significantHeight = (double)state.significantHeight;
-        if (worker == 0)
+        int doneCount = atomic_fetch_add(&stats->doneCount, 1) + 1;
+        if (worker == 0) // the bar is one thread's
         {
-            UpdateProgress(i + 1);
+            UpdateProgress(doneCount);
         }
     }
 }
@@ -440,7 +443,7 @@ int RunStats(int argumentCount, char** arguments)
          .kind = OPTION_NUMBER,
          .value = &stats.area,
          .placeholder = "L",
-         .help = "side of the square with gauges, m (default: 20 wavelengths of the peak)",
+         .help = "side of the square with gauges, m (default: 40 wavelengths of the peak)",
          .min = 1,
          .max = 1e6},
         {.name = "seeds",
@@ -454,7 +457,7 @@ int RunStats(int argumentCount, char** arguments)
          .kind = OPTION_NUMBER,
          .value = &stats.duration,
          .placeholder = "S",
-         .help = "of a record, s (default: 60 periods of the peak)",
+         .help = "of a record, s (default: 40 periods of the peak)",
          .min = 10,
          .max = 1e5},
         {.name = "json", .kind = OPTION_FLAG, .value = &stats.asJson, .help = "print JSON"},
