@@ -7,6 +7,10 @@
 
 #include <stdint.h>
 
+#include "core/base/seam.h"
+
+SW_SEAM_BEGIN
+
 double swExp(double x);
 double swLn(double x);            // x > 0
 double swPow(double x, double y); // x > 0
@@ -14,10 +18,13 @@ double swSin(double x);
 double swCos(double x);
 double swAtan2(double y, double x);
 double swTanh(double x);
-double swGamma(double x); // x in (0, 500): as exp of lgamma; see swLogGamma
-double swLogGamma(double x);
+double
+swGamma(double x); // x > 0: exp of the next, so 2e-14 up to 20 and 3e-13 at 170, where it leaves the range of double
+double swLogGamma(double x); // x > 0; 1e-14 absolute near its zeros at 1 and 2
 
 float swExpF(float x);
 
 // Sine and cosine of phase * 2 pi / 2^32.
 void swSinCosTurns(uint32_t phase, float* sine, float* cosine);
+
+SW_SEAM_END
