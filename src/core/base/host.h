@@ -4,12 +4,15 @@
 // Memory and messages by way of the host.
 
 #include "seaway/base.h"
+#include "core/base/seam.h"
 
 #if defined(__GNUC__)
 #define SW_PRINTF(text, arguments) __attribute__((format(printf, text, arguments)))
 #else
 #define SW_PRINTF(text, arguments)
 #endif
+
+SW_SEAM_BEGIN
 
 // 64-byte aligned, not cleared; NULL if there is none. size 0 returns NULL.
 void* swAllocate(const swHost* host, size_t size);
@@ -32,3 +35,5 @@ bool swIsHostValid(const swHost* host);
 
 // The host's parallel loop; nothing for count 0.
 void swParallelFor(const swHost* host, swTaskFcn task, void* taskContext, int count, int grain);
+
+SW_SEAM_END

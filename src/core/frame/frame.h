@@ -14,6 +14,7 @@
 
 #include "seaway/view.h"
 #include "seaway/waves.h"
+#include "core/base/seam.h"
 #include "shared/foam.h"
 
 // One pair of opposite waves k and -k of a band, on the half plane (qz > 0, or qz == 0 and qx > 0) of integer bins.
@@ -118,6 +119,8 @@ typedef struct swFrame
     const swViewFrame* views;
 } swFrame;
 
+SW_SEAM_BEGIN
+
 // The frame of the last step. Implemented by world/.
 const swFrame* swGetWorldFrame(const swWorld* world);
 const swHost* swGetWorldHost(const swWorld* world);
@@ -125,3 +128,5 @@ const swHost* swGetWorldHost(const swWorld* world);
 // Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_FOAM_SOURCES sources.
 void swFindFoamSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
                        swFoamSource* sources);
+
+SW_SEAM_END

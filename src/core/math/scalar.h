@@ -18,8 +18,7 @@ double swSin(double x);
 double swCos(double x);
 double swAtan2(double y, double x);
 double swTanh(double x);
-double
-swGamma(double x); // x > 0: exp of the next, so 2e-14 up to 20 and 3e-13 at 170, where it leaves the range of double
+double swGamma(double x);    // x > 0: 2e-14 up to 20, 3e-13 at 170, above which it leaves the range of double
 double swLogGamma(double x); // x > 0; 1e-14 absolute near its zeros at 1 and 2
 
 float swExpF(float x);
