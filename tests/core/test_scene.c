@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// Scene files fill defs; what is wrong in one is told in a sentence with its line; the scenes that we ship make seas.
+
+#include "support/cmocka_setup.h"
+#include "support/counting_host.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "seaway/scene.h"
+
+#define SCENES SW_SOURCE_DIR "/scenes"
+
+static char s_messages[4096];
+
+static void KeepMessages(void* context, swLogLevel level, const char* message)
+{
+    (void)context;
+    (void)level;
+    size_t used = strlen(s_messages);
+    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
+}
+
+static swHost MakeHost(void)
+{
+    swHost host = swDefaultHost();
+    host.log = KeepMessages;
+    s_messages[0] = '\0';
+    return host;
+}
+
+static swResult ReadText(const char* text, swScene** scene)
+{
+    swHost host = MakeHost();
+    return swReadSceneText(&host, text, strlen(text), "a.yaml", SCENES, scene);
+}
+
+static bool IsNear(double value, double expected)
+{
+    return fabs(value - expected) < 1e-5;
+}
+
+static void EveryKeyReachesItsField(void** state)
+{
+    (void)state;
+    static const char text[] = "name: All of it\n"
+                               "time_s: -12.5\n"
+                               "exposure_ev: 0.5\n"
+                               "world: {gravity_mps2: 3.7, sea_level_m: 11}\n"
+                               "foam: {fade_rate_per_s: 0.5, threshold: 0.25, gain_per_s: 3}\n"
+                               "view: {slice_count: 5, resolution: 256, finest_texel_m: 0.125, max_scale_level: 4}\n"
+                               "sun: {azimuth_deg: 90, elevation_deg: 45, illuminance_lux: 1e5}\n"
+                               "sky: {haze: 2, clouds: 0.75}\n"
+                               "water:\n"
+                               "  absorption_per_m: [0.5, 0.25, 0.125]\n"
+                               "  scattering_per_m: [0.01, 0.02, 0.03]\n"
+                               "  refractive_index: 1.33\n"
+                               "  foam_albedo: [0.5, 0.5, 0.25]\n"
+                               "  wind_speed_mps: 9\n"
+                               "waves:\n"
+                               "  - spectrum: jonswap\n"
+                               "    wind_speed_mps: 12\n"
+                               "    fetch_m: 2e5\n"
+                               "    gamma: 2\n"
+                               "    significant_height_m: 2.5\n"
+                               "    peak_period_s: 8\n"
+                               "    direction_from_deg: 270\n"
+                               "    spread_exponent: 12\n"
+                               "    resolution: 256\n"
+                               "    tile_waves: 16\n"
+                               "    min_wavelength_m: 0.5\n"
+                               "    max_wavelength_m: 512\n"
+                               "    chop: 0.5\n"
+                               "    weight: 0.75\n"
+                               "    depth_m: 30\n"
+                               "    loop_period_s: 60\n"
+                               "    seed: 4294967295\n"
+                               "  - spectrum: file\n"
+                               "    file: data/harbour_storm.data_spec\n"
+                               "    at: 2024-11-16 05:50\n"
+                               "    turn_deg: 90\n"
+                               "    extend_tail: false\n"
+                               "views:\n"
+                               "  - name: one\n"
+                               "    position_m: [1, 2, -3e3]\n"
+                               "    heading_deg: 180\n"
+                               "    pitch_deg: -90\n"
+                               "    roll_deg: 45\n"
+                               "    fov_deg: 60\n"
+                               "    sun_azimuth_deg: 270\n"
+                               "    sun_elevation_deg: 5\n"
+                               "  - name: two\n";
+    swScene* scene = NULL;
+    if (ReadText(text, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    assert_string_equal(scene->name, "All of it");
+    assert_true(scene->time == -12.5 && scene->exposureEv == 0.5f);
+    assert_true(scene->world.gravity == 3.7f && scene->world.seaLevel == 11.0);
+    assert_true(scene->world.foam.fadeRate == 0.5f && scene->world.foam.threshold == 0.25f &&
+                scene->world.foam.gain == 3.0f);
+    assert_true(scene->view.sliceCount == 5 && scene->view.resolution == 256 && scene->view.finestTexel == 0.125f &&
+                scene->view.maxScaleLevel == 4);
+    assert_true(IsNear((double)scene->sky.sunAzimuth, SW_PI / 2) && IsNear((double)scene->sky.sunElevation, SW_PI / 4));
+    assert_true(scene->sky.sunIlluminance == 1e5f && scene->sky.haze == 2.0f && scene->sky.clouds == 0.75f);
+    assert_true(scene->water.absorption.x == 0.5f && scene->water.absorption.z == 0.125f &&
+                scene->water.scattering.y == 0.02f && scene->water.foamAlbedo.z == 0.25f);
+    assert_true(scene->water.refractiveIndex == 1.33f && scene->water.windSpeed == 9.0f);
+
+    assert_int_equal(scene->wavesCount, 2);
+    const swWaveSystemDef* def = &scene->waves[0].def;
+    assert_true(def->spectrum.kind == SW_SPECTRUM_JONSWAP && def->spectrum.windSpeed == 12.0f &&
+                def->spectrum.fetch == 2e5f && def->spectrum.gamma == 2.0f && def->spectrum.significantHeight == 2.5f &&
+                def->spectrum.peakPeriod == 8.0f && def->spectrum.spreadExponent == 12.0f);
+    assert_true(IsNear(cos((double)def->spectrum.direction), 1.0)); // from the west: eastward
+    assert_true(def->resolution == 256 && def->tileWaves == 16 && def->minWavelength == 0.5f &&
+                def->maxWavelength == 512.0f && def->chop == 0.5f && def->weight == 0.75f && def->depth == 30.0f &&
+                def->loopPeriod == 60.0f && def->seed == 4294967295u);
+
+    const swSceneWaves* measured = &scene->waves[1];
+    assert_non_null(measured->measured);
+    assert_int_equal(measured->record, 1);
+    assert_string_equal(measured->file, "data/harbour_storm.data_spec");
+    assert_ptr_equal(measured->def.spectrum.table, &measured->table);
+    assert_true(measured->table.frequencyCount == 46 && !measured->def.spectrum.extendTail);
+    assert_true(IsNear((double)measured->def.spectrum.direction, SW_PI / 2));
+
+    assert_int_equal(scene->viewCount, 2);
+    const swSceneView* view = &scene->views[0];
+    assert_true(view->position.x == 1.0 && view->position.y == 2.0 && view->position.z == -3000.0);
+    assert_true(IsNear((double)view->heading, SW_PI) && IsNear((double)view->pitch, -SW_PI / 2) &&
+                IsNear((double)view->roll, SW_PI / 4) && IsNear((double)view->verticalFov, SW_PI / 3));
+    assert_true(view->hasSun && !scene->views[1].hasSun);
+    assert_true(IsNear((double)swScene_GetSky(scene, view).sunAzimuth, 1.5 * SW_PI));
+    assert_true(IsNear((double)swScene_GetSky(scene, &scene->views[1]).sunAzimuth, SW_PI / 2));
+    assert_ptr_equal(swScene_FindView(scene, NULL), view);
+    assert_ptr_equal(swScene_FindView(scene, "two"), &scene->views[1]);
+    assert_null(swScene_FindView(scene, "three"));
+    swDestroyScene(scene);
+}
+
+static void WhatIsLeftOutKeepsItsDefault(void** state)
+{
+    (void)state;
+    swScene* scene = NULL;
+    assert_int_equal(ReadText("name: short\n", &scene), SW_SUCCESS);
+    swWorldDef world = swDefaultWorldDef();
+    swViewDef view = swDefaultViewDef();
+    assert_memory_equal(&scene->world, &world, sizeof(world));
+    assert_memory_equal(&scene->view, &view, sizeof(view));
+    assert_int_equal(scene->wavesCount, 0);
+    swDestroyScene(scene);
+}
+
+static void WrongScenesAreNamedWithTheirLine(void** state)
+{
+    (void)state;
+    static const struct
+    {
+        const char *text, *words;
+    } cases[] = {
+        {"", "a.yaml:1: the scene file is empty"},
+        {"- a\n", "a.yaml:1: a scene must hold lines of the form"},
+        {"name: a\nwavs: []\n", "a.yaml:2: 'wavs' is no key of a scene; it has: name, time_s"},
+        {"name: a\n\nname: b\n", "a.yaml:3: name stands twice in a scene, first on line 1"},
+        {"time_s: soon\n", "a.yaml:1: time_s is 'soon'; it must be a number"},
+        {"time_s: 1,5\n", "a.yaml:1: time_s is '1,5'"},
+        {"time_s: .nan\n", "a.yaml:1: time_s is '.nan'"},
+        {"sky:\n  haze: 30\n", "a.yaml:2: haze is 30; its range is 0 to 20."},
+        {"view: {resolution: 100}\n", "a.yaml:1: resolution is 100; it must be a multiple of 64."},
+        {"view: {finest_texel_m: 0.1}\n", "it must be a power of two"},
+        {"view: {slice_count: 2.5}\n", "slice_count is 2.5; it must be a whole number"},
+        {"waves:\n  - spectrum: tma\n",
+         "a.yaml:2: spectrum is 'tma'; it must be one of: jonswap, pierson_moskowitz, file."},
+        {"waves:\n  - seed: 1\n", "a.yaml:2: the key spectrum is missing"},
+        {"waves:\n  - spectrum: pierson_moskowitz\n    fetch_m: 1e5\n", "a.yaml:3: fetch_m has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    wind_speed_mps: 0\n",
+         "a.yaml:3: wind_speed_mps is 0; its range is 0.1 to 100"},
+        {"waves:\n  - spectrum: jonswap\n    resolution: 100\n",
+         "a.yaml:3: resolution is 100; it must be a power of two."},
+        {"waves:\n  - spectrum: jonswap\n    resolution: 64\n",
+         "a.yaml:2: tile_waves is 32; it must be at most a quarter"},
+        {"waves:\n  - spectrum: file\n", "a.yaml:2: a spectrum 'file' needs the key file"},
+        {"waves:\n  - spectrum: file\n    file: none.data_spec\n",
+         "Cannot open " SCENES "/none.data_spec: No such file"},
+        {"waves:\n  - spectrum: file\n    file: open_sea.yaml\n", "open_sea.yaml:2: no frequencies"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.data_spec\n    at: noon\n",
+         "a.yaml:4: at is 'noon'"},
+        {"waves: jonswap\n", "a.yaml:1: waves must be a list"},
+        {"views:\n  - name: a\n  - name: a\n", "a.yaml:3: a view named 'a' stands above"},
+        {"views:\n  - fov_deg: 50\n", "a.yaml:2: the view has no name"},
+        {"views:\n  - name: a\n    position_m: [1, 2]\n", "a.yaml:3: position_m has 2 numbers"},
+        {"views:\n  - name: a\n    sun_azimuth_deg: 2\n", "a.yaml:3: a view's own sun needs both"},
+        {"name: [a\n", "this is not YAML"},
+        {"name: a\n\tb: c\n", "a.yaml:2: this is not YAML"},
+        {"name: a\n---\nname: b\n", "a second document begins"},
+        {"name: \xff\n", "a.yaml:1: this is not YAML"},
+        {"name: *b\n", "this is not YAML"},
+        {"name: \"a\\0b\"\n", "a.yaml:1: name holds a zero byte"},
+        {"name:\n", "a.yaml:1: name must be a text."},
+        {"&a world: *a\n", "a.yaml:1: world must hold lines"},
+        {"? [a]\n: b\n", "'' is no key of a scene"},
+    };
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        swScene* scene = NULL;
+        swResult result = ReadText(cases[i].text, &scene);
+        assert_null(scene);
+        assert_true(result == SW_ERROR_FORMAT || result == SW_ERROR_FILE);
+        if (strstr(s_messages, cases[i].words) == NULL)
+        {
+            fail_msg("\"%s\" does not say \"%s\"", s_messages, cases[i].words);
+        }
+    }
+}
+
+static void ShippedScenesMakeSeas(void** state)
+{
+    (void)state;
+    static const char* const names[] = {"open_sea", "buoy", "gale"};
+    for (int i = 0; i < 3; ++i)
+    {
+        swHost host = MakeHost();
+        char path[512];
+        snprintf(path, sizeof(path), SCENES "/%s.yaml", names[i]);
+        swScene* scene = NULL;
+        if (swReadScene(&host, path, &scene) != SW_SUCCESS)
+        {
+            fail_msg("%s", s_messages);
+        }
+        static const char* const views[] = {"deck",        "mast",        "hill",        "plane",
+                                            "deck_sunset", "mast_sunset", "hill_sunset", "plane_sunset"};
+        for (int j = 0; j < 8; ++j)
+        {
+            assert_non_null(swScene_FindView(scene, views[j]));
+        }
+        swWorld* world = NULL;
+        assert_int_equal(swCreateSceneWorld(&host, scene, &world), SW_SUCCESS);
+
+        // The deck stays dry for five minutes.
+        double deck = swScene_FindView(scene, "deck")->position.y;
+        double highest = -100.0;
+        double square = 0.0;
+        for (int j = 0; j < 300; ++j)
+        {
+            assert_int_equal(swWorld_Step(world, 1.0), SW_SUCCESS);
+            double height = swWorld_GetHeight(world, 0.0, 0.0);
+            highest = fmax(highest, height);
+            square += height * height / 300.0;
+        }
+        print_message("%s: Hs about %.1f m, highest crest %.1f m, deck at %.1f m\n", names[i], 4.0 * sqrt(square),
+                      highest, deck);
+        assert_true(highest < deck - 0.5);
+        swDestroyWorld(world);
+        swDestroyScene(scene);
+    }
+}
+
+static void CopyPacked(const char* from, const char* to, bool isPacked)
+{
+    FILE* source = fopen(from, "rb");
+    assert_non_null(source);
+    char buffer[65536];
+    size_t size = fread(buffer, 1, sizeof(buffer), source);
+    fclose(source);
+    gzFile target = gzopen(to, isPacked ? "wb" : "wbT");
+    assert_int_equal(gzwrite(target, buffer, (unsigned)size), (int)size);
+    gzclose(target);
+}
+
+static void PackedSetsAreFoundByTheirNames(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    char folder[] = "/tmp/seaway_scene_XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    // As archives name them, some packed.
+    static const char* const from[] = {"data_spec", "swdir", "swdir2", "swr1", "swr2"};
+    static const char* const to[] = {"9w2024.txt.gz", "9d2024.txt", "9i2024.txt.gz", "9j2024.txt", "9k2024.txt.gz"};
+    char paths[5][256];
+    for (int i = 0; i < 5; ++i)
+    {
+        char source[512];
+        snprintf(source, sizeof(source), SCENES "/data/harbour_storm.%s", from[i]);
+        snprintf(paths[i], sizeof(paths[i]), "%s/%s", folder, to[i]);
+        CopyPacked(source, paths[i], i % 2 == 0);
+    }
+    swMeasuredSea* packed = NULL;
+    swMeasuredSea* plain = NULL;
+    assert_int_equal(swReadMeasuredSea(&host, paths[0], &packed), SW_SUCCESS);
+    assert_int_equal(swReadMeasuredSea(&host, SCENES "/data/harbour_storm.data_spec", &plain), SW_SUCCESS);
+    swMeasuredRecord a = swMeasuredSea_GetRecord(packed, 1);
+    swMeasuredRecord b = swMeasuredSea_GetRecord(plain, 1);
+    assert_non_null(a.meanDirection);
+    assert_memory_equal(a.table.density, b.table.density, 46 * (size_t)b.table.directionCount * sizeof(float));
+    swDestroyMeasuredSea(packed);
+    swDestroyMeasuredSea(plain);
+
+    // Cut off in the middle.
+    assert_int_equal(truncate(paths[0], 400), 0);
+    assert_int_equal(swReadMeasuredSea(&host, paths[0], &packed), SW_ERROR_FILE);
+    assert_non_null(strstr(s_messages, "Cannot read"));
+    assert_int_equal(swReadMeasuredSea(&host, folder, &packed), SW_ERROR_FILE);
+    for (int i = 0; i < 5; ++i)
+    {
+        remove(paths[i]);
+    }
+    rmdir(folder);
+}
+
+static void FailingMemoryLeavesNothingBehind(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swScene* scene = NULL;
+    assert_int_equal(swReadScene(&host, SCENES "/buoy.yaml", &scene), SW_SUCCESS);
+    swDestroyScene(scene);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+    long long allocations = atomic_load(&memory.allocations);
+    for (long long i = 0; i < allocations; ++i)
+    {
+        atomic_store(&memory.allocations, 0);
+        atomic_store(&memory.failAt, i);
+        assert_int_equal(swReadScene(&host, SCENES "/buoy.yaml", &scene), SW_ERROR_NO_MEMORY);
+        assert_null(scene);
+        assert_int_equal(atomic_load(&memory.bytes), 0);
+    }
+    print_message("%lld allocations, each failed once\n", allocations);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(EveryKeyReachesItsField),          cmocka_unit_test(WhatIsLeftOutKeepsItsDefault),
+        cmocka_unit_test(WrongScenesAreNamedWithTheirLine), cmocka_unit_test(ShippedScenesMakeSeas),
+        cmocka_unit_test(PackedSetsAreFoundByTheirNames),   cmocka_unit_test(FailingMemoryLeavesNothingBehind),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
