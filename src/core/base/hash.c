@@ -17,7 +17,7 @@ static uint64_t mixWord(uint64_t lane, uint64_t word)
     return rotate(lane ^ (word * ROOT2), 29) * GOLDEN;
 }
 
-// Every input bit reaches every output bit [Stafford 2011, variant 13].
+// Every input bit reaches every output bit: the finalizer of SplitMix64 [Steele 2014].
 static uint64_t finish(uint64_t x)
 {
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
