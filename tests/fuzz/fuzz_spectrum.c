@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// NDBC texts from anywhere: five texts split from one input by the byte '|' (which no NDBC file holds), in the order
+// energy, alpha1, alpha2, r1, r2. What is read must be a spectrum.
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "seaway/spectrum.h"
+
+static void CheckSea(const swMeasuredSea* sea)
+{
+    int count = swMeasuredSea_GetCount(sea);
+    for (int i = 0; i < count && i < 4; ++i)
+    {
+        swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
+        swSpectrumDef def = swDefaultSpectrumDef();
+        def.kind = SW_SPECTRUM_TABLE;
+        def.table = &record.table;
+        swSeaState seaState;
+        double variance = 0.0;
+        for (int j = 0; j < record.table.frequencyCount; ++j)
+        {
+            variance += (double)record.energy[j] * (double)record.table.bandwidths[j];
+        }
+        if (swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &seaState) == SW_SUCCESS)
+        {
+            double height = 4.0 * sqrt(variance);
+            FUZZ_CHECK(fabs((double)seaState.significantHeight - height) <= 1e-3 * height);
+            FUZZ_CHECK(seaState.spread >= 0.0f && seaState.spread <= 1.4143f);
+            FUZZ_CHECK(fabsf(seaState.meanDirection) < 4.0f);
+        }
+        else
+        {
+            FUZZ_CHECK(variance < 1e-6);
+        }
+        FUZZ_CHECK(swMeasuredSea_FindTime(sea, record.time) == i);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
+{
+    const char* parts[5] = {(const char*)data};
+    size_t sizes[5] = {size};
+    for (int i = 0; i + 1 < 5 && parts[i] != NULL; ++i)
+    {
+        const char* bar = sizes[i] > 0 ? memchr(parts[i], '|', sizes[i]) : NULL;
+        if (bar != NULL)
+        {
+            parts[i + 1] = bar + 1;
+            sizes[i + 1] = sizes[i] - (size_t)(bar + 1 - parts[i]);
+            sizes[i] = (size_t)(bar - parts[i]);
+        }
+    }
+    swNdbcTexts texts = {
+        .energy = size > 0 ? parts[0] : "",
+        .alpha1 = parts[1],
+        .alpha2 = parts[2],
+        .r1 = parts[3],
+        .r2 = parts[4],
+        .energySize = sizes[0],
+        .alpha1Size = sizes[1],
+        .alpha2Size = sizes[2],
+        .r1Size = sizes[3],
+        .r2Size = sizes[4],
+    };
+    swHost host = swDefaultHost();
+    host.log = CountMessage;
+    int messages = 0;
+    host.logContext = &messages;
+    swMeasuredSea* sea = NULL;
+    swResult result = swParseNdbc(&host, &texts, &sea);
+    FUZZ_CHECK((result == SW_SUCCESS) == (sea != NULL));
+    FUZZ_CHECK(result == SW_SUCCESS || messages > 0);
+    if (sea != NULL)
+    {
+        CheckSea(sea);
+    }
+    swDestroyMeasuredSea(sea);
+    return 0;
+}
