@@ -321,6 +321,11 @@ static void transformTiles(const swTile* a, float* texelsA, const swTile* b, flo
 // the next one while it is their turn.
 #define POINT_BLOCK 128
 
+static inline int padToEight(int count)
+{
+    return (count + 7) / 8 * 8;
+}
+
 // Coordinates of a point, interleaved x, z: which cell of a tile, and where in it.
 typedef struct Cells
 {
@@ -442,39 +447,22 @@ static inline void addSlopes(const float* window, int pitch4, const Weights* w, 
     swStoreQ(sums->alongZ, swAddQ(swLoadQ(sums->alongZ), sum));
 }
 
-// Ask for the windows of eight points while others are summed.
-static inline void prefetchWindows(const swTile* tile, int pitch4, const int32_t* cell)
-{
-    for (int i = 0; i < 8; ++i)
-    {
-        const float* window = tile->texels + (size_t)cell[2 * i + 1] * (size_t)pitch4 + (size_t)cell[2 * i] * 4;
-        for (int row = 0; row < 4; ++row)
-        {
-            __builtin_prefetch(window + row * pitch4);
-            __builtin_prefetch(window + row * pitch4 + 15);
-        }
-    }
-}
-
-// Add one tile to the sums of `count` points, a multiple of eight.
+// Add one tile to the sums of `count` points. `u` goes on to a multiple of eight points.
 static void addTile(const swTile* tile, int count, const double* u, bool withSlopes, Cells* cells, PointSums* sums)
 {
     double scale = tile->resolution / tile->side;
     int pitch4 = (tile->resolution + 3) * 4;
-    findCells(u, 2 * count, scale, tile->resolution, cells);
+    findCells(u, 2 * padToEight(count), scale, tile->resolution, cells);
     for (int first = 0; first < count; first += 8)
     {
-        if (first + 8 < count)
-        {
-            prefetchWindows(tile, pitch4, cells->cell + 2 * (first + 8));
-        }
         Weights weights;
         findWeights(cells->fraction + 2 * first, &weights);
         if (withSlopes)
         {
             findSlopes(cells->fraction + 2 * first, (float)scale, &weights);
         }
-        for (int i = 0; i < 8; ++i)
+        int last = count - first < 8 ? count - first : 8;
+        for (int i = 0; i < last; ++i)
         {
             const int32_t* cell = cells->cell + 2 * (first + i);
             const float* window = tile->texels + (size_t)cell[1] * (size_t)pitch4 + (size_t)cell[0] * 4;
@@ -499,17 +487,16 @@ static void sampleTiles(int tileCount, const swTile* tiles, int count, const swP
     for (int first = 0; first < count; first += POINT_BLOCK)
     {
         int blockCount = count - first < POINT_BLOCK ? count - first : POINT_BLOCK;
-        int padded = (blockCount + 7) / 8 * 8;
-        for (int i = 0; i < padded; ++i)
+        for (int i = 0; i < padToEight(blockCount); ++i)
         {
             const swPosXZ* point = points + first + (i < blockCount ? i : 0);
             u[2 * i] = point->x;
             u[2 * i + 1] = point->z;
         }
-        memset(sums, 0, (size_t)padded * sizeof(PointSums));
+        memset(sums, 0, (size_t)blockCount * sizeof(PointSums));
         for (int tile = 0; tile < tileCount; ++tile)
         {
-            addTile(tiles + tile, padded, u, gradients != NULL, &cells, sums);
+            addTile(tiles + tile, blockCount, u, gradients != NULL, &cells, sums);
         }
         for (int i = 0; i < blockCount; ++i)
         {
