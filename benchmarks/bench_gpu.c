@@ -1,0 +1,597 @@
+// SPDX-License-Identifier: MIT
+// Times the GPU passes by timestamps, and says beside each what it cannot do without: bytes moved, operations, barriers.
+// Medians over many frames, several in flight, so that the device keeps its clock. Measured on the same device in the
+// same run: the bandwidth of a large copy, and a chain of dispatches that do next to nothing, each with its barrier.
+//
+// Pass times come from frames with timestamps around each pass, which keep passes apart. Frame times come from frames
+// with one pair around everything: that is what a host pays.
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <seaway/seaway.h>
+
+#include "gpu/pass/passes.h"
+#include "gpu/record/record.h"
+
+static const uint32_t touchCode[] =
+#include "touch.comp.inc"
+    ;
+
+#define SLOTS 4
+#define MAX_PASSES 16
+#define MOST_WARM_UP 32
+#define CHAIN 64
+#define COPY_BYTES (256u << 20)
+
+typedef struct Options
+{
+    swDeviceChoice choice;
+    int deviceIndex;
+    int frames, slices, resolution, tileResolution;
+    bool json;
+} Options;
+
+typedef struct Bench
+{
+    Options options;
+    swGpu* gpu;
+    swWorld* world;
+    swView* view;
+    swGpuWorld* gpuWorld;
+    uint64_t frameIndex;
+    VkCommandPool pool;
+    VkCommandBuffer commands[SLOTS];
+    VkFence fences[SLOTS];
+    VkQueryPool queries; // two a slot
+    bool isSubmitted[SLOTS];
+} Bench;
+
+// Times of one thing over the frames, microseconds.
+typedef struct Series
+{
+    const char* name;
+    int count;
+    double* values;
+} Series;
+
+typedef struct Floor
+{
+    double bytes, flops;
+} Floor;
+
+static void Fail(const char* what)
+{
+    fprintf(stderr, "seaway-bench-gpu: %s\n", what);
+    exit(1);
+}
+
+static void Check(swResult result, const char* what)
+{
+    if (result != SW_SUCCESS)
+    {
+        fprintf(stderr, "seaway-bench-gpu: %s: %s\n", what, swResult_GetText(result));
+        exit(1);
+    }
+}
+
+static void CheckVk(VkResult result, const char* what)
+{
+    if (result != VK_SUCCESS)
+    {
+        Fail(what);
+    }
+}
+
+static int CompareDoubles(const void* a, const void* b)
+{
+    double x = *(const double*)a, y = *(const double*)b;
+    return x < y ? -1 : x > y ? 1 : 0;
+}
+
+static double Median(Series* series)
+{
+    if (series->count == 0)
+    {
+        return 0.0;
+    }
+    qsort(series->values, (size_t)series->count, sizeof(double), CompareDoubles);
+    return series->values[series->count / 2];
+}
+
+static void AddValue(Series* series, int capacity, double value)
+{
+    if (series->values == NULL)
+    {
+        series->values = calloc((size_t)capacity, sizeof(double));
+    }
+    if (series->values != NULL && series->count < capacity)
+    {
+        series->values[series->count++] = value;
+    }
+}
+
+// Set-up -------------------------------------------------------------------------------------------------------------
+
+static void CreateCommands(Bench* bench)
+{
+    swGpu* gpu = bench->gpu;
+    const VkCommandPoolCreateInfo poolInfo = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+        .queueFamilyIndex = gpu->queueFamily,
+    };
+    CheckVk(gpu->vk.CreateCommandPool(gpu->device, &poolInfo, NULL, &bench->pool), "no command pool");
+    const VkCommandBufferAllocateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+        .commandPool = bench->pool,
+        .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+        .commandBufferCount = SLOTS,
+    };
+    CheckVk(gpu->vk.AllocateCommandBuffers(gpu->device, &info, bench->commands), "no command buffers");
+    for (int i = 0; i < SLOTS; ++i)
+    {
+        const VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+        CheckVk(gpu->vk.CreateFence(gpu->device, &fence, NULL, &bench->fences[i]), "no fence");
+    }
+    const VkQueryPoolCreateInfo queries = {
+        .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+        .queryType = VK_QUERY_TYPE_TIMESTAMP,
+        .queryCount = 2 * SLOTS,
+    };
+    CheckVk(gpu->vk.CreateQueryPool(gpu->device, &queries, NULL, &bench->queries), "no query pool");
+}
+
+static void CreateBench(Bench* bench)
+{
+    swHost host = swDefaultHost();
+    swGpuDef gpuDef = swDefaultGpuDef();
+    gpuDef.choice = bench->options.choice;
+    gpuDef.deviceIndex = bench->options.deviceIndex;
+    gpuDef.framesInFlight = SLOTS;
+    Check(swCreateGpu(&host, &gpuDef, &bench->gpu), "no device");
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.enableQueries = false;
+    Check(swCreateWorld(&host, &worldDef, &bench->world), "no world");
+    swWaveSystemDef sea = swDefaultWaveSystemDef();
+    sea.resolution = bench->options.tileResolution;
+    sea.tileWaves = sea.resolution / 4 < 32 ? sea.resolution / 4 : 32;
+    swWaveSystemId id;
+    Check(swCreateWaveSystem(bench->world, &sea, &id), "no waves");
+    Check(swCreateGpuWorld(bench->gpu, bench->world, &bench->gpuWorld), "no GPU world");
+    CreateCommands(bench);
+}
+
+static void DestroyBench(Bench* bench)
+{
+    swGpu* gpu = bench->gpu;
+    gpu->vk.DeviceWaitIdle(gpu->device);
+    for (int i = 0; i < SLOTS; ++i)
+    {
+        gpu->vk.DestroyFence(gpu->device, bench->fences[i], NULL);
+    }
+    gpu->vk.DestroyQueryPool(gpu->device, bench->queries, NULL);
+    gpu->vk.DestroyCommandPool(gpu->device, bench->pool, NULL);
+    swDestroyGpuWorld(bench->gpuWorld);
+    swDestroyGpu(gpu);
+    swDestroyView(bench->view);
+    swDestroyWorld(bench->world);
+}
+
+// Frames -------------------------------------------------------------------------------------------------------------
+
+// Waits until the slot's last frame is done and adds its time, from first to last timestamp.
+static void CollectSlot(Bench* bench, int slot, Series* frame)
+{
+    swGpu* gpu = bench->gpu;
+    if (!bench->isSubmitted[slot])
+    {
+        return;
+    }
+    CheckVk(gpu->vk.WaitForFences(gpu->device, 1, &bench->fences[slot], VK_TRUE, UINT64_MAX), "waiting failed");
+    CheckVk(gpu->vk.ResetFences(gpu->device, 1, &bench->fences[slot]), "resetting failed");
+    uint64_t times[2];
+    CheckVk(gpu->vk.GetQueryPoolResults(gpu->device, bench->queries, 2 * (uint32_t)slot, 2, sizeof(times), times,
+                                        sizeof(uint64_t), VK_QUERY_RESULT_64_BIT),
+            "no timestamps");
+    double period = (double)gpu->properties.limits.timestampPeriod * 1e-3;
+    if (frame != NULL)
+    {
+        AddValue(frame, bench->options.frames, (double)(times[1] - times[0]) * period);
+    }
+    bench->isSubmitted[slot] = false;
+}
+
+static VkCommandBuffer BeginSlot(Bench* bench, int slot)
+{
+    swGpu* gpu = bench->gpu;
+    const VkCommandBufferBeginInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+        .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
+    };
+    VkCommandBuffer commands = bench->commands[slot];
+    CheckVk(gpu->vk.BeginCommandBuffer(commands, &info), "no command buffer");
+    gpu->vk.CmdResetQueryPool(commands, bench->queries, 2 * (uint32_t)slot, 2);
+    gpu->vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, bench->queries, 2 * (uint32_t)slot);
+    return commands;
+}
+
+static void SubmitSlot(Bench* bench, int slot)
+{
+    swGpu* gpu = bench->gpu;
+    VkCommandBuffer commands = bench->commands[slot];
+    gpu->vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, bench->queries, 2 * (uint32_t)slot + 1);
+    CheckVk(gpu->vk.EndCommandBuffer(commands), "ending a command buffer failed");
+    const VkCommandBufferSubmitInfo buffer = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
+        .commandBuffer = commands,
+    };
+    const VkSubmitInfo2 submit = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
+        .commandBufferInfoCount = 1,
+        .pCommandBufferInfos = &buffer,
+    };
+    CheckVk(gpu->vk.QueueSubmit2(gpu->queue, 1, &submit, bench->fences[slot]), "submitting failed");
+    bench->isSubmitted[slot] = true;
+}
+
+static void AddPassTimes(Bench* bench, Series* passes)
+{
+    swPassTime times[MAX_PASSES];
+    int count = swGpu_GetPassTimes(bench->gpu, times, MAX_PASSES);
+    for (int i = 0; i < count; ++i)
+    {
+        passes[i].name = times[i].name;
+        AddValue(&passes[i], bench->options.frames, (double)times[i].milliseconds * 1e3);
+    }
+}
+
+// The warm-up's frames are not counted. `passes` NULL: no timestamps inside a frame.
+static void RunFrames(Bench* bench, Series* passes, Series* frame)
+{
+    bench->gpu->timer.isEnabled = passes != NULL;
+    bench->gpu->timer.resultCount = 0;
+    int warmUp = bench->options.frames < MOST_WARM_UP ? bench->options.frames : MOST_WARM_UP;
+    for (int i = 0; i < warmUp + bench->options.frames; ++i)
+    {
+        if (bench->view != NULL) // 10 m/s, so that foam scrolls
+        {
+            double x = (double)bench->frameIndex / 6.0;
+            swView_SetViewpoint(bench->view, (swPos){x, 2.0, 0.3 * x});
+        }
+        Check(swWorld_Step(bench->world, 1.0 / 60.0), "a step failed");
+        int slot = (int)(bench->frameIndex % SLOTS);
+        bool isCounted = i >= warmUp;
+        CollectSlot(bench, slot, isCounted ? frame : NULL);
+        VkCommandBuffer commands = BeginSlot(bench, slot);
+        Check(swGpuWorld_Record(bench->gpuWorld, commands, bench->frameIndex), "recording failed");
+        SubmitSlot(bench, slot);
+        if (passes != NULL && isCounted)
+        {
+            AddPassTimes(bench, passes);
+        }
+        bench->frameIndex += 1;
+    }
+    for (int slot = 0; slot < SLOTS; ++slot)
+    {
+        CollectSlot(bench, slot, NULL);
+    }
+}
+
+// What the device can do ---------------------------------------------------------------------------------------------
+
+// Bytes per microsecond, read and written, of a large copy: best of ten.
+static double MeasureBandwidth(Bench* bench)
+{
+    swGpu* gpu = bench->gpu;
+    swBuffer from, to;
+    VkDeviceSize bytes = swGpu_IsSoftware(gpu) ? COPY_BYTES / 4 : COPY_BYTES;
+    Check(swCreateBuffer(gpu, bytes, 0, SW_MEMORY_DEVICE, "copy source", &from), "no buffer");
+    Check(swCreateBuffer(gpu, bytes, 0, SW_MEMORY_DEVICE, "copy target", &to), "no buffer");
+    Series times = {0};
+    for (int i = 0; i < 10; ++i)
+    {
+        VkCommandBuffer commands = BeginSlot(bench, 0);
+        const VkBufferCopy copy = {.size = bytes};
+        gpu->vk.CmdCopyBuffer(commands, from.handle, to.handle, 1, &copy);
+        SubmitSlot(bench, 0);
+        CollectSlot(bench, 0, &times);
+    }
+    Median(&times);
+    double best = times.values[0];
+    free(times.values);
+    swDestroyBuffer(gpu, &from);
+    swDestroyBuffer(gpu, &to);
+    return 2.0 * (double)bytes / best;
+}
+
+// Microseconds of one small dispatch and its barrier in a long chain.
+static double MeasureBarrier(Bench* bench)
+{
+    swGpu* gpu = bench->gpu;
+    swPipeline pipeline;
+    const swComputeDef def = {
+        .shader = SW_SHADER(touchCode),
+        .bindingCount = 1,
+        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
+        .name = "touch",
+    };
+    swBuffer words;
+    Check(swCreateComputePipeline(gpu, &def, &pipeline), "no pipeline");
+    Check(swCreateBuffer(gpu, 4096, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE, "words", &words),
+          "no buffer");
+    const swBinding binding = swBindBuffer(&words);
+    Series times = {0};
+    for (int i = 0; i < 20; ++i)
+    {
+        VkCommandBuffer commands = BeginSlot(bench, 0);
+        swBindPipeline(gpu, commands, &pipeline, &binding, NULL);
+        for (int link = 0; link < CHAIN; ++link)
+        {
+            gpu->vk.CmdDispatch(commands, 16, 1, 1);
+            swComputeBarrier(gpu, commands);
+        }
+        SubmitSlot(bench, 0);
+        CollectSlot(bench, 0, &times);
+    }
+    double median = Median(&times);
+    free(times.values);
+    swDestroyPipeline(gpu, &pipeline);
+    swDestroyBuffer(gpu, &words);
+    return median / CHAIN;
+}
+
+// Floors -------------------------------------------------------------------------------------------------------------
+
+// Least bytes through memory and operations (a multiply and an add count as two) of a pass.
+static Floor WavesFloor(const swFrame* frame, bool isRows)
+{
+    Floor least = {0};
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        const swTile* tile = &frame->tiles[i];
+        double n = tile->resolution;
+        double lines = 3.0 * (tile->maxBin + 1);
+        double fft = 5.0 * n * log2(n);
+        least.bytes += lines * n * 8.0;
+        least.bytes += isRows ? tile->modeCount * (double)sizeof(swMode) : n * (n + 3.0) * 16.0;
+        least.flops += isRows ? lines * fft + 60.0 * tile->modeCount : 1.5 * n * fft;
+    }
+    return least;
+}
+
+static Floor DetailFloor(const Bench* bench, const swFrame* frame)
+{
+    Floor least = {0};
+    double texels = pow((double)bench->gpuWorld->detail.width, 2.0);
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        double n = frame->tiles[i].resolution;
+        least.bytes += n * (n + 3.0) * 16.0 + texels * 8.0 * 4.0 / 3.0;
+        least.flops += texels * 110.0;
+    }
+    return least;
+}
+
+// A run of texels reads the rows that its windows touch: 24 multiply-adds each for value and slope along x, then 36 for each
+// texel; weights are extra.
+static Floor SlicesFloor(const swFrame* frame)
+{
+    const swViewFrame* view = &frame->views[0];
+    Floor least = {0};
+    double texels = (double)view->resolution * view->resolution;
+    for (int s = 0; s < view->sliceCount; ++s)
+    {
+        least.bytes += texels * 24.0;
+        for (int i = 0; i < frame->tileCount; ++i)
+        {
+            const swTile* tile = &frame->tiles[i];
+            if (tile->minWavelength >= view->slices[s].minWavelength)
+            {
+                double step = view->slices[s].texel * tile->resolution / tile->side;
+                double rows = 4.0 + (SW_SLICE_RUN - 1) * step;
+                least.flops += texels * (72.0 + 48.0 * rows / SW_SLICE_RUN);
+            }
+        }
+    }
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        double n = frame->tiles[i].resolution;
+        least.bytes += n * (n + 3.0) * 16.0;
+    }
+    return least;
+}
+
+static Floor FoamFloor(const swFrame* frame)
+{
+    const swViewFrame* view = &frame->views[0];
+    double texels = (double)view->resolution * view->resolution * view->sliceCount;
+    return (Floor){.bytes = texels * (16.0 + 4.0 + 4.0), .flops = texels * 40.0};
+}
+
+static Floor FloorOf(const Bench* bench, const char* pass)
+{
+    const swFrame* frame = swGetWorldFrame(bench->world);
+    if (strcmp(pass, "waves_rows") == 0 || strcmp(pass, "waves_columns") == 0)
+    {
+        return WavesFloor(frame, strcmp(pass, "waves_rows") == 0);
+    }
+    return strcmp(pass, "detail") == 0   ? DetailFloor(bench, frame)
+           : strcmp(pass, "slices") == 0 ? SlicesFloor(frame)
+                                         : FoamFloor(frame);
+}
+
+// Report -------------------------------------------------------------------------------------------------------------
+
+typedef struct Report
+{
+    double bandwidth; // bytes a microsecond
+    double barrier;   // microseconds
+    double waves;     // frame without a view: rows, columns, detail
+    double frame;     // frame with the view
+    Series passes[MAX_PASSES];
+} Report;
+
+static void PrintTable(const Bench* bench, Report* report)
+{
+    const swFrame* frame = swGetWorldFrame(bench->world);
+    printf("%s\n%d tiles, N = %d; %d slices of %d^2; median of %d frames\n", swGpu_GetDeviceName(bench->gpu),
+           frame->tileCount, bench->options.tileResolution, bench->options.slices, bench->options.resolution,
+           bench->options.frames);
+    printf("a copy moves %.0f GB/s; a small dispatch and its barrier take %.2f us\n\n", report->bandwidth * 1e-3,
+           report->barrier);
+    printf("%-16s %10s %10s %10s %12s %10s\n", "pass", "us", "MB least", "us at copy", "Mflop least", "Gflop/s");
+    double sum = 0.0;
+    for (int i = 0; i < MAX_PASSES && report->passes[i].name != NULL; ++i)
+    {
+        double time = Median(&report->passes[i]);
+        Floor least = FloorOf(bench, report->passes[i].name);
+        printf("%-16s %10.2f %10.2f %10.2f %12.1f %10.0f\n", report->passes[i].name, time, least.bytes * 1e-6,
+               least.bytes / report->bandwidth, least.flops * 1e-6, least.flops * 1e-3 / time);
+        sum += time;
+    }
+    printf("%-16s %10.2f\n\n", "sum", sum);
+    printf("frame without a view (rows, columns, detail; 5 barriers): %.2f us\n", report->waves);
+    printf("whole frame (5 passes, 5 barriers, no timestamps inside):  %.2f us\n", report->frame);
+}
+
+static void PrintJson(const Bench* bench, Report* report)
+{
+    const swFrame* frame = swGetWorldFrame(bench->world);
+    printf("{\"device\": \"%s\", \"tiles\": %d, \"tile_resolution\": %d, \"slices\": %d, \"slice_resolution\": %d, "
+           "\"frames\": %d,\n \"copy_gb_per_s\": %.1f, \"barrier_us\": %.3f, \"waves_frame_us\": %.3f, "
+           "\"waves_frame_barriers\": 5, \"frame_us\": %.3f, \"frame_barriers\": 5,\n \"passes\": [",
+           swGpu_GetDeviceName(bench->gpu), frame->tileCount, bench->options.tileResolution, bench->options.slices,
+           bench->options.resolution, bench->options.frames, report->bandwidth * 1e-3, report->barrier, report->waves,
+           report->frame);
+    for (int i = 0; i < MAX_PASSES && report->passes[i].name != NULL; ++i)
+    {
+        double time = Median(&report->passes[i]);
+        Floor least = FloorOf(bench, report->passes[i].name);
+        printf("%s\n  {\"name\": \"%s\", \"time_us\": %.3f, \"least_bytes\": %.0f, \"bytes_floor_us\": %.3f, "
+               "\"least_flops\": %.0f, \"barriers\": 1}",
+               i > 0 ? "," : "", report->passes[i].name, time, least.bytes, least.bytes / report->bandwidth,
+               least.flops);
+    }
+    printf("]}\n");
+}
+
+// Command line -------------------------------------------------------------------------------------------------------
+
+static void PrintUsage(void)
+{
+    puts("seaway-bench-gpu [--device auto|gpu|software|INDEX] [--frames N] [--slices N] [--resolution N]\n"
+         "                 [--tile-resolution N] [--json]\n"
+         "Times each GPU pass of a default sea, beside the bytes, operations and barriers that it needs at least.");
+}
+
+static int ParseNumber(const char* text, const char* option)
+{
+    char* end = NULL;
+    long value = text != NULL ? strtol(text, &end, 10) : 0;
+    if (text == NULL || end == text || *end != '\0' || value < 0 || value > 1000000)
+    {
+        fprintf(stderr, "seaway-bench-gpu: %s wants a number\n", option);
+        exit(2);
+    }
+    return (int)value;
+}
+
+static void ParseDevice(const char* text, Options* options)
+{
+    const char* const names[] = {"auto", "gpu", "software"};
+    const swDeviceChoice choices[] = {SW_DEVICE_AUTO, SW_DEVICE_GPU, SW_DEVICE_SOFTWARE};
+    for (int i = 0; i < 3; ++i)
+    {
+        if (text != NULL && strcmp(text, names[i]) == 0)
+        {
+            options->choice = choices[i];
+            return;
+        }
+    }
+    options->choice = SW_DEVICE_INDEX;
+    options->deviceIndex = ParseNumber(text, "--device");
+}
+
+static Options ParseOptions(int argc, char** argv)
+{
+    Options options = {.frames = 300, .slices = 7, .resolution = 384, .tileResolution = 128};
+    for (int i = 1; i < argc; ++i)
+    {
+        const char* value = i + 1 < argc ? argv[i + 1] : NULL;
+        const struct
+        {
+            const char* name;
+            int* number;
+        } numbers[] = {{"--frames", &options.frames},
+                       {"--slices", &options.slices},
+                       {"--resolution", &options.resolution},
+                       {"--tile-resolution", &options.tileResolution}};
+        bool isKnown = false;
+        for (size_t n = 0; n < sizeof(numbers) / sizeof(numbers[0]) && !isKnown; ++n)
+        {
+            if (strcmp(argv[i], numbers[n].name) == 0)
+            {
+                *numbers[n].number = ParseNumber(value, argv[i]);
+                isKnown = true;
+                i += 1;
+            }
+        }
+        if (!isKnown && strcmp(argv[i], "--device") == 0)
+        {
+            ParseDevice(value, &options);
+            i += 1;
+        }
+        else if (!isKnown && strcmp(argv[i], "--json") == 0)
+        {
+            options.json = true;
+        }
+        else if (!isKnown)
+        {
+            bool isHelp = strcmp(argv[i], "--help") == 0;
+            PrintUsage();
+            exit(isHelp ? 0 : 2);
+        }
+    }
+    return options;
+}
+
+int main(int argc, char** argv)
+{
+    Bench bench = {.options = ParseOptions(argc, argv)};
+    bench.options.frames = bench.options.frames > 0 ? bench.options.frames : 1;
+    CreateBench(&bench);
+    Report report = {0};
+    report.bandwidth = MeasureBandwidth(&bench);
+    report.barrier = MeasureBarrier(&bench);
+
+    Series waves = {0}, frame = {0};
+    RunFrames(&bench, NULL, &waves);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = bench.options.slices;
+    viewDef.resolution = bench.options.resolution;
+    Check(swCreateView(bench.world, &viewDef, &bench.view), "no view");
+    RunFrames(&bench, NULL, &frame);
+    RunFrames(&bench, report.passes, NULL);
+    report.waves = Median(&waves);
+    report.frame = Median(&frame);
+
+    if (bench.options.json)
+    {
+        PrintJson(&bench, &report);
+    }
+    else
+    {
+        PrintTable(&bench, &report);
+    }
+    for (int i = 0; i < MAX_PASSES; ++i)
+    {
+        free(report.passes[i].values);
+    }
+    free(waves.values);
+    free(frame.values);
+    DestroyBench(&bench);
+    return 0;
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#version 460
+
+// Next to nothing: what a dispatch and a barrier cost by themselves.
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) buffer Words
+{
+    uint words[];
+};
+
+void main()
+{
+    words[gl_GlobalInvocationID.x] += 1u;
+}
