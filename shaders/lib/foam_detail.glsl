@@ -23,18 +23,18 @@ vec2 foamJump(float seed)
     return fract(vec2(0.7548777, 0.5698403) * seed);
 }
 
-float foamPattern(sampler2D pattern, vec2 p, vec2 dx, vec2 dy, float seed)
+float foamPattern(sampler2D pattern, vec2 p, float lod, float seed)
 {
     vec2 jump = foamJump(seed);
     vec2 wide = vec2(1.0, 0.0);
     vec2 narrow = vec2(3.0, 2.0);
-    float a = textureGrad(pattern, foamTurn(p, wide) + jump, foamTurn(dx, wide), foamTurn(dy, wide)).r;
-    float b = textureGrad(pattern, foamTurn(p, narrow) - jump.yx, foamTurn(dx, narrow), foamTurn(dy, narrow)).g;
+    float a = textureLod(pattern, foamTurn(p, wide) + jump, lod).r;
+    float b = textureLod(pattern, foamTurn(p, narrow) - jump.yx, lod + 1.85).g;
     // Weights of 0.8 and 0.6 keep the spread of the sum that of one pattern.
     return 0.8 * (a - 0.5) + 0.6 * (b - 0.5);
 }
 
-FoamDetail foamDetailAt(sampler2D pattern, vec2 p, vec2 dx, vec2 dy, float amount, float phase, float seed)
+FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float amount, float phase, float seed)
 {
     FoamDetail foam;
     foam.cover = 0.0;
@@ -43,12 +43,14 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, vec2 dx, vec2 dy, float amoun
     {
         return foam;
     }
+    // Between blurred across and jagged along: the footprint's middle size.
+    float pixel = sqrt(footprint.longest * footprint.shortest);
+    float lod = log2(max(pixel * float(SW_FOAM_TEXTURE_SIDE) / foamPeriod, 1e-3));
     float turn = smoothstep(0.0, 1.0, abs(2.0 * phase - 1.0));
-    float first = foamPattern(pattern, p, dx, dy, seed + (phase > 0.5 ? 1.0 : 0.0) * 2.0);
-    float second = foamPattern(pattern, p, dx, dy, seed + 1.0);
+    float first = foamPattern(pattern, p, lod, seed + (phase > 0.5 ? 1.0 : 0.0) * 2.0);
+    float second = foamPattern(pattern, p, lod, seed + 1.0);
     float value = mix(second, first, turn) * inversesqrt(turn * turn + (1.0 - turn) * (1.0 - turn)) + 0.5;
 
-    float pixel = footprintOf(dx, dy).x;
     float seen = 1.0 - smoothstep(0.25, 2.5, pixel);
     float soft = 0.10 + 0.25 * smoothstep(0.02, 1.0, pixel);
     float edge = 1.0 - amount;
@@ -56,7 +58,7 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, vec2 dx, vec2 dy, float amoun
     foam.cover = mix(amount, holes, seen);
 
     vec2 fine = vec2(12.0, 5.0);
-    float bubbles = textureGrad(pattern, foamTurn(p, fine) + foamJump(seed + 0.5), foamTurn(dx, fine), foamTurn(dy, fine)).b;
+    float bubbles = textureLod(pattern, foamTurn(p, fine) + foamJump(seed + 0.5), lod + 3.7).b;
     float depth = clamp((value - edge) * 2.2 + amount * 0.6, 0.0, 1.0);
     foam.thickness = clamp(mix(0.6, 0.25 + depth * 0.9 + (bubbles - 0.5) * 0.7, seen), 0.05, 1.0);
     return foam;

@@ -15,15 +15,47 @@ struct Slopes
     float level; // slice and fraction that were read
 };
 
-// Lengths of the pixel's footprint on the rest plane, longest first.
-vec2 footprintOf(vec2 dx, vec2 dy)
+// The pixel's footprint on the rest plane: an ellipse.
+struct Footprint
 {
-    float a = dot(dx, dx);
-    float b = dot(dx, dy);
-    float c = dot(dy, dy);
+    vec2 axis; // unit vector along the longer half axis
+    float longest, shortest;
+};
+
+Footprint footprintOf(vec2 dx, vec2 dy)
+{
+    // Eigenvalues of the outer products' sum.
+    float a = dx.x * dx.x + dy.x * dy.x;
+    float b = dx.x * dx.y + dy.x * dy.y;
+    float c = dx.y * dx.y + dy.y * dy.y;
     float middle = 0.5 * (a + c);
     float reach = sqrt(max(0.25 * (a - c) * (a - c) + b * b, 0.0));
-    return sqrt(max(vec2(middle + reach, middle - reach), vec2(1e-12)));
+    Footprint footprint;
+    footprint.longest = sqrt(max(middle + reach, 1e-12));
+    footprint.shortest = sqrt(max(middle - reach, 1e-12));
+    vec2 axis = a > c ? vec2(middle + reach - c, b) : vec2(b, middle + reach - a);
+    footprint.axis = axis * inversesqrt(max(dot(axis, axis), 1e-20));
+    return footprint;
+}
+
+// Mean of a repeating layer over the footprint: up to eight blurred probes along the longer axis. Hardware's anisotropic
+// filter would do, but software devices walk every texel of a footprint that spans thousands of tiles.
+vec4 meanOverFootprint(sampler2DArray layers, float layer, vec2 uv, Footprint footprint, float perMetre, float side)
+{
+    const float most = 8.0;
+    float longest = min(footprint.longest * perMetre, 1.0);
+    float width = max(min(footprint.shortest * perMetre, longest), longest / most);
+    float probes = clamp(ceil(longest / max(width, 1e-6)), 1.0, most);
+    float lod = log2(max(width * side, 1e-3));
+    vec2 stride = footprint.axis * (longest / probes);
+    vec2 at = uv - stride * (0.5 * (probes - 1.0));
+    vec4 sum = vec4(0.0);
+    for (float i = 0.0; i < probes; ++i)
+    {
+        sum += textureLod(layers, vec3(at, layer), lod);
+        at += stride;
+    }
+    return sum / probes;
 }
 
 vec2 sliceUv(swMeshSlice slice, vec2 place, float resolution)

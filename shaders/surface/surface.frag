@@ -77,8 +77,9 @@ float carriedBy(SlicePair pair, float wavelength)
            (wavelength >= cut * slices[pair.second].scale ? pair.secondWeight : 0.0);
 }
 
-void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, vec2 dx, vec2 dy, vec2 footprint)
+void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprint)
 {
+    float side = float(textureSize(detail, 0).x);
     for (uint i = 0; i < picture.bandCount; ++i)
     {
         swDetailParams band = bands[i];
@@ -87,25 +88,24 @@ void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, vec2 dx, vec2 dy, 
         {
             continue;
         }
-        if (band.maxWavelength < 0.7 * footprint.y)
+        if (band.maxWavelength < 0.7 * footprint.shortest)
         {
             slopes.variance += missing * vec2(band.slopeVarianceX, band.slopeVarianceZ);
             continue;
         }
         vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
-        vec4 m = textureGrad(detail, vec3(uv, float(i)), dx * band.perMetre, dy * band.perMetre);
+        vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side);
         slopes.mean += missing * m.xy;
         slopes.variance += missing * max(m.zw - m.xy * m.xy, vec2(0.0));
     }
 }
 
-Slopes slopesAt(vec2 rest, vec2 dx, vec2 dy, out SlicePair pair)
+Slopes slopesAt(vec2 rest, Footprint footprint, out SlicePair pair)
 {
-    vec2 footprint = footprintOf(dx, dy);
     Slopes slopes;
     float byDistance = float(ring) + blend;
     // A pixel may cover as much as the shortest wave's quarter, a texel.
-    float byFootprint = log2(max(4.0 * footprint.x / picture.finestWavelength, 1e-6));
+    float byFootprint = log2(max(4.0 * footprint.longest / picture.finestWavelength, 1e-6));
     slopes.level = clamp(max(byDistance, byFootprint), 0.0, float(picture.ringCount));
     pair = pairAt(slopes.level);
     vec3 d = vec3(0.0, 0.0, 1.0 - pair.firstWeight - pair.secondWeight);
@@ -122,7 +122,7 @@ Slopes slopesAt(vec2 rest, vec2 dx, vec2 dy, out SlicePair pair)
     slopes.mean = d.xy / max(d.z, 0.25);
     slopes.mean *= min(1.0, 1.4 * inversesqrt(max(dot(slopes.mean, slopes.mean), 1e-8)));
     slopes.variance = vec2(picture.rippleVariance);
-    addBands(slopes, pair, rest, dx, dy, footprint);
+    addBands(slopes, pair, rest, footprint);
     return slopes;
 }
 
@@ -237,10 +237,9 @@ vec3 debugColor(Slopes slopes, float foam)
 void main()
 {
     vec2 rest = place * picture.step;
-    vec2 dx = dFdx(rest);
-    vec2 dy = dFdy(rest);
+    Footprint footprint = footprintOf(dFdx(rest), dFdy(rest));
     SlicePair pair;
-    Slopes slopes = slopesAt(rest, dx, dy, pair);
+    Slopes slopes = slopesAt(rest, footprint, pair);
     float amount = foamAmount(pair);
     if (picture.debugMode != 0)
     {
@@ -264,7 +263,7 @@ void main()
     radiance += light.sun.rgb * sunGlitter(view, sun, slopes.mean, slopes.variance, area, index);
     radiance += (1.0 - reflectance) * (leaving + throughCrest(view, normal, 1.0));
 
-    FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), dx, dy, amount,
+    FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), footprint, amount,
                                    picture.foamPhase, picture.foamSeed);
     float lambert = max(0.85 * dot(normal, sun) + 0.15, 0.0);
     vec3 foamLight = (light.sun.rgb * lambert * smoothstep(-0.02, 0.05, sun.y) + light.sky.rgb) / pi;

@@ -210,10 +210,10 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surfac
         swBindBuffer(exposure),
         swBindImage(gpu, &view->derivatives, SW_SAMPLER_LINEAR_CLAMP),
         swBindImage(gpu, swGetFoamImage(view), SW_SAMPLER_LINEAR_CLAMP),
-        swBindImage(gpu, &gpuWorld->detail, SW_SAMPLER_ANISOTROPIC_REPEAT),
+        swBindImage(gpu, &gpuWorld->detail, SW_SAMPLER_LINEAR_REPEAT),
         swBindImage(gpu, &sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
-        swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_ANISOTROPIC_REPEAT),
+        swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_LINEAR_REPEAT),
     };
     bool isWire = picture->params.debugMode == SW_DEBUG_WIREFRAME && surface->wirePipeline.handle != VK_NULL_HANDLE;
     swBeginPass(gpu, commands, "surface");

@@ -81,7 +81,7 @@ void swClearExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap)
         return;
     }
     gpu->vk.CmdFillBuffer(commands, tonemap->exposure.handle, 0, VK_WHOLE_SIZE, 0);
-    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_CLEAR_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
               VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
     tonemap->isCleared = true;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A sea drawn without a window: everything that a picture needs, and the picture read back.
+
+#include <seaway/draw.h>
+#include <seaway/seaway.h>
+
+// What is in front of the lens.
+typedef struct Shot
+{
+    const char* name;
+    float windSpeed;   // of the sea, m/s
+    float swellHeight; // of a swell from another direction, m; 0 for none
+    float height;      // of the camera above sea level, m
+    float headingDeg, pitchDeg, fovDeg;
+    float sunAzimuthDeg, sunElevationDeg;
+    float haze, clouds;
+    double time;
+    double x, z;
+    swDebugMode debug;
+    int steps; // simulated before the picture, a tenth of a second each, so that foam has a past
+} Shot;
+
+typedef struct Canvas Canvas;
+
+// NULL if there is no device; the log has said why.
+Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation);
+void DestroyCanvas(Canvas* canvas);
+
+// Draw; `pixels` (RGBA, sRGB) and `hdr` (RGBA, linear) have width * height * 4 elements; either may be NULL.
+bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr);
+
+const char* GetCanvasDevice(const Canvas* canvas);
+int GetCanvasValidationCount(const Canvas* canvas);
+void PrintCanvasTimes(const Canvas* canvas);
