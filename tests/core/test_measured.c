@@ -150,7 +150,51 @@ static void SampleStormGrows(void** state)
     swDestroyMeasuredSea(sea);
 }
 
-static void TablesHaveTheMomentsOfTheFile(void** state)
+// The number before the index-th parenthesis of a text's second line.
+static double GetPrinted(const char* text, int index)
+{
+    const char* at = strchr(text, '\n') + 1;
+    for (int i = 0; i < index; ++i)
+    {
+        at = strchr(at, ')') + 1;
+    }
+    const char* parenthesis = strchr(at, '(');
+    const char* number = parenthesis - 1;
+    while (number > text && number[-1] != ' ' && number[-1] != ')')
+    {
+        --number;
+    }
+    return atof(number);
+}
+
+static void RecordsHoldThePrintedMoments(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swNdbcTexts texts = ReadSet(SAMPLE);
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(swParseNdbc(&host, &texts, &sea), SW_SUCCESS);
+    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 2); // the newest, which the files have first
+    int compared = 0;
+    for (int i = 0; i < record.table.frequencyCount; ++i)
+    {
+        assert_true(fabs((double)record.energy[i] - GetPrinted(texts.energy, i)) < 1e-6);
+        if (record.energy[i] > 0.0f)
+        {
+            assert_true(GetAngleBetween(GetBearing(record.meanDirection[i]), GetPrinted(texts.alpha1, i)) < 1e-3);
+            double across = GetAngleBetween(GetBearing(record.direction2[i]), GetPrinted(texts.alpha2, i));
+            assert_true(across < 1e-3 || fabs(across - 180.0) < 1e-3); // an axis has two ends
+            assert_true(fabs((double)record.r1[i] - GetPrinted(texts.r1, i)) < 1e-6);
+            assert_true(fabs((double)record.r2[i] - GetPrinted(texts.r2, i)) < 1e-6);
+            ++compared;
+        }
+    }
+    assert_true(compared > 40);
+    FreeSet(&texts);
+    swDestroyMeasuredSea(sea);
+}
+
+static void TablesHaveTheMomentsOfTheRecord(void** state)
 {
     (void)state;
     swHost host = MakeHost();
@@ -465,7 +509,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(SampleStormGrows),
-        cmocka_unit_test(TablesHaveTheMomentsOfTheFile),
+        cmocka_unit_test(RecordsHoldThePrintedMoments),
+        cmocka_unit_test(TablesHaveTheMomentsOfTheRecord),
         cmocka_unit_test(BostonBuoyIsReadAsExpected),
         cmocka_unit_test(CanaveralBuoyIsReadAsExpected),
         cmocka_unit_test(OldArchiveOfABuoyIsRead),

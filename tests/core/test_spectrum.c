@@ -245,6 +245,11 @@ static void TablesTurnAndScale(void** state)
     swSeaState seaState = GetSeaState(&def);
     assert_true(IsNear(seaState.significantHeight, 3.0, 1e-5));
     assert_true(IsNear(seaState.meanDirection, SW_PI / 2.0 + 0.5, 1e-6));
+    swHost host = MakeHost();
+    swCompiledSpectrum* spectrum = NULL;
+    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, &spectrum), SW_SUCCESS);
+    assert_true(fabs(swIntegrateCompiled(spectrum, 0.0, TURN * 0.24) - 9.0 / 16.0) < 1e-6);
+    swFreeCompiledSpectrum(&host, spectrum);
     assert_true(swSpectrum_GetSpreading(&def, 0.08f, (float)(SW_PI / 2.0 + 0.5)) > 5.0f);
     assert_true(swSpectrum_GetSpreading(&def, 0.08f, (float)(SW_PI / 2.0)) == 0.0f);
 }

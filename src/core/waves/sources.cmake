@@ -3,7 +3,11 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/measured.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc.c
     ${CMAKE_CURRENT_LIST_DIR}/slices.c
+    ${CMAKE_CURRENT_LIST_DIR}/sea_state.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum.c
+    ${CMAKE_CURRENT_LIST_DIR}/spectrum_check.c
+    ${CMAKE_CURRENT_LIST_DIR}/spectrum_formula.c
+    ${CMAKE_CURRENT_LIST_DIR}/spectrum_table.c
     ${CMAKE_CURRENT_LIST_DIR}/spreading.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+
+#include "core/waves/compiled.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+#define MIN_FREQUENCIES 2
+#define MIN_DIRECTIONS 4
+#define MAX_DIRECTIONS 720
+
+bool swComplain(swComplaint* complaint, const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(complaint->text, sizeof(complaint->text), format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool checkRange(swComplaint* complaint, const char* field, float value, double low, double high, bool openLow)
+{
+    double x = (double)value;
+    if ((openLow ? x > low : x >= low) && x <= high)
+    {
+        return true; // false for NaN
+    }
+    return swComplain(complaint, "The spectrum's %s is %g; its range is %s%g, %g].", field, x, openLow ? "(" : "[", low,
+                      high);
+}
+
+static bool checkFrequencies(swComplaint* complaint, const swSpectrumTable* table)
+{
+    for (int i = 0; i < table->frequencyCount; ++i)
+    {
+        double frequency = (double)table->frequencies[i];
+        double before = i > 0 ? (double)table->frequencies[i - 1] : 0.0;
+        if (!(frequency > before && frequency <= 1000.0))
+        {
+            return swComplain(complaint,
+                              "The spectrum table's frequency %d is %g Hz; it must be above %g and at most 1000.", i,
+                              frequency, before);
+        }
+        double width = (double)table->bandwidths[i];
+        double widest = i == 0 ? 2.0 * frequency : 1000.0; // the first bin begins at 0 or above
+        if (!(width > 0.0 && width <= widest))
+        {
+            return swComplain(complaint, "The spectrum table's bandwidth %d is %g Hz; its range is (0, %g].", i, width,
+                              widest);
+        }
+    }
+    return true;
+}
+
+static bool checkTable(swComplaint* complaint, const swSpectrumTable* table)
+{
+    if (table == NULL || table->frequencies == NULL || table->bandwidths == NULL || table->density == NULL)
+    {
+        return swComplain(complaint, "The spectrum is a table, but its table or one of the table's arrays is NULL.");
+    }
+    if (table->frequencyCount < MIN_FREQUENCIES || table->frequencyCount > SW_MAX_TABLE_FREQUENCIES)
+    {
+        return swComplain(complaint, "The spectrum table has %d frequencies; its range is [%d, %d].",
+                          table->frequencyCount, MIN_FREQUENCIES, SW_MAX_TABLE_FREQUENCIES);
+    }
+    if (table->directionCount < MIN_DIRECTIONS || table->directionCount > MAX_DIRECTIONS)
+    {
+        return swComplain(complaint, "The spectrum table has %d directions; its range is [%d, %d].",
+                          table->directionCount, MIN_DIRECTIONS, MAX_DIRECTIONS);
+    }
+    if (!checkFrequencies(complaint, table))
+    {
+        return false;
+    }
+    int count = table->frequencyCount * table->directionCount;
+    for (int i = 0; i < count; ++i)
+    {
+        if (!(table->density[i] >= 0.0f && table->density[i] <= 1e6f))
+        {
+            return swComplain(
+                complaint,
+                "The spectrum table's density at frequency %d, direction %d is %g m^2/Hz/rad; its range is "
+                "[0, 1e6].",
+                i / table->directionCount, i % table->directionCount, (double)table->density[i]);
+        }
+    }
+    return true;
+}
+
+bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
+{
+    if ((int)def->kind < 0 || def->kind >= SW_SPECTRUM_KIND_COUNT)
+    {
+        return swComplain(complaint, "The spectrum's kind is %d; its range is [0, %d].", (int)def->kind,
+                          SW_SPECTRUM_KIND_COUNT - 1);
+    }
+    if (!checkRange(complaint, "significantHeight", def->significantHeight, 0.0, 40.0, false) ||
+        !checkRange(complaint, "direction", def->direction, -1000.0, 1000.0, false))
+    {
+        return false;
+    }
+    if (def->kind == SW_SPECTRUM_TABLE)
+    {
+        return checkTable(complaint, def->table);
+    }
+    if (!checkRange(complaint, "windSpeed", def->windSpeed, 0.0, 100.0, true) ||
+        !checkRange(complaint, "peakPeriod", def->peakPeriod, 0.0, 60.0, false) ||
+        !checkRange(complaint, "spreadExponent", def->spreadExponent, 0.0, 200.0, false))
+    {
+        return false;
+    }
+    return def->kind != SW_SPECTRUM_JONSWAP || (checkRange(complaint, "fetch", def->fetch, 1e3, 1e7, false) &&
+                                                checkRange(complaint, "gamma", def->gamma, 1.0, 10.0, false));
+}
