@@ -9,6 +9,9 @@
 // of S over its frequencies. Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for, and
 // hundreds to thousands of waves a band make the surface as good as Gaussian.
 //
+// A tile holds spline coefficients, and a cubic B-spline over samples damps a wave of q bins of N by sinc^4(q / N) along
+// each axis [Unser 1999]; the stored amplitudes are divided by that, so that the spline has the energy, not its samples.
+//
 // omega^2 = g k tanh(k depth). Frequencies are rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is an
 // integer, exact after any time. With a loop period they are whole numbers of turns a loop.
 

@@ -493,7 +493,10 @@ static void sampleTiles(int tileCount, const swTile* tiles, int count, const swP
             u[2 * i] = point->x;
             u[2 * i + 1] = point->z;
         }
-        memset(sums, 0, (size_t)blockCount * sizeof(PointSums));
+        for (int i = 0; i < blockCount; ++i)
+        {
+            sums[i] = (PointSums){0};
+        }
         for (int tile = 0; tile < tileCount; ++tile)
         {
             addTile(tiles + tile, blockCount, u, gradients != NULL, &cells, sums);
