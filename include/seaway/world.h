@@ -30,18 +30,18 @@ typedef struct swFoamDef
     float fadeRate;
 
     /// Folding (determinant of the Jacobian) below which foam is born: 1 is flat water, 0 a fold. Range [0, 1].
-    /// Default 0.4.
+    /// Default 0.5.
     float threshold;
 
-    /// Foam per second and unit of folding below the threshold. Range [0, 1000]. Default 250: where a wave folds for a
-    /// tenth of a second it leaves foam.
+    /// Foam per second and unit of folding below the threshold. Range [0, 1000]. Default 65.
     float gain;
 
     /// Set by swDefaultFoamDef().
     int internalValue;
 } swFoamDef;
 
-/// Foam whose mean over a sea of JONSWAP waves with chop 1 follows the whitecap cover of [Callaghan 2008] from 5 to 20 m/s.
+/// Foam whose mean over a JONSWAP sea with chop 1 follows whitecap cover from 3 to 20 m/s [Callaghan 2008]
+/// [Monahan and O'Muircheartaigh 1980]: 0.9 % at 10 m/s, 6 % at 20 m/s.
 SW_API swFoamDef swDefaultFoamDef(void);
 
 /// Must be initialized with swDefaultWorldDef().
@@ -79,6 +79,8 @@ SW_API void swDestroyWorld(swWorld* world);
 SW_API swResult swWorld_Step(swWorld* world, double dt);
 
 /// Jump to a time, s, past or future; the surface follows with the next step. Waves are a function of time alone.
+/// Foam has a past: when a step comes out earlier than the last one, or more than a second later, it starts anew from the
+/// state that the present waves would sustain. For a still picture with trails, step through some seconds before it.
 SW_API void swWorld_SetTime(swWorld* world, double time);
 
 /// Time of the last step's surface, s.

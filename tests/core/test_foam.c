@@ -10,7 +10,7 @@
 #include "core/base/host.h"
 #include "core/lod/stack.h"
 #include "core/sim/foam.h"
-#include "seaway/seaway.h"
+#include "scenarios/scenario.h"
 
 #define RESOLUTION 64
 #define SLICES 4
@@ -264,26 +264,82 @@ static void AFarTeleportStartsFromTheSteadyState(void** state)
     }
 }
 
-// The expectation over unresolved waves against a sum over the Gaussian.
-static void TheExpectedFoldIsThatOfAGaussian(void** state)
+static void TheExcessIsThatOfAGaussian(void** state)
 {
     (void)state;
     double worst = 0.0;
-    for (double margin = -1.0; margin < 1.0; margin += 0.037)
+    for (double x = -5.0; x < 5.0; x += 0.0313)
     {
-        const double deviation = 0.15;
         double sum = 0.0;
-        for (double n = -8.0; n < 8.0; n += 0.001)
+        for (double n = -x < -9.0 ? -9.0 : -x; n < 9.0; n += 0.0005)
         {
-            sum += fmax(margin + deviation * n, 0.0) * exp(-0.5 * n * n) * 0.001 * 0.3989422804;
+            sum += (x + n + 0.00025) * exp(-0.5 * (n + 0.00025) * (n + 0.00025)) * 0.0005 * 0.3989422804;
         }
-        double fold = (double)swFoamFold(0.5f - (float)margin, 0.5f, (float)deviation);
-        worst = fmax(worst, fabs(fold - sum));
+        worst = fmax(worst, fabs((double)swFoamExcess((float)x) / sum - 1.0));
     }
-    print_message("worst error of the expected fold: %.2g\n", worst);
-    assert_true(worst < 1.5e-4);
+    print_message("worst relative error of the excess: %.2g\n", worst);
+    assert_true(worst < 0.005);
+}
+
+static void AFoldThatIsKnownIsExact(void** state)
+{
+    (void)state;
     assert_true(swFoamFold(0.2f, 0.5f, 0.0f) == 0.5f - 0.2f);
     assert_true(swFoamFold(0.6f, 0.5f, 0.0f) == 0.0f);
+    assert_true(swFoamFold(-0.4f, 0.5f, 0.2f) == 0.5f + 0.4f);
+    // Continuous in J, and ever less with it.
+    float before = swFoamFold(-0.5f, 0.5f, 0.1f);
+    for (float jacobian = -0.5f; jacobian < 1.5f; jacobian += 0.001f)
+    {
+        float fold = swFoamFold(jacobian, 0.5f, 0.1f);
+        assert_true(fold >= 0.0f && fold <= before + 1e-4f && fold >= before - 2e-3f);
+        before = fold;
+    }
+}
+
+// The expectation over the waves that a slice leaves out, against the fold of all waves at the same points.
+static void SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea(void** state)
+{
+    (void)state;
+    ScenarioDef scenarioDef = DefaultScenarioDef(SCENARIO_GALE);
+    scenarioDef.resolution = 64;
+    Scenario sea;
+    assert_int_equal(CreateScenario(&scenarioDef, &sea), SW_SUCCESS);
+    enum
+    {
+        COUNT = 100000
+    };
+    static swPosXZ points[COUNT];
+    static float jacobians[COUNT];
+    uint32_t seed = 7;
+    for (int i = 0; i < COUNT; ++i)
+    {
+        seed = seed * 1664525u + 1013904223u;
+        points[i].x = 1e5 * (double)(seed >> 8) * 0x1p-24;
+        seed = seed * 1664525u + 1013904223u;
+        points[i].z = 1e5 * (double)(seed >> 8) * 0x1p-24;
+    }
+    const float chops[] = {1.0f, 1.0f};
+    const float shortest[] = {0.0f, 0.25f, 1.0f, 4.0f, 16.0f, 64.0f};
+    double whole = 0.0;
+    for (int s = 0; s < 6; ++s)
+    {
+        swQueryDef def = swDefaultQueryDef();
+        def.minWavelength = shortest[s];
+        swSurfaceSamples samples = {.jacobian = jacobians};
+        swWorld_QueryParticles(sea.world, &def, COUNT, points, &samples, NULL);
+        float deviation = swGetFoamDeviation(swGetWorldFrame(sea.world), chops, shortest[s]);
+        double fold = 0.0;
+        for (int i = 0; i < COUNT; ++i)
+        {
+            fold += (double)swFoamFold(jacobians[i], 0.5f, deviation) / COUNT;
+        }
+        whole = s == 0 ? fold : whole;
+        print_message("waves from %g m: deviation of the others %.3f, mean fold %.3g, %.2f of the whole\n",
+                      (double)shortest[s], (double)deviation, fold, fold / whole);
+        assert_true(fold > 0.7 * whole && fold < 1.4 * whole);
+    }
+    DestroyScenario(&sea);
 }
 
 // Mean foam of the finest slice over a few seconds of a sea.
@@ -307,12 +363,12 @@ static double MeasureFoam(float windSpeed, float finestTexel)
     swView* view;
     assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
     double mean = 0.0;
-    for (int i = 0; i < 75; ++i)
+    for (int i = 0; i < 40; ++i)
     {
-        swWorld_Step(world, 1.0 / 15.0);
+        swWorld_Step(world, 0.1);
         for (int t = 0; i % 5 == 4 && t < 128 * 128; ++t)
         {
-            mean += (double)swView_GetFoam(view, 0)[t] / (15.0 * 128.0 * 128.0);
+            mean += (double)swView_GetFoam(view, 0)[t] / (8.0 * 128.0 * 128.0);
         }
     }
     swDestroyWorld(world);
@@ -322,25 +378,15 @@ static double MeasureFoam(float windSpeed, float finestTexel)
 static void CoverGrowsWithWindAsWhitecapsDo(void** state)
 {
     (void)state;
-    double light = MeasureFoam(3.0f, 0.5f);
-    double fresh = MeasureFoam(10.0f, 0.5f);
-    double gale = MeasureFoam(20.0f, 0.5f);
+    double light = MeasureFoam(3.0f, 4.0f);
+    double fresh = MeasureFoam(10.0f, 4.0f);
+    double gale = MeasureFoam(20.0f, 4.0f);
     print_message("mean foam: %.3f %% at 3 m/s, %.2f %% at 10 m/s, %.2f %% at 20 m/s\n", 100.0 * light, 100.0 * fresh,
                   100.0 * gale);
     // [Monahan and O'Muircheartaigh 1980]: 0.016, 0.99 and 10.5 %; [Callaghan 2008]: 0, 0.80 and 5.1 %.
     assert_true(light < 0.0005);
     assert_true(fresh > 0.004 && fresh < 0.02);
     assert_true(gale > 0.025 && gale < 0.15);
-}
-
-static void ACoarseSliceHoldsAsMuchFoamAsAFineOne(void** state)
-{
-    (void)state;
-    double fine = MeasureFoam(15.0f, 0.5f);
-    double coarse = MeasureFoam(15.0f, 2.0f);
-    print_message("mean foam at 15 m/s: %.2f %% in texels of 0.5 m, %.2f %% in texels of 2 m\n", 100.0 * fine,
-                  100.0 * coarse);
-    assert_true(coarse > 0.4 * fine && coarse < 2.5 * fine);
 }
 
 int main(void)
@@ -354,9 +400,10 @@ int main(void)
         cmocka_unit_test(FoamLiesStillFarFromTheOrigin),
         cmocka_unit_test(FoamSurvivesAChangeOfScale),
         cmocka_unit_test(AFarTeleportStartsFromTheSteadyState),
-        cmocka_unit_test(TheExpectedFoldIsThatOfAGaussian),
+        cmocka_unit_test(TheExcessIsThatOfAGaussian),
+        cmocka_unit_test(AFoldThatIsKnownIsExact),
+        cmocka_unit_test(SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea),
         cmocka_unit_test(CoverGrowsWithWindAsWhitecapsDo),
-        cmocka_unit_test(ACoarseSliceHoldsAsMuchFoamAsAFineOne),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

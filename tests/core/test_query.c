@@ -91,7 +91,7 @@ static double SearchDensely(const swWorld* world, double x, double z)
         }
         swSurfaceSamples samples = {.displacement = moved};
         swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL);
-        double nearest = INFINITY;
+        double nearest = 1e30;
         int best = 0;
         for (int i = 0; i < SIDE * SIDE; ++i)
         {
