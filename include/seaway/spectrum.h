@@ -53,7 +53,8 @@ typedef struct swSpectrumDef
     /// Peak enhancement. Range [1, 10]. Default 3.3. JONSWAP only.
     float gamma;
 
-    /// Significant wave height 4 sqrt(m0), m. Range [0, 40]. Default 0: what wind and fetch (or the table) give.
+    /// Significant wave height 4 sqrt(m0), m; a table's without its tail. Range [0, 40]. Default 0: what wind and fetch
+    /// (or the table) give.
     float significantHeight;
 
     /// Period of the spectral peak, s. Range [0, 60]. Default 0: what wind and fetch give. Unused by tables.
@@ -100,8 +101,8 @@ SW_API float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency);
 /// Density of direction at f, 1/rad; integrates to 1 over the circle. Any thread.
 SW_API float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float direction);
 
-/// Integrate the spectrum over [minFrequency, maxFrequency] Hz (0, 0: where it has energy; for a table, its own bins
-/// and widths, without the tail).
+/// Integrate the spectrum over [minFrequency, maxFrequency] Hz, a table with its tail; or, with 0 and 0, over all of it:
+/// a formula up to 5 Hz (waves of 6 cm), a table by its own bins and widths, without the tail.
 /// @return SW_ERROR_INVALID if the def is outside its ranges or has no energy
 SW_API swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, float maxFrequency,
                                        swSeaState* seaState);
@@ -122,6 +123,7 @@ typedef struct swMeasuredRecord
     const float* energy;
 
     /// First circular moments: mean direction where waves go (radians) and r1, by frequency; r2 and its direction.
+    /// Gaps are filled from the nearest frequency, impossible moments corrected: what the table was made from.
     /// NULL if the file holds no directions (the table is then spread as cos^2s with s = 8 around east). [frequencyCount]
     const float* meanDirection;
     const float* r1;
@@ -149,6 +151,7 @@ typedef struct swNdbcTexts
 
 /// Parse NDBC texts. The directional distribution is the maximum-entropy one of the four moments
 /// [Lygre and Krogstad 1986], which is never negative. Records come in ascending time.
+/// A file may have 1024 frequencies, 1,000,000 records and 1,048,576 values: two years of hourly records.
 /// @return SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
 SW_API swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea** sea);
 
