@@ -252,7 +252,7 @@ static bool AskSea(const Stats* stats, swSeaState* state)
     return isFine;
 }
 
-// [Monahan 1980], of the strongest wind that a formula of the scene names; NAN if none does.
+// [Monahan and O'Muircheartaigh 1980], of the strongest wind that a formula of the scene names; NAN if none does.
 static double AskWhitecaps(const swScene* scene)
 {
     double wind = 0.0;

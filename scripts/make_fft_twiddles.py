@@ -35,6 +35,7 @@ def literal(x):
 def main():
     with open("src/core/math/fft_twiddles.inl", "w", encoding="ascii") as out:
         out.write("// SPDX-License-Identifier: MIT\n")
+        out.write("// clang-format off\n")
         out.write("// Written by scripts/make_fft_twiddles.py: the real and imaginary part of exp(2 pi i n / 512).\n")
         for n in range(SIZE):
             out.write(f"{literal(cosine(n))}, {literal(cosine(n - SIZE // 4))},\n")

@@ -37,11 +37,11 @@ SW_API swSkyDef swDefaultSkyDef(void);
 /// Look of the water. Must be initialized with swDefaultWaterDef().
 typedef struct swWaterDef
 {
-    swVec3 absorption;   ///< per metre, linear sRGB primaries. Default clear ocean
-    swVec3 scattering;   ///< per metre
+    swVec3 absorption;     ///< per metre, linear sRGB primaries. Default clear ocean
+    swVec3 scattering;     ///< per metre
     float refractiveIndex; ///< Default 1.34
-    swVec3 foamAlbedo;   ///< Default 0.9 grey
-    float windSpeed;     ///< for the roughness of ripples that no band holds [Cox 1954], m/s. Default 7
+    swVec3 foamAlbedo;     ///< Default 0.9 grey
+    float windSpeed;       ///< for the roughness of ripples that no band holds [Cox 1954], m/s. Default 7
     int internalValue;
 } swWaterDef;
 SW_API swWaterDef swDefaultWaterDef(void);
@@ -84,8 +84,8 @@ typedef struct swPicture
     swSkyDef sky;
     swWaterDef water;
     swDebugMode debug;
-    double time;        ///< for clouds, s
-    float exposureEv;   ///< added to automatic exposure, stops. Default 0
+    double time;      ///< for clouds, s
+    float exposureEv; ///< added to automatic exposure, stops. Default 0
 } swPicture;
 
 /// After swGpuWorld_Record() and outside of rendering: sky tables, culling, indirect arguments.
@@ -99,7 +99,8 @@ SW_API void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands);
 
 /// Outside of rendering: measure exposure from `hdr` (sampled, SHADER_READ_ONLY_OPTIMAL) for this and later frames.
 /// `immediate` jumps to the measured exposure instead of adapting.
-SW_API void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate);
+SW_API void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt,
+                              bool immediate);
 
 /// Inside dynamic rendering with one colour target of outputFormat: exposure, tone curve, dither.
 SW_API void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr);

@@ -51,11 +51,11 @@ SW_API swPos swView_GetViewpoint(const swView* view);
 /// One slice as the last step left it. Texel (column, row) rests at ((firstX + column) * texel, (firstZ + row) * texel).
 typedef struct swSliceInfo
 {
-    double texel;            ///< m
-    int64_t firstX, firstZ;  ///< index of the first texel on the world's lattice of that texel width
-    int resolution;          ///< texels along the side
-    float minWavelength;     ///< shortest band it carries, m
-    float fade;              ///< 0: shown; 1: faded into the next slice (finest slice only)
+    double texel;           ///< m
+    int64_t firstX, firstZ; ///< index of the first texel on the world's lattice of that texel width
+    int resolution;         ///< texels along the side
+    float minWavelength;    ///< shortest band it carries, m
+    float fade;             ///< 0: shown; 1: faded into the next slice (finest slice only)
 } swSliceInfo;
 
 SW_API int swView_GetSliceCount(const swView* view);

@@ -93,9 +93,9 @@ void transmittanceOf(vec2 x, out float radius, out float mu)
     radius = sqrt(toHorizon * toHorizon + earthBottom * earthBottom);
     float nearest = earthTop - radius;
     float distance = nearest + x.x * (toHorizon + toHorizonMax - nearest);
-    mu = distance <= 0.0 ? 1.0
-                         : (toHorizonMax * toHorizonMax - toHorizon * toHorizon - distance * distance) /
-                               (2.0 * radius * distance);
+    mu = distance <= 0.0
+             ? 1.0
+             : (toHorizonMax * toHorizonMax - toHorizon * toHorizon - distance * distance) / (2.0 * radius * distance);
     mu = clamp(mu, -1.0, 1.0);
 }
 

@@ -25,15 +25,15 @@
 
 SW_PARAMS(swPictureParams)
 {
-    sw_vec4 clip[4];  // columns: metres from the camera to clip space
-    sw_vec4 rayX;     // xyz: world direction that one unit of clip x adds to a ray; w: output width
-    sw_vec4 rayY;     // the same for y; w: output height
-    sw_vec4 forward;  // xyz: where the camera looks; w: metres that a pixel covers at distance 1
-    sw_vec4 sun;      // xyz: towards the sun; w: cosine of its angular radius
-    sw_vec4 sunLight; // rgb: illuminance above the atmosphere, pre-exposed lux; w: haze
-    sw_vec4 absorption;  // 1/m; w: refractive index
-    sw_vec4 scattering;  // 1/m; w: deviation of height, m
-    sw_vec4 foamAlbedo;  // w: cloud cover
+    sw_vec4 clip[4];    // columns: metres from the camera to clip space
+    sw_vec4 rayX;       // xyz: world direction that one unit of clip x adds to a ray; w: output width
+    sw_vec4 rayY;       // the same for y; w: output height
+    sw_vec4 forward;    // xyz: where the camera looks; w: metres that a pixel covers at distance 1
+    sw_vec4 sun;        // xyz: towards the sun; w: cosine of its angular radius
+    sw_vec4 sunLight;   // rgb: illuminance above the atmosphere, pre-exposed lux; w: haze
+    sw_vec4 absorption; // 1/m; w: refractive index
+    sw_vec4 scattering; // 1/m; w: deviation of height, m
+    sw_vec4 foamAlbedo; // w: cloud cover
 
     float cameraHeight; // above sea level, m
     float seaY;         // sea level from the camera, m
@@ -47,7 +47,7 @@ SW_PARAMS(swPictureParams)
 
     float quads; // d of mesh_rings
     float flatDistance;
-    float earthRadius; // m
+    float earthRadius;  // m
     float horizonScale; // log2 of the horizon strip's outer over its inner edge
 
     sw_uint ringCount;
@@ -55,8 +55,8 @@ SW_PARAMS(swPictureParams)
     sw_uint tileSide;
     sw_uint resolution; // texels along a slice
 
-    sw_uint bandCount;     // tiles of waves
-    sw_uint debugMode;     // swDebugMode
+    sw_uint bandCount;      // tiles of waves
+    sw_uint debugMode;      // swDebugMode
     float finestWavelength; // shortest wave that slice 0 carries, m; doubles with each slice
     float rippleVariance;   // slope variance of each axis that no band holds
 

@@ -25,8 +25,8 @@ void main()
 
     // From the camera to a point of the sea at that distance, beyond the horizon along its tangent.
     float radius = earthBottom + height;
-    float muToSea = (earthBottom * earthBottom - radius * radius - distance * distance) /
-                    (2.0 * radius * max(distance, 1e-4));
+    float muToSea =
+        (earthBottom * earthBottom - radius * radius - distance * distance) / (2.0 * radius * max(distance, 1e-4));
     float mu = clamp(max(muToSea, -1.0), -1.0, horizonCosine(radius));
     if (distance < height)
     {

@@ -24,7 +24,7 @@ void main()
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     vec3 direction = skyViewDirection(texel, 0.0);
     vec3 sky = texelFetch(skyView, ivec3(texel, 1), 0).rgb;
-    vec4 clouds = cloudsAlong(direction, earthBottom + 1e-3, vec2(picture.cloudX, picture.cloudZ), picture.sun.xyz, light,
-                              picture.foamAlbedo.w, 0.02);
+    vec4 clouds = cloudsAlong(direction, earthBottom + 1e-3, vec2(picture.cloudX, picture.cloudZ), picture.sun.xyz,
+                              light, picture.foamAlbedo.w, 0.02);
     imageStore(target, texel, vec4(sky * (1.0 - clouds.a) + clouds.rgb, 1.0));
 }

@@ -19,8 +19,7 @@ void integrateRay(float radius, vec3 direction, vec3 sun, inout vec3 second, ino
 {
     const int steps = 20;
     bool hits = hitsEarth(radius, direction.y);
-    float length =
-        hits ? distanceToEarth(radius, direction.y) : distanceToSphere(radius, direction.y, earthTop);
+    float length = hits ? distanceToEarth(radius, direction.y) : distanceToSphere(radius, direction.y, earthTop);
     float stepLength = length / float(steps);
     vec3 passed = vec3(1.0);
     for (int i = 0; i < steps; ++i)

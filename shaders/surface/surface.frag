@@ -114,8 +114,9 @@ Slopes slopesAt(vec2 rest, Footprint footprint, out SlicePair pair)
          textureLod(derivatives, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).xyz;
     if (pair.secondWeight > 0.0)
     {
-        d += pair.secondWeight *
-             textureLod(derivatives, vec3(sliceUv(slices[pair.second], place, resolution), float(pair.second)), 0.0).xyz;
+        d +=
+            pair.secondWeight *
+            textureLod(derivatives, vec3(sliceUv(slices[pair.second], place, resolution), float(pair.second)), 0.0).xyz;
     }
     slopes.jacobian = d.z;
     // A fold would be vertical; its place is under foam, and steeper than this no water stands.
@@ -129,12 +130,14 @@ Slopes slopesAt(vec2 rest, Footprint footprint, out SlicePair pair)
 float foamAmount(SlicePair pair)
 {
     float resolution = float(picture.resolution);
-    float amount = pair.firstWeight *
-                   textureLod(foamLayer, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).r;
+    float amount =
+        pair.firstWeight *
+        textureLod(foamLayer, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).r;
     if (pair.secondWeight > 0.0)
     {
-        amount += pair.secondWeight *
-                  textureLod(foamLayer, vec3(sliceUv(slices[pair.second], place, resolution), float(pair.second)), 0.0).r;
+        amount +=
+            pair.secondWeight *
+            textureLod(foamLayer, vec3(sliceUv(slices[pair.second], place, resolution), float(pair.second)), 0.0).r;
     }
     return clamp(amount, 0.0, 1.0);
 }

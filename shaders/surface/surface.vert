@@ -20,7 +20,7 @@ layout(std430, binding = 2) readonly buffer Tiles
 };
 layout(binding = 3) uniform sampler2DArray displacement;
 
-layout(location = 0) out vec2 place;   // at rest, finest steps from the anchor
+layout(location = 0) out vec2 place;    // at rest, finest steps from the anchor
 layout(location = 1) out vec3 position; // displaced, metres from the camera
 layout(location = 2) out float blend;
 layout(location = 3) out float height; // of the displaced point above sea level, m
@@ -112,5 +112,6 @@ void main()
         placeOnHorizon(tile, corner);
     }
     position.y -= swMeshDrop(length(position.xz), picture.flatDistance, picture.earthRadius);
-    gl_Position = picture.clip[0] * position.x + picture.clip[1] * position.y + picture.clip[2] * position.z + picture.clip[3];
+    gl_Position =
+        picture.clip[0] * position.x + picture.clip[1] * position.y + picture.clip[2] * position.z + picture.clip[3];
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// clang-format off
 // Written by scripts/make_fft_twiddles.py: the real and imaginary part of exp(2 pi i n / 512).
 1.0f, 0.0f,
 0.999924719f, 0.0122715384f,
