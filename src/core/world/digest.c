@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The digest is made when it is asked for, not in every step: hashing 14 tiles of 128 x 128 takes about as long as a
-// quarter of making them.
+// The digest is made when it is asked for, not in every step: hashing 14 tiles of 128 x 128 takes about a third of
+// the time that making them takes.
 
 #include <string.h>
 
