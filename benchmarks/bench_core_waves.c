@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// What a frame of waves costs on one core: 14 bands of 128 x 128, beside FFTW doing nothing but the transforms of the same
-// three real fields a band, planned with FFTW_MEASURE, in the faster of in place and out of place; and what points of the
-// surface cost. The two take turns within one run, each after touching its own data once; medians are compared.
+// What a frame of waves costs on one core: 14 bands of 128 x 128, beside FFTW doing nothing but the transforms of the
+// same three real fields a band, planned with FFTW_MEASURE, in the faster of in place and out of place; and what points
+// of the surface cost. The two take turns within one run, each after touching its own data once; medians are compared.
 
 #include <math.h>
 #include <stdio.h>
@@ -203,7 +203,8 @@ static void PrintFloors(const Sea* sea)
     {
         waves += sea->tiles[i].modeCount;
     }
-    // Of the textbook's 5 N log2 N a transform: a quarter of the columns of three real fields, then one and a half complex.
+    // Of the textbook's 5 N log2 N a transform: a quarter of the columns of three real fields, then one and a half
+    // complex.
     double transforms = sea->tileCount * (3.0 * n / 4.0 + 1.5 * n);
     double flops = transforms * 5.0 * n * log2(n);
     double written = sea->tileCount * (n + 3.0) * (n + 3.0) * 16.0;

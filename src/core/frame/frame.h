@@ -6,11 +6,10 @@
 //
 // A tile holds uniform cubic B-spline coefficients of one band: displacement (x, y, z) at wrapped sample (i, j) is
 // texels[(j * pitch + i) * 4 + {0, 1, 2}], element 3 is 0, with pitch = resolution + 3: columns and rows resolution ..
-// resolution + 2 repeat 0 .. 2, so that a 4x4 window never wraps. i runs along x, j along z. A point u of the rest plane has
-// spline coordinate s = frac(u / side) * resolution; its window starts at floor(s) - 1, so the window of s in
+// resolution + 2 repeat 0 .. 2, so that a 4x4 window never wraps. i runs along x, j along z. A point u of the rest
+// plane has spline coordinate s = frac(u / side) * resolution; its window starts at floor(s) - 1, so the window of s in
 // [0, resolution) would start at -1: therefore texel (i, j) stores sample (i - 1, j - 1) mod resolution and the window
-// starts at column floor(s).
-// The surface is the spline, not the coefficients: f(s) = sum B3(s - n) c_n.
+// starts at column floor(s). The surface is the spline, not the coefficients: f(s) = sum B3(s - n) c_n.
 
 #include "seaway/view.h"
 #include "seaway/waves.h"
@@ -23,8 +22,8 @@
 // where p = (a(k) + conj a(-k)) / 2, q = (a(k) - conj a(-k)) / 2, and a is divided by the spline's response.
 // Horizontal spectra: i chop k_x / |k| H and i chop k_z / |k| H.
 // Phase in turns, exactly the same on every machine: the top 32 bits of the low 64 bits of frequency * ticks, with
-// frequency in turns per tick as unsigned Q0.64 and ticks = round(time * SW_TICKS_PER_SECOND) as two's complement; of a tile
-// that loops, what swGetTileTicks() leaves of them.
+// frequency in turns per tick as unsigned Q0.64 and ticks = round(time * SW_TICKS_PER_SECOND) as two's complement; of a
+// tile that loops, what swGetTileTicks() leaves of them.
 typedef struct swMode
 {
     int16_t qx, qz;

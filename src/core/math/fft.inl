@@ -2,13 +2,14 @@
 
 // Complex Fourier transforms along the rows of a panel, for sizes N of 16, 32, 64, 128, 256 and 512:
 //   X[k] = sum over n of x[n] exp(2 pi i n k / N), without a factor.
-// A panel holds eight independent columns: row n is eight real parts, then eight imaginary parts, one line of the cache.
-// Lanes are columns, so no instruction set needs a shuffle and all give the same bits. A panel of 512 rows is 32 KiB.
+// A panel holds eight independent columns: row n is eight real parts, then eight imaginary parts, one line of the
+// cache. Lanes are columns, so no instruction set needs a shuffle and all give the same bits. A panel of 512 rows is 32
+// KiB.
 //
 // Decimation in frequency by four [Gentleman 1966]: after a stage, quarter j of a block holds what leads to the outputs
 // that are j modulo 4. The last stage takes four or eight rows at once, needs no twiddles and writes in natural order.
-// The first stage is the caller's choice: swFftFirst() for any input, swFftFirstPruned() for one that is zero but for bins
-// -N/4 .. N/4 (a band's tile is), which saves half of its reads and sums.
+// The first stage is the caller's choice: swFftFirst() for any input, swFftFirstPruned() for one that is zero but for
+// bins -N/4 .. N/4 (a band's tile is), which saves half of its reads and sums.
 //
 // Include after wide.h.
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Random numbers by hashing: a number depends on what it is for (seed, band, wave, stream) and on nothing else, neither on
-// the order of calls nor on a tile's resolution. The mixer is the finalizer of SplitMix64 [Steele 2014].
+// Random numbers by hashing: a number depends on what it is for (seed, band, wave, stream) and on nothing else, neither
+// on the order of calls nor on a tile's resolution. The mixer is the finalizer of SplitMix64 [Steele 2014].
 
 #include <stdint.h>
 

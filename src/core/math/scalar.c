@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 
-// Elementary functions in plain IEEE arithmetic. Each reduces its argument until a short series converges below the last
-// bit, and sums that series in one fixed order; exp and ln in pairs, because a chain of twelve products and sums takes
-// three times as long. The series are Taylor's, whose coefficients anyone can check; the ranges are small enough that a
-// minimax fit would save one term at most.
+// Elementary functions in plain IEEE arithmetic. Each reduces its argument until a short series converges below the
+// last bit, and sums that series in one fixed order; exp and ln in pairs, because a chain of twelve products and sums
+// takes three times as long. The series are Taylor's, whose coefficients anyone can check; the ranges are small enough
+// that a minimax fit would save one term at most.
 
 #include "core/math/scalar.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // Elementary functions with the same bits on every compiler and machine: polynomials in plain IEEE arithmetic, no libm
-// (sqrt, floor, fabs and the like are exact and allowed). Double versions are good to about 1e-14 relative, float ones to
-// 2 ulp. Used wherever a result reaches the surface.
+// (sqrt, floor, fabs and the like are exact and allowed). Double versions are good to about 1e-14 relative, float ones
+// to 2 ulp. Used wherever a result reaches the surface.
 
 #include <stdint.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The wide float: as many floats as the instruction set holds in a register. A kernel is written once on it, in an .inl,
-// and compiled once per instruction set by a small .c that defines SW_WIDE_ISA before including this.
-// Every flavour does the same operations on each lane in the same order, and none of them contracts a product and a sum;
-// so a kernel gives the same bits in all of them as long as it keeps lanes apart.
+// The wide float: as many floats as the instruction set holds in a register. A kernel is written once on it, in an
+// .inl, and compiled once per instruction set by a small .c that defines SW_WIDE_ISA before including this. Every
+// flavour does the same operations on each lane in the same order, and none of them contracts a product and a sum; so a
+// kernel gives the same bits in all of them as long as it keeps lanes apart.
 //
 //   swWide   SW_WIDTH floats                    swWideI  SW_WIDTH 32-bit integers
 //   swQuads  two groups of four floats, whatever SW_WIDTH is: for texels of four floats, two at a time

@@ -2,18 +2,19 @@
 
 // From a spectrum to the waves of each band [Tessendorf 2001].
 //
-// A band's waves stand on the lattice k = 2 pi q / side, in the ring of wave numbers of its octave. A wave gets the energy
-// that the directional spectrum has in its lattice cell,
+// A band's waves stand on the lattice k = 2 pi q / side, in the ring of wave numbers of its octave. A wave gets the
+// energy that the directional spectrum has in its lattice cell,
 //   E = integral over the cell of S(omega, theta) (d omega / d k) / k,
-// where the ring cuts a cell: in the part inside. Then all are scaled so that the band's variance is exactly the integral
-// of S over its frequencies. Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for, and
-// hundreds to thousands of waves a band make the surface as good as Gaussian.
+// where the ring cuts a cell: in the part inside. Then all are scaled so that the band's variance is exactly the
+// integral of S over its frequencies. Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for,
+// and hundreds to thousands of waves a band make the surface as good as Gaussian.
 //
-// A tile holds spline coefficients, and a cubic B-spline over samples damps a wave of q bins of N by sinc^4(q / N) along
-// each axis [Unser 1999]; the stored amplitudes are divided by that, so that the spline has the energy, not its samples.
+// A tile holds spline coefficients, and a cubic B-spline over samples damps a wave of q bins of N by sinc^4(q / N)
+// along each axis [Unser 1999]; the stored amplitudes are divided by that, so that the spline has the energy, not its
+// samples.
 //
-// omega^2 = g k tanh(k depth). Frequencies are rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is an
-// integer, exact after any time. With a loop period they are whole numbers of turns a loop.
+// omega^2 = g k tanh(k depth). Frequencies are rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is
+// an integer, exact after any time. With a loop period they are whole numbers of turns a loop.
 
 #include "core/waves/waves_fft.h"
 
@@ -58,8 +59,8 @@ typedef struct Ring
 
 double swGetTileSide(int band, int tileWaves)
 {
-    // Multiples of the golden section modulo one keep away from each other and from simple ratios. The largest factor leaves
-    // the bin `tileWaves` itself empty for the usual 32 waves.
+    // Multiples of the golden section modulo one keep away from each other and from simple ratios. The largest factor
+    // leaves the bin `tileWaves` itself empty for the usual 32 waves.
     double golden = 0.6180339887498949 * (band + 1);
     double factor = 0.86 + 0.12 * (golden - floor(golden));
     double shortest = ldexp(1.0, band - 4);
@@ -94,8 +95,8 @@ static double getDensity(const Builder* builder, double kx, double kz)
     return density > 0.0 ? density * getGroupSpeed(builder, k, omega) / k : 0.0;
 }
 
-// Gauss's rule: three points an axis where cells are wide, two where they are narrow. A cell of the usual 32 waves spans two
-// to four degrees; two points are then good to 5e-4 at the peak of the narrowest swell (s = 200).
+// Gauss's rule: three points an axis where cells are wide, two where they are narrow. A cell of the usual 32 waves
+// spans two to four degrees; two points are then good to 5e-4 at the peak of the narrowest swell (s = 200).
 static double integrateInnerCell(const Builder* builder, double dk, int qx, int qz)
 {
     static const double offsets[2][3] = {{-0.28867513459481288, 0.28867513459481288},

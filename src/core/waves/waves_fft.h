@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// From a spectrum to tiles: waves on each band's lattice, and their transform at a time. See core/frame/frame.h for what
-// modes and tiles are.
+// From a spectrum to tiles: waves on each band's lattice, and their transform at a time. See core/frame/frame.h for
+// what modes and tiles are.
 
 #include "core/frame/frame.h"
 #include "core/waves/spectrum.h"
@@ -24,7 +24,8 @@ typedef struct swBandModes
 swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, swBandModes* bands);
 void swFreeModes(const swHost* host, swBandModes* bands);
 
-// The side of band b's tile, m: tileWaves * shortest wavelength * a factor in (0.85, 1] that is different for each band.
+// The side of band b's tile, m: tileWaves * shortest wavelength * a factor in (0.85, 1] that is different for each
+// band.
 double swGetTileSide(int band, int tileWaves);
 
 // The kernels of one instruction set. NULL if this machine or build lacks it; SW_ISA_BEST never returns NULL.
@@ -35,9 +36,9 @@ swIsa swGetWaveKernelsIsa(const swWaveKernels* kernels);
 // Scratch bytes that one worker needs for tiles of that resolution, 64-byte aligned.
 size_t swGetTileScratchSize(int resolution);
 
-// Transform one tile, or two of the same resolution at once (b may be NULL; two are cheaper than one and one), at `ticks`
-// into texels ((N + 3)^2 * 4 floats each, 64-byte aligned), times the tile's weight.
-// A tile's bits depend on its partner, so the world pairs the tiles of a system in a fixed order.
+// Transform one tile, or two of the same resolution at once (b may be NULL; two are cheaper than one and one), at
+// `ticks` into texels ((N + 3)^2 * 4 floats each, 64-byte aligned), times the tile's weight. A tile's bits depend on
+// its partner, so the world pairs the tiles of a system in a fixed order.
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
                       int64_t ticks, void* scratch);
 

@@ -2,9 +2,10 @@
 
 // A band's tile at a time, and its spline at points. Written on the wide float and compiled per instruction set.
 //
-// A tile is three real fields: horizontal displacements X and Z, height H. Their spectra are conjugate-symmetric, so that
-// half a plane says all. The first axis transforms x for bins qz >= 0 of each real field: lanes are qz. What it leaves,
-// T(qz, x), obeys T(-qz, x) = conj T(qz, x), so that two real fields make one complex transform along z: lanes are x, and
+// A tile is three real fields: horizontal displacements X and Z, height H. Their spectra are conjugate-symmetric, so
+// that half a plane says all. The first axis transforms x for bins qz >= 0 of each real field: lanes are qz. What it
+// leaves, T(qz, x), obeys T(-qz, x) = conj T(qz, x), so that two real fields make one complex transform along z: lanes
+// are x, and
 //   G(qz, x) = Ta(qz, x) + i Tb(qz, x),  G(-qz, x) = conj Ta(qz, x) + i conj Tb(qz, x)
 // is formed as the second axis reads its first rows. X and Z of a tile go together, and the heights of two tiles.
 // Both axes see bins -N/4 .. N/4 only. The second works on eight columns at a time, in 24 KiB of the nearest cache for
@@ -246,7 +247,8 @@ static void transformColumns(const Scratch* s, const float* a, const float* b, f
     swFftRest(s->size, s->work, plane);
 }
 
-// Eight columns of texels: sample (x, z) goes to texel (x + 1, z + 1). `height` is the real or imaginary part of a plane.
+// Eight columns of texels: sample (x, z) goes to texel (x + 1, z + 1). `height` is the real or imaginary part of a
+// plane.
 static void writeTexels(const Scratch* s, const float* horizontal, const float* height, int x, float* texels)
 {
     int pitch = s->size + 3;
@@ -333,8 +335,8 @@ typedef struct Cells
     float fraction[2 * POINT_BLOCK];
 } Cells;
 
-// u * scale = cell + fraction, with cell modulo N (a power of two). Adding 3 * 2^51 leaves the nearest integer in the low
-// bits of a double, exactly as long as |u * scale| < 2^51; taking it away again shows whether that was above.
+// u * scale = cell + fraction, with cell modulo N (a power of two). Adding 3 * 2^51 leaves the nearest integer in the
+// low bits of a double, exactly as long as |u * scale| < 2^51; taking it away again shows whether that was above.
 static void findCells(const double* u, int count, double scale, int size, Cells* cells)
 {
     const double shift = 6755399441055744.0;
