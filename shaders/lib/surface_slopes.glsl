@@ -15,26 +15,21 @@ struct Slopes
     float level; // slice and fraction that were read
 };
 
-// The pixel's footprint on the rest plane: an ellipse.
+// The pixel's footprint on the water: an ellipse drawn out along the line of sight.
 struct Footprint
 {
     vec2 axis; // unit vector along the longer half axis
     float longest, shortest;
 };
 
-Footprint footprintOf(vec2 dx, vec2 dy)
+// From distance and angle, not from derivatives: those of a triangle seen edge on are as large as they are meaningless.
+// `facing` is the mean projected area of level water, which on a rough sea stays above 0 at the horizon.
+Footprint footprintAt(vec3 view, float range, float pixelAngle, float facing)
 {
-    // Eigenvalues of the outer products' sum.
-    float a = dx.x * dx.x + dy.x * dy.x;
-    float b = dx.x * dx.y + dy.x * dy.y;
-    float c = dx.y * dx.y + dy.y * dy.y;
-    float middle = 0.5 * (a + c);
-    float reach = sqrt(max(0.25 * (a - c) * (a - c) + b * b, 0.0));
     Footprint footprint;
-    footprint.longest = sqrt(max(middle + reach, 1e-12));
-    footprint.shortest = sqrt(max(middle - reach, 1e-12));
-    vec2 axis = a > c ? vec2(middle + reach - c, b) : vec2(b, middle + reach - a);
-    footprint.axis = axis * inversesqrt(max(dot(axis, axis), 1e-20));
+    footprint.axis = view.xz * inversesqrt(max(dot(view.xz, view.xz), 1e-8));
+    footprint.shortest = range * pixelAngle;
+    footprint.longest = footprint.shortest / min(facing, 1.0);
     return footprint;
 }
 

@@ -17,6 +17,7 @@ layout(push_constant) uniform Push
 {
     float seed;
     float stops;
+    float raw; // 1: show the colours as they are
 };
 
 layout(location = 0) in vec2 clip;
@@ -57,13 +58,16 @@ float hashed(uvec2 p, uint salt)
 void main()
 {
     vec2 uv = 0.5 * clip + 0.5;
-    float factor = exposure.exposure > 0.0 ? exposure.exposure * exp2(stops) : 1.0;
-    vec3 c = textureLod(hdr, uv, 0.0).rgb * factor;
-    const float inset = 0.12;
-    c = mix(c, vec3(dot(c, luma)), inset);
-    c = toneCurve(c);
-    // Part of the way back out.
-    c = max(mix(vec3(dot(c, luma)), c, 1.0 / (1.0 - 0.8 * inset)), vec3(0.0));
+    vec3 c = textureLod(hdr, uv, 0.0).rgb;
+    if (raw == 0.0)
+    {
+        const float inset = 0.12;
+        c *= exposure.exposure > 0.0 ? exposure.exposure * exp2(stops) : 1.0;
+        c = mix(c, vec3(dot(c, luma)), inset);
+        c = toneCurve(c);
+        // Part of the way back out.
+        c = max(mix(vec3(dot(c, luma)), c, 1.0 / (1.0 - 0.8 * inset)), vec3(0.0));
+    }
 
     vec3 shown = encode(min(c, vec3(1.0)));
     uvec2 pixel = uvec2(gl_FragCoord.xy);

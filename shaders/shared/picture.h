@@ -69,8 +69,11 @@ SW_PARAMS(swPictureParams)
     float foamSeed;
     float cloudX; // the camera above the clouds' lattice, and their drift, km
     float cloudZ;
+
+    float slopeVariance; // of each axis, all waves
+    float unused0, unused1, unused2;
 };
-SW_PARAMS_SIZE(swPictureParams, 304);
+SW_PARAMS_SIZE(swPictureParams, 320);
 
 // A tile of waves as the fragment shader reads it: its layer of slopes, and where the mesh's anchor lies in it.
 SW_PARAMS(swDetailParams)

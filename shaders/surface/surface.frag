@@ -30,16 +30,12 @@ layout(std430, binding = 5) readonly buffer Light
 {
     swSkyLight light;
 };
-layout(std430, binding = 6) readonly buffer Exposure
-{
-    swExposure exposure;
-};
-layout(binding = 7) uniform sampler2DArray derivatives;
-layout(binding = 8) uniform sampler2DArray foamLayer;
-layout(binding = 9) uniform sampler2DArray detail;
-layout(binding = 10) uniform sampler2D skyMap;
-layout(binding = 11) uniform sampler2DArray air;
-layout(binding = 12) uniform sampler2D foamTexture;
+layout(binding = 6) uniform sampler2DArray derivatives;
+layout(binding = 7) uniform sampler2DArray foamLayer;
+layout(binding = 8) uniform sampler2DArray detail;
+layout(binding = 9) uniform sampler2D skyMap;
+layout(binding = 10) uniform sampler2DArray air;
+layout(binding = 11) uniform sampler2D foamTexture;
 
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
@@ -105,7 +101,7 @@ Slopes slopesAt(vec2 rest, Footprint footprint, out SlicePair pair)
     Slopes slopes;
     float byDistance = float(ring) + blend;
     // A pixel may cover as much as the shortest wave's quarter, a texel.
-    float byFootprint = log2(max(4.0 * footprint.longest / picture.finestWavelength, 1e-6));
+    float byFootprint = log2(max(3.0 * footprint.longest / picture.finestWavelength, 1e-6));
     slopes.level = clamp(max(byDistance, byFootprint), 0.0, float(picture.ringCount));
     pair = pairAt(slopes.level);
     vec3 d = vec3(0.0, 0.0, 1.0 - pair.firstWeight - pair.secondWeight);
@@ -240,18 +236,19 @@ vec3 debugColor(Slopes slopes, float foam)
 void main()
 {
     vec2 rest = place * picture.step;
-    Footprint footprint = footprintOf(dFdx(rest), dFdy(rest));
+    float range = length(position);
+    vec3 view = -position / range;
+    float facing = facingArea(view, vec2(0.0), vec2(picture.slopeVariance));
+    Footprint footprint = footprintAt(view, range, picture.forward.w, facing);
     SlicePair pair;
     Slopes slopes = slopesAt(rest, footprint, pair);
     float amount = foamAmount(pair);
     if (picture.debugMode != 0)
     {
-        color = vec4(debugColor(slopes, amount) / max(exposure.exposure, 1e-6), 1.0);
+        color = vec4(debugColor(slopes, amount), 1.0); // shown without exposure or curve
         return;
     }
 
-    float range = length(position);
-    vec3 view = -position / range;
     vec3 sun = picture.sun.xyz;
     vec3 normal = facetNormal(slopes.mean);
     float index = picture.absorption.w;

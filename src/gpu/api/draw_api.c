@@ -26,6 +26,7 @@ struct swRenderer
     swPictureFrame picture; // of the last swRenderer_Prepare()
     const swGpuView* view;
     float time, exposureEv;
+    swDebugMode debug;
 };
 
 // Camera axes from heading, pitch and roll; the projection maps the near plane to depth 1 and infinity to 0.
@@ -207,6 +208,7 @@ swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, cons
     swBeginGpuFrame(gpu, commands, frameIndex);
     renderer->time = (float)fmod(picture->time, 4096.0);
     renderer->exposureEv = picture->exposureEv;
+    renderer->debug = picture->debug;
     swBuildPicture(picture, frame, view, renderer->gpuWorld->detail.width, &renderer->picture);
     swResult result = swUploadPicture(gpu, &renderer->picture);
     if (result != SW_SUCCESS)
@@ -225,8 +227,8 @@ void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands)
     SW_ASSERT(renderer->isPrepared);
     if (renderer->isPrepared)
     {
-        swDrawSurface(renderer->gpuWorld->gpu, commands, &renderer->surface, &renderer->sky,
-                      &renderer->tonemap.exposure, renderer->gpuWorld, renderer->view, &renderer->picture);
+        swDrawSurface(renderer->gpuWorld->gpu, commands, &renderer->surface, &renderer->sky, renderer->gpuWorld,
+                      renderer->view, &renderer->picture);
     }
 }
 
@@ -241,11 +243,17 @@ void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands)
 
 void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate)
 {
-    swClearExposure(renderer->gpuWorld->gpu, commands, &renderer->tonemap);
-    swRecordExposure(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, dt, immediate);
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    swClearExposure(gpu, commands, &renderer->tonemap);
+    if (renderer->debug == SW_DEBUG_NONE)
+    {
+        swRecordExposure(gpu, commands, &renderer->tonemap, hdr, dt, immediate);
+    }
 }
 
 void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr)
 {
-    swDrawTonemap(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, renderer->time, renderer->exposureEv);
+    bool isRaw = renderer->debug != SW_DEBUG_NONE;
+    swDrawTonemap(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, renderer->time, renderer->exposureEv,
+                  isRaw);
 }

@@ -85,6 +85,7 @@ static void setWater(const swPicture* picture, const swFrame* frame, swPictureFr
     p->scattering = withW(water->scattering, deviation);
     p->foamAlbedo = withW(water->foamAlbedo, picture->sky.clouds);
     p->rippleVariance = getRippleVariance(water->windSpeed, slopes);
+    p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
     p->verticalReach = 6.0f * deviation + 0.1f;
     p->horizontalReach = 12.0f * deviation + 0.1f;

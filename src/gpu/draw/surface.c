@@ -34,9 +34,9 @@ static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swS
     swGraphicsDef draw = {
         .vertex = SW_SHADER(vertexCode),
         .fragment = SW_SHADER(fragmentCode),
-        .bindingCount = 13,
-        .types = {SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_SAMPLED,
-                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED},
+        .bindingCount = 12,
+        .types = {SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED,
+                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED},
         .colorFormat = def->colorFormat,
         .depthFormat = def->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -197,8 +197,7 @@ swResult swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surfac
 }
 
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
-                   const swBuffer* exposure, const swGpuWorld* gpuWorld, const swGpuView* view,
-                   const swPictureFrame* picture)
+                   const swGpuWorld* gpuWorld, const swGpuView* view, const swPictureFrame* picture)
 {
     const swBinding bindings[] = {
         swBindUpload(&picture->paramsUpload),
@@ -207,7 +206,6 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surfac
         swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
         swBindUpload(&picture->bandsUpload),
         swBindBuffer(&sky->light),
-        swBindBuffer(exposure),
         swBindImage(gpu, &view->derivatives, SW_SAMPLER_LINEAR_CLAMP),
         swBindImage(gpu, swGetFoamImage(view), SW_SAMPLER_LINEAR_CLAMP),
         swBindImage(gpu, &gpuWorld->detail, SW_SAMPLER_LINEAR_REPEAT),

@@ -25,5 +25,4 @@ swResult swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surfac
                          const swPictureFrame* picture);
 // Inside rendering.
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
-                   const swBuffer* exposure, const swGpuWorld* gpuWorld, const swGpuView* view,
-                   const swPictureFrame* picture);
+                   const swGpuWorld* gpuWorld, const swGpuView* view, const swPictureFrame* picture);

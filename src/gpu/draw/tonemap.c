@@ -48,7 +48,7 @@ swResult swCreateTonemap(swGpu* gpu, const swRendererDef* def, swTonemap* tonema
         .fragment = SW_SHADER(tonemapCode),
         .bindingCount = 2,
         .types = {SW_SAMPLED, SW_STORAGE},
-        .pushSize = 2 * sizeof(float),
+        .pushSize = 3 * sizeof(float),
         .constantCount = 1,
         .constants = constants,
         .colorFormat = def->outputFormat,
@@ -107,13 +107,13 @@ void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, 
 }
 
 void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonemap, VkImageView hdr, float time,
-                   float stops)
+                   float stops, bool isRaw)
 {
     const swBinding bindings[] = {
         swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
         swBindBuffer(&tonemap->exposure),
     };
-    const float push[2] = {time, stops};
+    const float push[3] = {time, stops, isRaw ? 1.0f : 0.0f};
     swBeginPass(gpu, commands, "tonemap");
     swBindPipeline(gpu, commands, &tonemap->tonemapPipeline, bindings, push);
     gpu->vk.CmdDraw(commands, 3, 1, 0, 0);

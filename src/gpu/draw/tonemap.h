@@ -19,6 +19,6 @@ void swDestroyTonemap(swGpu* gpu, swTonemap* tonemap);
 void swClearExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap);
 void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, VkImageView hdr, float dt,
                       bool immediate);
-// Inside rendering.
+// Inside rendering. `isRaw` shows the target's colours as they are, for debug modes.
 void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonemap, VkImageView hdr, float time,
-                   float stops);
+                   float stops, bool isRaw);
