@@ -47,8 +47,8 @@ static swResult CreateWaves(Sea* sea, SeaWaves* waves)
 {
     swMeasuredRecord record;
     swWaveSystemDef def = CompleteDef(waves, &record);
-    swResult result = swSpectrum_GetSeaState(&def.spectrum, 0.0f, 0.0f, &waves->asked);
-    return result ? result : swCreateWaveSystem(sea->world, &def, &waves->id);
+    swResult result = swCreateWaveSystem(sea->world, &def, &waves->id);
+    return result ? result : swSpectrum_GetSeaState(&def.spectrum, 0.0f, 0.0f, &waves->asked);
 }
 
 static swResult BuildSea(Sea* sea)
@@ -88,10 +88,6 @@ bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, const char* path)
     }
     if (result != SW_SUCCESS)
     {
-        char text[600];
-        snprintf(text, sizeof(text), "%s could not be shown: %s", path ? path : "the open sea",
-                 swResult_GetText(result));
-        host->log(host->logContext, SW_LOG_ERROR, text);
         CloseSea(sea);
         return false;
     }
@@ -134,8 +130,8 @@ static swResult UpdateWaves(Sea* sea, SeaWaves* waves)
 {
     swMeasuredRecord record;
     swWaveSystemDef def = CompleteDef(waves, &record);
-    swResult result = swSpectrum_GetSeaState(&def.spectrum, 0.0f, 0.0f, &waves->asked);
-    result = result ? result : swWaveSystem_SetSpectrum(sea->world, waves->id, &def.spectrum);
+    swResult result = swWaveSystem_SetSpectrum(sea->world, waves->id, &def.spectrum);
+    result = result ? result : swSpectrum_GetSeaState(&def.spectrum, 0.0f, 0.0f, &waves->asked);
     if (result == SW_SUCCESS)
     {
         swWaveSystem_SetWeight(sea->world, waves->id, def.weight);

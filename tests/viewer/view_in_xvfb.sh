@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# `seaway view` on a screen without a monitor: thirty frames with the validation layers, a screenshot, a clean end; and
+# one clear sentence with exit code 1 where display, device, scene or view is missing.
+# Usage: view_in_xvfb.sh SEAWAY SCENE. Exit code 77: skipped.
+set -u
+seaway=$1
+scene=$2
+if ! command -v xvfb-run >/dev/null; then
+    echo "skipped: xvfb-run was not found (Debian's package xvfb)"
+    exit 77
+fi
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+fail() {
+    echo "FAILED: $*"
+    sed 's/^/    /' "$folder/stderr"
+    failures=$((failures + 1))
+}
+
+# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code.
+in_window() {
+    timeout "$1" xvfb-run -a -e "$folder/xvfb" -s "-screen 0 1024x768x24" "$seaway" view "${@:2}" 2>"$folder/stderr"
+    code=$?
+}
+
+# Exit code 1, and a sentence on stderr that holds the pattern.
+expect_refusal() {
+    if [ "$code" -ne 1 ]; then
+        fail "$1: exit code $code instead of 1"
+    elif ! grep -qiE "$2" "$folder/stderr"; then
+        fail "$1: stderr does not say '$2'"
+    else
+        echo "ok: $1: $(head -n 1 "$folder/stderr")"
+    fi
+}
+
+picture=$folder/sea.png
+in_window 500 "$scene" --device software --size 640x400 --frames 30 --validate --screenshot "$picture"
+size=$(od -An -tu1 -j16 -N8 "$picture" 2>/dev/null | tr -s ' ')
+bytes=$(stat -c %s "$picture" 2>/dev/null || echo 0)
+if [ "$code" -ne 0 ] || [ -s "$folder/stderr" ]; then
+    fail "thirty frames: exit code $code, or messages"
+elif [ "$size" != " 0 0 2 128 0 0 1 144" ]; then
+    fail "the screenshot is not 640 x 400:$size"
+elif [ "$bytes" -lt 40000 ]; then
+    fail "the screenshot has only $bytes bytes: too little for a sea"
+else
+    echo "ok: thirty frames and a screenshot of $bytes bytes, no message"
+fi
+
+in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/none/sea.png"
+expect_refusal "a screenshot into no folder" "was not written"
+
+in_window 60 "$folder/none.yaml" --device software --frames 1
+expect_refusal "no such scene" "none.yaml"
+
+in_window 60 "$scene" --device software --frames 1 --view nowhere
+expect_refusal "no such view" "nowhere"
+
+VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null in_window 60 "$scene" --frames 1
+expect_refusal "no Vulkan device" "vulkan"
+
+env -u DISPLAY -u WAYLAND_DISPLAY "$seaway" view "$scene" --frames 1 2>"$folder/stderr"
+code=$?
+expect_refusal "no display" "display"
+
+exit $((failures > 0))
