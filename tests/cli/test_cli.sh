@@ -1,0 +1,276 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Usage: test_cli.sh PART PROGRAM SOURCE_FOLDER
+# Runs the program as a user would and checks exit code, standard output and messages. Exit code 77: skipped.
+set -u
+part=$1
+seaway=$2
+source=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+count=0
+
+fail() {
+    failures=$((failures + 1))
+    echo "FAILED: $1"
+    sed 's/^/  out: /' out | head -5
+    sed 's/^/  err: /' err | head -5
+}
+
+# run CODE ARGUMENTS...: the exit code is CODE.
+run() {
+    wanted=$1
+    shift
+    count=$((count + 1))
+    what="seaway $*"
+    "$seaway" "$@" >out 2>err </dev/null
+    code=$?
+    [ "$code" -eq "$wanted" ] || fail "$what: exit code $code, not $wanted"
+    # A failure is one sentence on stderr, and nothing but the sentence.
+    if [ "$wanted" -eq 2 ] && { [ "$(wc -l <err)" -ne 1 ] || [ -s out ]; }; then
+        fail "$what: not one sentence on stderr alone"
+    fi
+}
+
+out() { grep -q -- "$1" out || fail "$what: standard output lacks \"$1\""; }
+err() { grep -q -- "$1" err || fail "$what: the message lacks \"$1\""; }
+has() { [ -s "$1" ] || fail "$what: there is no $1"; }
+hasnot() { ! ls $1 >/dev/null 2>&1 || fail "$what: $1 was left behind"; }
+
+needs_device() {
+    "$seaway" devices >out 2>err || {
+        echo "skipped: $(cat err)"
+        exit 77
+    }
+}
+
+# is_json FILE, where Python is installed
+is_json() {
+    command -v python3 >/dev/null || return 0
+    python3 -c 'import json, sys; json.load(open(sys.argv[1]))' "$1" 2>err || fail "$what: no JSON"
+}
+
+sea=$source/scenes/open_sea.yaml
+buoy=$source/scenes/data/harbour_storm.data_spec
+
+test_usage() {
+    run 0 --help
+    out 'Usage: seaway'
+    run 0 --version
+    out '^seaway [0-9]'
+    "$seaway" >out 2>err
+    [ $? -eq 2 ] || fail "no verb is not exit code 2"
+    run 2 rendr
+    err 'did you mean render'
+    run 2 zzzzzzz
+    err 'seaway --help'
+    for verb in view render query stats spectrum check bench devices; do
+        run 0 "$verb" --help
+        out "Usage: seaway $verb"
+        run 0 help "$verb"
+        run 2 "$verb" --no-such-thing
+        err 'there is no option --no-such-thing'
+    done
+    run 2 render "$sea" --out a.png --sise 64x64
+    err 'did you mean --size'
+    run 2 render
+    err 'a scene file is missing'
+    run 2 check a b
+    err 'one argument too many'
+    run 2 stats "$sea" --seeds
+    err '--seeds wants a value'
+    run 2 stats "$sea" --seeds 0
+    err 'outside its range'
+    run 2 stats "$sea" --seeds 1.5
+    err 'whole number'
+    run 2 devices --json=yes
+    err 'takes no value'
+}
+
+test_query() {
+    printf '0,0\n10.5,-3\n' >points.csv
+    run 0 query "$sea" --points points.csv --time 3
+    out '^t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m$'
+    [ "$(wc -l <out)" -eq 3 ] || fail "two points are not three lines"
+    cp out first
+    printf 'z,name,x\n0,a,0\n-3,b,10.5\n' >named.csv
+    run 0 query "$sea" --points named.csv --time 3
+    cmp -s out first || fail "named columns give other answers"
+    printf '0,99,0\n10.5,99,-3\n' >three.csv
+    run 0 query "$sea" --points three.csv --time 3
+    cmp -s out first || fail "x,y,z gives other answers"
+    "$seaway" query "$sea" --time 3 <points.csv >out 2>err
+    cmp -s out first || fail "standard input gives other answers"
+    run 0 query "$sea" --points points.csv --time 1:2:0.5
+    [ "$(wc -l <out)" -eq 7 ] || fail "three times of two points are not seven lines"
+    out '^1.5,10.5,-3,'
+    printf '0,0\n1,oops\n' >bad.csv
+    run 1 query "$sea" --points bad.csv
+    err 'bad.csv:2: "oops" is no number'
+    printf '0,0\n1,2,3\n' >ragged.csv
+    run 1 query "$sea" --points ragged.csv
+    err 'ragged.csv:2:'
+    printf 'a,b\n1,2\n' >header.csv
+    run 1 query "$sea" --points header.csv
+    err 'header.csv:1: the header names no column x'
+    run 1 query "$sea" --points nosuch.csv
+    err 'cannot read nosuch.csv'
+    run 1 query "$sea"
+    err 'holds no points'
+    run 1 query nosuch.yaml --points points.csv
+    err 'nosuch.yaml'
+    run 2 query "$sea" --time 1:0:1
+    run 2 query "$sea" --time soon
+    err 'T or A:B:STEP'
+    run 2 query "$sea" --backend gpu
+    err 'not in this version'
+    [ ! -e /dev/full ] || {
+        "$seaway" query "$sea" --points points.csv >/dev/full 2>err
+        [ $? -eq 1 ] || fail "a full disk is not exit code 1"
+    }
+}
+
+test_spectrum() {
+    run 0 spectrum "$buoy"
+    out 'Hs  '
+    run 0 spectrum "$buoy" --json --plot plot.svg
+    is_json out
+    out '"hs_m":'
+    out '"mean_direction_from_deg":'
+    has plot.svg
+    grep -q '</svg>' plot.svg || fail "the plot has no end"
+    run 0 spectrum "$buoy" --list
+    run 0 spectrum "$buoy" --list --json
+    is_json out
+    run 0 spectrum "$buoy" --at 2024-11-16T06:50Z
+    run 2 spectrum "$buoy" --at yesterday
+    err 'wants a time'
+    run 1 spectrum nosuch.data_spec
+    err 'nosuch.data_spec'
+    echo 'this is no spectrum' >text.data_spec
+    run 1 spectrum text.data_spec
+    err 'text.data_spec:1'
+    run 1 spectrum "$buoy" --plot nosuch/plot.svg
+    err 'its folder does not exist'
+}
+
+test_stats() {
+    run 0 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --json
+    is_json out
+    for key in asked measured hs_m tp_s tm01_s tm02_s te_s mean_direction_from_deg peak_direction_from_deg spread_deg \
+        mean_square_slope whitecap_fraction; do
+        out "\"$key\":"
+    done
+    run 0 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --area 2000
+    out '^Hs '
+    run 1 stats nosuch.yaml
+    err 'nosuch.yaml'
+}
+
+test_check() {
+    for scene in "$source"/scenes/*.yaml; do
+        run 0 check "$scene"
+        out 'fine'
+    done
+    printf 'name: Bad\nwaves:\n  - spectrum: jonswop\n' >bad.yaml
+    run 1 check bad.yaml
+    out 'bad.yaml:3'
+    run 1 check bad.yaml --json
+    is_json out
+    out '"line": 3'
+    out '"code": "SW_ERROR_FORMAT"'
+    run 1 check nosuch.yaml
+    out 'SW_ERROR_FILE'
+}
+
+test_devices() {
+    needs_device
+    run 0 devices
+    run 0 devices --json
+    is_json out
+    out '"usable": true'
+}
+
+test_render() {
+    run 2 render "$sea"
+    err '--out is missing'
+    run 2 render "$sea" --out a.jpg
+    err 'none of .png, .exr and .mp4'
+    run 2 render "$sea" --out a.png --size 64
+    err 'a width and a height'
+    run 2 render "$sea" --out a.png --frames 3
+    run 2 render "$sea" --out a.mp4 --size 65x64
+    err 'even width'
+    run 2 render "$sea" --out a.png --samples 3
+    run 2 render "$sea" --out a.png --debug slises
+    err 'did you mean slices'
+    run 2 render "$sea" --out a.png --device fast
+    run 1 render "$sea" --out nosuch/a.png
+    err 'its folder does not exist'
+    run 1 render "$sea" --out /
+    run 1 render "$sea" --out nosuch/frames/
+    err 'cannot make the folder'
+    run 1 render "$sea" --out a.png --view nosuch
+    err 'has no view "nosuch"'
+    run 1 render nosuch.yaml --out a.png
+    hasnot 'a.png*'
+    hasnot '.a.png*'
+    needs_device
+    small='--size 64x48 --warmup 0.2'
+    run 1 render "$sea" --out a.png $small --device 63
+    hasnot 'a.png'
+    run 0 render "$sea" --out a.png $small --validate
+    has a.png
+    run 0 render "$sea" --out a.exr $small --samples 4 --debug height
+    has a.exr
+    run 0 render "$sea" --out frames $small --frames 2
+    has frames/frame_00000.png
+    has frames/frame_00001.png
+    if command -v ffmpeg >/dev/null; then
+        run 0 render "$sea" --out a.mp4 $small --frames 3 --fps 10 --ride
+        has a.mp4
+    fi
+    mkdir bin
+    count=$((count + 1))
+    what='seaway render without ffmpeg'
+    PATH=$folder/bin "$seaway" render "$sea" --out b.mp4 $small --frames 2 >out 2>err
+    [ $? -eq 1 ] || fail "$what: not exit code 1"
+    err 'ffmpeg is not installed'
+    hasnot 'b.mp4'
+    what='seaway render to a full disk'
+    (
+        ulimit -f 1
+        "$seaway" render "$sea" --out c.png $small --size 256x192 >out 2>err
+    )
+    [ $? -eq 1 ] || fail "$what: not exit code 1"
+    err 'cannot write c.png'
+    hasnot 'c.png'
+    hasnot '.c.png*'
+}
+
+test_bench() {
+    run 0 bench --cpu-only --json
+    is_json out
+    out '"machine":'
+    out '"step_ms":'
+    out '"heights_per_s":'
+    needs_device
+    run 0 bench --json --size 64x48
+    is_json out
+    out '"passes":'
+}
+
+test_view() {
+    run 2 view "$sea" --screenshot a.png
+    err '--frames'
+    DISPLAY='' WAYLAND_DISPLAY='' "$seaway" view "$sea" --frames 1 >out 2>err
+    [ $? -eq 1 ] || fail "a missing display is not exit code 1"
+    what='seaway view without a display'
+    [ "$(wc -l <err)" -eq 1 ] || fail "$what: not one sentence"
+}
+
+"test_$part"
+echo "$part: $count runs, $failures failures"
+[ "$failures" -eq 0 ]
