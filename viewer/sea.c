@@ -171,10 +171,9 @@ float GetCarriedHeight(const Sea* sea)
     {
         swBandInfo bands[SW_MAX_BANDS];
         int count = swWaveSystem_GetBands(sea->world, sea->waves[i].id, bands);
-        float weight = sea->waves[i].def.weight;
         for (int b = 0; b < count; b++)
         {
-            variance += bands[b].variance * weight * weight;
+            variance += bands[b].variance;
         }
     }
     return 4.0f * sqrtf(variance);

@@ -21,7 +21,7 @@ static void DrawFrameTimes(const Clock* clock)
     }
     char label[96];
     float mean = count > 0 ? sum / (float)count : 0.0f;
-    snprintf(label, sizeof(label), "frame %.1f ms, worst %.1f ms, %.0f /s", (double)mean, (double)worst,
+    snprintf(label, sizeof(label), "frame %.1f ms, worst %.1f ms, %.1f /s", (double)mean, (double)worst,
              mean > 0.0f ? 1e3 / (double)mean : 0.0);
     UiGraph(label, clock->frameTimes, FRAME_TIME_COUNT, clock->frameTimeNext, worst > 33.4f ? worst : 33.4f);
 }
@@ -62,8 +62,9 @@ void DrawTimingPanel(App* app)
     DrawFrameTimes(&app->clock);
     DrawPasses(app->gpu);
     UiText("%s%s", swGpu_GetDeviceName(app->gpu), swGpu_IsSoftware(app->gpu) ? " (software)" : "");
-    UiText("memory: %.1f MiB in the core (%s), %.1f MiB on the device", (double)swWorld_GetMemory(sea->world) * MEBI,
-           swIsa_GetName(swWorld_GetIsa(sea->world)), (double)swGpuWorld_GetMemory(sea->gpuWorld) * MEBI);
+    UiText("core: %s, %.1f MiB", swIsa_GetName(swWorld_GetIsa(sea->world)),
+           (double)swWorld_GetMemory(sea->world) * MEBI);
+    UiText("device: %.1f MiB", (double)swGpuWorld_GetMemory(sea->gpuWorld) * MEBI);
     UiText("digest %016llx", (unsigned long long)swWorld_GetDigest(sea->world));
     UiTip("Equal on two machines exactly if their surfaces are");
 }
