@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
 
 // Displacement and its derivatives at every texel of every slice of a view: the sum over the slice's tiles of their cubic
 // B-splines, with exact weights (a texture unit's have 8 bits, which would be millimetres wrong).
@@ -55,23 +54,75 @@ void prepareRows(uint first, uint count)
     }
 }
 
-// Four rows of a tile at a thread's column.
-struct Window
+// Four rows of a tile at a thread's column: displacement interpolated along x, and its derivative along x.
+vec3 value0, value1, value2, value3;
+vec3 slope0, slope1, slope2, slope3;
+
+// The thread's place on the tile along x.
+vec4 valueX, slopeX;
+uint firstTexel, mask, pitch;
+
+void interpolateRow(int row, out vec3 value, out vec3 slope)
 {
-    vec3 value[4]; // displacement, interpolated along x
-    vec3 slope[4]; // its derivative along x
-};
+    uint at = firstTexel + (uint(row) & mask) * pitch;
+    vec3 a = texels[at].xyz;
+    vec3 b = texels[at + 1].xyz;
+    vec3 c = texels[at + 2].xyz;
+    vec3 d = texels[at + 3].xyz;
+    value = valueX.x * a + valueX.y * b + valueX.z * c + valueX.w * d;
+    slope = slopeX.x * a + slopeX.y * b + slopeX.z * c + slopeX.w * d;
+}
+
+void shiftWindow(int row)
+{
+    value0 = value1;
+    value1 = value2;
+    value2 = value3;
+    slope0 = slope1;
+    slope1 = slope2;
+    slope2 = slope3;
+    interpolateRow(row, value3, slope3);
+}
+
+// Sums of a run's texels. Written out texel by texel: an array that a loop indexes would leave the registers.
+#define FOR_RUN(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
+
+#define DECLARE_SUMS(t) vec3 sum##t = vec3(0.0), alongX##t = vec3(0.0), alongZ##t = vec3(0.0);
+
+#define ADD_TEXEL(t)                                                                                                   \
+    {                                                                                                                  \
+        int target = rowZ[b][run + t];                                                                                 \
+        top = max(top, target - 4); /* a tile finer than the slice: rows in between are of no use */                   \
+        while (top < target)                                                                                           \
+        {                                                                                                              \
+            top += 1;                                                                                                  \
+            shiftWindow(top + 3);                                                                                      \
+        }                                                                                                              \
+        vec4 v = valueZ[b][run + t];                                                                                   \
+        vec4 d = slopeZ[b][run + t];                                                                                   \
+        sum##t += v.x * value0 + v.y * value1 + v.z * value2 + v.w * value3;                                           \
+        alongX##t += v.x * slope0 + v.y * slope1 + v.z * slope2 + v.w * slope3;                                        \
+        alongZ##t += d.x * value0 + d.y * value1 + d.z * value2 + d.w * value3;                                        \
+    }
+
+#define STORE_TEXEL(t) storeTexel(ivec3(column, firstRow + t, slice), sum##t, alongX##t, alongZ##t);
+
+void storeTexel(ivec3 at, vec3 sum, vec3 alongX, vec3 alongZ)
+{
+    float jacobian = swSurfaceJacobian(alongX.x, alongZ.x, alongX.z, alongZ.z);
+    float gx = swSurfaceNormalX(alongX.z, alongZ.z, alongX.y, alongZ.y);
+    float gz = swSurfaceNormalZ(alongX.x, alongZ.x, alongX.y, alongZ.y);
+    imageStore(displacement, at, vec4(sum, jacobian));
+    imageStore(derivatives, at, vec4(gx, gz, jacobian, 0.0));
+}
 
 void main()
 {
     uint slice = gl_WorkGroupID.z;
     uint column = gl_WorkGroupID.x * SW_SLICE_WIDTH + gl_LocalInvocationID.x;
     uint run = gl_LocalInvocationID.y * SW_SLICE_RUN;
-    vec3 sum[SW_SLICE_RUN], alongX[SW_SLICE_RUN], alongZ[SW_SLICE_RUN];
-    [[unroll]] for (uint t = 0; t < SW_SLICE_RUN; ++t)
-    {
-        sum[t] = alongX[t] = alongZ[t] = vec3(0.0);
-    }
+    uint firstRow = gl_WorkGroupID.y * SW_SLICE_HEIGHT + run;
+    FOR_RUN(DECLARE_SUMS)
 
     swSliceList list = lists[slice];
     for (uint batch = 0; batch < list.count; batch += SW_SLICE_BATCH)
@@ -85,55 +136,18 @@ void main()
             swSliceTile tile = tiles[list.first + batch + b];
             float s = tile.fractionX + float(column) * tile.step;
             float cell = floor(s);
-            vec4 valueX = swSplineWeights(s - cell);
-            vec4 slopeX = swSplineSlopes(s - cell) * tile.perMetre;
-            uint mask = tile.resolution - 1;
-            uint pitch = tile.resolution + 3;
-            uint first = tile.firstTexel + ((tile.baseX + uint(cell)) & mask);
-
-            Window w;
-            [[unroll]] for (uint k = 0; k < 4; ++k)
-            {
-                w.value[k] = w.slope[k] = vec3(0.0);
-            }
-            int top = rowZ[b][run] - 4; // row of the window's first entry
-            [[unroll]] for (uint t = 0; t < SW_SLICE_RUN; ++t)
-            {
-                int target = rowZ[b][run + t];
-                top = max(top, target - 4); // a tile finer than the slice: rows in between are of no use
-                while (top < target)
-                {
-                    top += 1;
-                    uint at = first + (uint(top + 3) & mask) * pitch;
-                    vec3 p0 = texels[at].xyz;
-                    vec3 p1 = texels[at + 1].xyz;
-                    vec3 p2 = texels[at + 2].xyz;
-                    vec3 p3 = texels[at + 3].xyz;
-                    w.value[0] = w.value[1];
-                    w.value[1] = w.value[2];
-                    w.value[2] = w.value[3];
-                    w.value[3] = valueX.x * p0 + valueX.y * p1 + valueX.z * p2 + valueX.w * p3;
-                    w.slope[0] = w.slope[1];
-                    w.slope[1] = w.slope[2];
-                    w.slope[2] = w.slope[3];
-                    w.slope[3] = slopeX.x * p0 + slopeX.y * p1 + slopeX.z * p2 + slopeX.w * p3;
-                }
-                vec4 v = valueZ[b][run + t];
-                vec4 d = slopeZ[b][run + t];
-                sum[t] += v.x * w.value[0] + v.y * w.value[1] + v.z * w.value[2] + v.w * w.value[3];
-                alongX[t] += v.x * w.slope[0] + v.y * w.slope[1] + v.z * w.slope[2] + v.w * w.slope[3];
-                alongZ[t] += d.x * w.value[0] + d.y * w.value[1] + d.z * w.value[2] + d.w * w.value[3];
-            }
+            valueX = swSplineWeights(s - cell);
+            slopeX = swSplineSlopes(s - cell) * tile.perMetre;
+            mask = tile.resolution - 1;
+            pitch = tile.resolution + 3;
+            firstTexel = tile.firstTexel + ((tile.baseX + uint(cell)) & mask);
+            int top = rowZ[b][run]; // row of the window's first entry
+            interpolateRow(top, value0, slope0);
+            interpolateRow(top + 1, value1, slope1);
+            interpolateRow(top + 2, value2, slope2);
+            interpolateRow(top + 3, value3, slope3);
+            FOR_RUN(ADD_TEXEL)
         }
     }
-
-    [[unroll]] for (uint t = 0; t < SW_SLICE_RUN; ++t)
-    {
-        ivec3 at = ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + run + t, slice);
-        float jacobian = swSurfaceJacobian(alongX[t].x, alongZ[t].x, alongX[t].z, alongZ[t].z);
-        float gx = swSurfaceNormalX(alongX[t].z, alongZ[t].z, alongX[t].y, alongZ[t].y);
-        float gz = swSurfaceNormalZ(alongX[t].x, alongZ[t].x, alongX[t].y, alongZ[t].y);
-        imageStore(displacement, at, vec4(sum[t], jacobian));
-        imageStore(derivatives, at, vec4(gx, gz, jacobian, 0.0));
-    }
+    FOR_RUN(STORE_TEXEL)
 }

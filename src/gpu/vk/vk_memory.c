@@ -7,6 +7,8 @@
 
 // Large enough that a default world fits in one or two, small enough not to matter on a laptop.
 #define SW_BLOCK_BYTES (32u << 20)
+// Memory that the host sees and the device owns can be scarce.
+#define SW_HOST_BLOCK_BYTES (4u << 20)
 
 static VkMemoryPropertyFlags requiredFlags(swMemoryUse use)
 {
@@ -14,13 +16,17 @@ static VkMemoryPropertyFlags requiredFlags(swMemoryUse use)
                                    : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
 }
 
+// What is worth a search before the required flags. Shaders read uploads in place, over and over: in device memory that
+// costs a cache miss, across the bus a microsecond.
 static VkMemoryPropertyFlags wantedFlags(swMemoryUse use)
 {
-    return use == SW_MEMORY_READBACK ? requiredFlags(use) | VK_MEMORY_PROPERTY_HOST_CACHED_BIT : requiredFlags(use);
+    return requiredFlags(use) |
+           (use == SW_MEMORY_READBACK ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT : VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
 }
 
-// Index of the first memory type that has the wanted flags, else the required ones, else (device memory only) any.
-static int findType(const swGpu* gpu, uint32_t allowed, swMemoryUse use)
+// Index of the next memory type to try, leaving out the bits of `tried`: one with the wanted flags, else the required
+// ones, else (device memory only) any. -1 if there is none left.
+static int findType(const swGpu* gpu, uint32_t allowed, uint32_t tried, swMemoryUse use)
 {
     const VkMemoryPropertyFlags tries[] = {wantedFlags(use), requiredFlags(use), 0};
     int tryCount = use == SW_MEMORY_DEVICE ? 3 : 2;
@@ -29,7 +35,7 @@ static int findType(const swGpu* gpu, uint32_t allowed, swMemoryUse use)
         for (uint32_t i = 0; i < gpu->memory.properties.memoryTypeCount; ++i)
         {
             VkMemoryPropertyFlags flags = gpu->memory.properties.memoryTypes[i].propertyFlags;
-            if ((allowed & (1u << i)) != 0 && (flags & tries[t]) == tries[t])
+            if ((allowed & ~tried & (1u << i)) != 0 && (flags & tries[t]) == tries[t])
             {
                 return (int)i;
             }
@@ -222,46 +228,63 @@ static void fillAllocation(swGpu* gpu, int index, VkDeviceSize offset, VkDeviceS
     gpu->memory.usedBytes += (size_t)size;
 }
 
-swResult swAllocateDeviceMemory(swGpu* gpu, const VkMemoryRequirements* needs, swMemoryUse use, bool forImage,
-                                const char* name, swAllocation* allocation)
+// From a block of that type that has room, else from a new block.
+static VkResult allocateOfType(swGpu* gpu, uint32_t type, const VkMemoryRequirements* needs, swMemoryUse use,
+                               bool forImage, swAllocation* allocation)
 {
-    *allocation = (swAllocation){0};
-    int type = findType(gpu, needs->memoryTypeBits, use);
-    if (type < 0)
-    {
-        return swFail(&gpu->host, SW_ERROR_DEVICE, "%s has no memory type for %s", gpu->properties.deviceName, name);
-    }
     VkDeviceSize offset = 0;
     for (int i = 0; i < gpu->memory.blockCount; ++i)
     {
         swMemoryBlock* block = &gpu->memory.blocks[i];
         bool isMapped = block->mapped != NULL;
-        if (block->memory != VK_NULL_HANDLE && block->type == (uint32_t)type && block->forImages == forImage &&
+        if (block->memory != VK_NULL_HANDLE && block->type == type && block->forImages == forImage &&
             isMapped == (use != SW_MEMORY_DEVICE) && takeRange(gpu, block, needs, &offset))
         {
             fillAllocation(gpu, i, offset, needs->size, allocation);
-            return SW_SUCCESS;
+            return VK_SUCCESS;
         }
     }
     int index = findEntry(gpu);
-    VkResult result = VK_ERROR_OUT_OF_HOST_MEMORY;
-    VkDeviceSize size = needs->size > SW_BLOCK_BYTES ? needs->size : SW_BLOCK_BYTES;
-    if (index >= 0)
+    if (index < 0)
     {
-        result = createBlock(gpu, (uint32_t)type, size, use, forImage, index);
-        if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && size > needs->size)
-        {
-            result = createBlock(gpu, (uint32_t)type, needs->size, use, forImage, index);
-        }
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
     }
-    if (result != VK_SUCCESS || !takeRange(gpu, &gpu->memory.blocks[index], needs, &offset))
+    VkDeviceSize usual = use == SW_MEMORY_DEVICE ? SW_BLOCK_BYTES : SW_HOST_BLOCK_BYTES;
+    VkDeviceSize size = needs->size > usual ? needs->size : usual;
+    VkResult result = createBlock(gpu, type, size, use, forImage, index);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && size > needs->size)
     {
-        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "no device memory for %s (%llu KiB, %llu KiB are in use): %s",
-                      name, (unsigned long long)(needs->size >> 10), (unsigned long long)(gpu->memory.usedBytes >> 10),
-                      swVkResultName(result));
+        result = createBlock(gpu, type, needs->size, use, forImage, index);
     }
-    fillAllocation(gpu, index, offset, needs->size, allocation);
-    return SW_SUCCESS;
+    if (result == VK_SUCCESS && takeRange(gpu, &gpu->memory.blocks[index], needs, &offset))
+    {
+        fillAllocation(gpu, index, offset, needs->size, allocation);
+        return VK_SUCCESS;
+    }
+    return result == VK_SUCCESS ? VK_ERROR_OUT_OF_HOST_MEMORY : result;
+}
+
+swResult swAllocateDeviceMemory(swGpu* gpu, const VkMemoryRequirements* needs, swMemoryUse use, bool forImage,
+                                const char* name, swAllocation* allocation)
+{
+    *allocation = (swAllocation){0};
+    VkResult result = VK_ERROR_FEATURE_NOT_PRESENT;
+    uint32_t tried = 0;
+    int type = findType(gpu, needs->memoryTypeBits, tried, use);
+    while (type >= 0 && result != VK_SUCCESS)
+    {
+        result = allocateOfType(gpu, (uint32_t)type, needs, use, forImage, allocation);
+        tried |= 1u << type;
+        type = findType(gpu, needs->memoryTypeBits, tried, use);
+    }
+    if (result == VK_SUCCESS)
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(&gpu->host, result == VK_ERROR_DEVICE_LOST ? SW_ERROR_DEVICE_LOST : SW_ERROR_NO_MEMORY,
+                  "no device memory for %s (%llu KiB, %llu KiB are in use): %s", name,
+                  (unsigned long long)(needs->size >> 10), (unsigned long long)(gpu->memory.usedBytes >> 10),
+                  swVkResultName(result));
 }
 
 void swFreeDeviceMemory(swGpu* gpu, swAllocation* allocation)

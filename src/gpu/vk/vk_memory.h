@@ -9,7 +9,7 @@
 typedef enum swMemoryUse
 {
     SW_MEMORY_DEVICE,   // GPU only
-    SW_MEMORY_UPLOAD,   // written by the host, read by the GPU; mapped and coherent
+    SW_MEMORY_UPLOAD,   // written by the host (never read), read by the GPU in place; mapped and coherent
     SW_MEMORY_READBACK, // written by the GPU, read by the host; mapped and coherent, cached where there is such
     SW_MEMORY_USE_COUNT
 } swMemoryUse;
