@@ -2,6 +2,7 @@
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/measured.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc.c
+    ${CMAKE_CURRENT_LIST_DIR}/ndbc_text.c
     ${CMAKE_CURRENT_LIST_DIR}/slices.c
     ${CMAKE_CURRENT_LIST_DIR}/sea_state.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum.c

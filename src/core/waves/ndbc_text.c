@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: MIT
+// Numbers are parsed here because the C library's parsers follow the locale.
+
+#include "core/waves/ndbc_text.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/base/number.h"
+
+// ---- memory ----
+
+void* swAppendNdbcItems(const swHost* host, swNdbcArray* array, size_t count, size_t itemSize)
+{
+    if (array->count + count > array->capacity)
+    {
+        size_t capacity = array->capacity < 64 ? 64 : 2 * array->capacity;
+        while (capacity < array->count + count)
+        {
+            capacity *= 2;
+        }
+        void* data = swAllocate(host, capacity * itemSize);
+        if (data == NULL)
+        {
+            return NULL;
+        }
+        if (array->count > 0)
+        {
+            memcpy(data, array->data, array->count * itemSize);
+        }
+        swFree(host, array->data, array->capacity * itemSize);
+        array->data = data;
+        array->capacity = capacity;
+    }
+    void* items = (char*)array->data + array->count * itemSize;
+    array->count += count;
+    return items;
+}
+
+void swFreeNdbcItems(const swHost* host, swNdbcArray* array, size_t itemSize)
+{
+    swFree(host, array->data, array->capacity * itemSize);
+    memset(array, 0, sizeof(*array));
+}
+
+// ---- lines and tokens ----
+
+swNdbcText swOpenNdbcText(const swHost* host, const char* text, size_t size, const char* name)
+{
+    return (swNdbcText){host, name, text, text + size, 0, text, text};
+}
+
+static bool isSpace(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+static bool nextLine(swNdbcText* text)
+{
+    if (text->next >= text->end)
+    {
+        return false;
+    }
+    size_t left = (size_t)(text->end - text->next);
+    const char* newline = memchr(text->next, '\n', left);
+    text->at = text->next;
+    text->lineEnd = newline != NULL ? newline : text->end;
+    text->next = newline != NULL ? newline + 1 : text->end;
+    ++text->line;
+    return true;
+}
+
+bool swNextNdbcLine(swNdbcText* text)
+{
+    while (nextLine(text))
+    {
+        swPeekNdbcChar(text);
+        if (text->at < text->lineEnd)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+char swPeekNdbcChar(swNdbcText* text)
+{
+    while (text->at < text->lineEnd && isSpace(*text->at))
+    {
+        ++text->at;
+    }
+    return text->at < text->lineEnd ? *text->at : '\0';
+}
+
+swNdbcToken swNextNdbcToken(swNdbcText* text)
+{
+    swPeekNdbcChar(text);
+    const char* begin = text->at;
+    while (text->at < text->lineEnd && !isSpace(*text->at))
+    {
+        bool isParenthesis = *text->at == '(' || *text->at == ')';
+        if (isParenthesis && text->at > begin)
+        {
+            break;
+        }
+        ++text->at;
+        if (isParenthesis)
+        {
+            break;
+        }
+    }
+    return (swNdbcToken){begin, (int)(text->at - begin < 80 ? text->at - begin : 80)};
+}
+
+bool swIsNdbcToken(swNdbcToken token, const char* word)
+{
+    return (size_t)token.size == strlen(word) && memcmp(token.text, word, (size_t)token.size) == 0;
+}
+
+bool swParseNdbcNumber(swNdbcToken token, double* value)
+{
+    return swParseNumber(token.text, token.size, value);
+}
+
+bool swIsNdbcHeading(swNdbcText* text)
+{
+    char first = swPeekNdbcChar(text);
+    return first == '#' || first == 'Y';
+}
+
+// ---- dates ----
+
+static bool isLeapYear(int year)
+{
+    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+}
+
+int swGetDaysInMonth(int year, int month)
+{
+    static const int days[12] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    return days[month - 1] + (month == 2 && isLeapYear(year) ? 1 : 0);
+}
+
+int64_t swGetMinutes(int year, int month, int day, int hour, int minute)
+{
+    int64_t days = day - 1;
+    for (int y = 1900; y < year; ++y)
+    {
+        days += isLeapYear(y) ? 366 : 365;
+    }
+    for (int m = 1; m < month; ++m)
+    {
+        days += swGetDaysInMonth(year, m);
+    }
+    days -= 25567; // 1900 to 1970
+    return (days * 24 + hour) * 60 + minute;
+}
+
+static void printDigits(char* text, int value, int digits)
+{
+    for (int i = digits - 1; i >= 0; --i)
+    {
+        text[i] = (char)('0' + value % 10);
+        value /= 10;
+    }
+}
+
+void swPrintMinutes(int64_t minutes, char text[20])
+{
+    int64_t sinceStart = minutes + (int64_t)25567 * 1440;
+    int days = (int)(sinceStart / 1440);
+    int rest = (int)(sinceStart % 1440);
+    int year = 1900;
+    while (days >= (isLeapYear(year) ? 366 : 365))
+    {
+        days -= isLeapYear(year) ? 366 : 365;
+        ++year;
+    }
+    int month = 1;
+    while (days >= swGetDaysInMonth(year, month))
+    {
+        days -= swGetDaysInMonth(year, month);
+        ++month;
+    }
+    memcpy(text, "0000-00-00 00:00", 17);
+    printDigits(text, year, 4);
+    printDigits(text + 5, month, 2);
+    printDigits(text + 8, days + 1, 2);
+    printDigits(text + 11, rest / 60, 2);
+    printDigits(text + 14, rest % 60, 2);
+}
+
+static swResult readDatePart(swNdbcText* text, const char* what, int low, int high, int* value)
+{
+    swNdbcToken token = swNextNdbcToken(text);
+    double number = 0.0;
+    if (!swParseNdbcNumber(token, &number) || number < low || number > high || number != floor(number))
+    {
+        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the %s is '%.*s'; it must be a number from %d to %d.",
+                      text->name, text->line, what, token.size, token.text, low, high);
+    }
+    *value = (int)number;
+    return SW_SUCCESS;
+}
+
+swResult swReadNdbcDate(swNdbcText* text, bool hasMinutes, int64_t* minutes)
+{
+    int year = 0;
+    int month = 1;
+    int day = 1;
+    int hour = 0;
+    int minute = 0;
+    swResult result = readDatePart(text, "year", 0, 2199, &year);
+    year += year < 50 ? 2000 : year < 100 ? 1900 : 0;
+    if (result == SW_SUCCESS && year < 1900)
+    {
+        result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the year is %d; it must have two digits or be above 1900.",
+                        text->name, text->line, year);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = readDatePart(text, "month", 1, 12, &month);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = readDatePart(text, "day", 1, swGetDaysInMonth(year, month), &day);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = readDatePart(text, "hour", 0, 23, &hour);
+    }
+    if (result == SW_SUCCESS && hasMinutes)
+    {
+        result = readDatePart(text, "minute", 0, 59, &minute);
+    }
+    *minutes = swGetMinutes(year, month, day, hour, minute);
+    return result;
+}
+
+// ---- rows ----
+
+swResult swAppendNdbcRow(const swNdbcText* text, swNdbcArray* rows, const swNdbcRow* row)
+{
+    if (rows->count >= SW_NDBC_MAX_ROWS)
+    {
+        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: more than %d records; cut the file in time.", text->name,
+                      text->line, SW_NDBC_MAX_ROWS);
+    }
+    swNdbcRow* added = swAppendNdbcItems(text->host, rows, 1, sizeof(swNdbcRow));
+    if (added == NULL)
+    {
+        return swFail(text->host, SW_ERROR_NO_MEMORY, "No memory for the contents of %s.", text->name);
+    }
+    *added = *row;
+    return SW_SUCCESS;
+}
+
+static int compareRows(const void* a, const void* b)
+{
+    const swNdbcRow* first = a;
+    const swNdbcRow* second = b;
+    if (first->minutes != second->minutes)
+    {
+        return first->minutes < second->minutes ? -1 : 1;
+    }
+    return (first->line > second->line) - (first->line < second->line);
+}
+
+void swSortNdbcRows(const swNdbcText* text, swNdbcArray* array)
+{
+    swNdbcRow* rows = array->data;
+    qsort(rows, array->count, sizeof(swNdbcRow), compareRows);
+    size_t kept = 0;
+    for (size_t i = 0; i < array->count; ++i)
+    {
+        if (kept > 0 && rows[kept - 1].minutes == rows[i].minutes)
+        {
+            char time[20];
+            swPrintMinutes(rows[i].minutes, time);
+            swLog(text->host, SW_LOG_WARNING, "%s:%d: a second record of %s is ignored; the first is on line %d.",
+                  text->name, rows[i].line, time, rows[kept - 1].line);
+            continue;
+        }
+        rows[kept++] = rows[i];
+    }
+    array->count = kept;
+}
