@@ -426,7 +426,7 @@ int RunRender(int argumentCount, char** arguments)
                             .fps = 30.0,
                             .sunElevation = (double)NAN,
                             .sunAzimuth = (double)NAN,
-                            .warmup = 10.0,
+                            .warmup = 5.0,
                             .samples = 1};
     const Option options[] = {
         {.name = "out",
@@ -514,7 +514,7 @@ int RunRender(int argumentCount, char** arguments)
          .kind = OPTION_NUMBER,
          .value = &render.warmup,
          .placeholder = "S",
-         .help = "seconds of foam before the first frame (default 10)",
+         .help = "seconds of foam before the first frame (default 5)",
          .max = 600},
         {.name = "debug",
          .kind = OPTION_CHOICE,
