@@ -12,7 +12,7 @@ float cloudThickness(vec2 place, float cover, float footprint)
     vec2 bent = place + 22.0 * warp;
     // Where the layer is at all: patches of some 60 km.
     float patches = fractalNoise(bent * 0.016, 4, footprint * 0.016) * 1.7 + 0.5;
-    float dense = smoothstep(1.0 - cover, 1.55 - cover, patches);
+    float dense = smoothstep(0.88 - cover, 1.55 - cover, patches);
     // Streaks along the wind aloft, drawn out ten to one.
     vec2 along = vec2(bent.x * 0.035 + bent.y * 0.012, bent.y * 0.21 - bent.x * 0.07);
     float streaks = fractalNoise(along + 2.5 * warp.yx, 6, footprint * 0.2) + 0.42;
@@ -48,6 +48,6 @@ vec4 cloudsAlong(vec3 direction, float radius, vec2 origin, vec3 sun, swSkyLight
     float near = exp(-distance / 95.0) * smoothstep(-0.02, 0.05, mu);
     float opacity = (1.0 - exp(-thickness)) * near;
     float through = exp(-0.5 * thickness);
-    vec3 lit = light.high.rgb * (cloudPhase(dot(direction, sun)) * through + 0.055) + light.sky.rgb * (0.30 / pi);
+    vec3 lit = light.high.rgb * (cloudPhase(dot(direction, sun)) * through + 0.075) + light.sky.rgb * (0.55 / pi);
     return vec4(lit * opacity, opacity);
 }

@@ -52,14 +52,15 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     float value = mix(second, first, turn) * inversesqrt(turn * turn + (1.0 - turn) * (1.0 - turn)) + 0.5;
 
     float seen = 1.0 - smoothstep(0.25, 2.5, pixel);
-    float soft = 0.10 + 0.25 * smoothstep(0.02, 1.0, pixel);
-    float edge = 1.0 - amount;
+    float soft = 0.12 + 0.25 * smoothstep(0.02, 1.0, pixel);
+    // Even the densest foam keeps some holes.
+    float edge = 1.0 - amount * (1.0 - 0.18 * amount);
     float holes = smoothstep(edge - soft, edge + soft, value);
     foam.cover = mix(amount, holes, seen);
 
     vec2 fine = vec2(12.0, 5.0);
     float bubbles = textureLod(pattern, foamTurn(p, fine) + foamJump(seed + 0.5), lod + 3.7).b;
-    float depth = clamp((value - edge) * 2.2 + amount * 0.6, 0.0, 1.0);
-    foam.thickness = clamp(mix(0.6, 0.25 + depth * 0.9 + (bubbles - 0.5) * 0.7, seen), 0.05, 1.0);
+    float depth = clamp((value - edge) * 1.7, 0.0, 1.0);
+    foam.thickness = clamp(mix(0.6, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
     return foam;
 }

@@ -49,7 +49,7 @@ void main()
         float mean = sums[0].x / sums[0].y;
         float average = mean - log2(SW_PRE_EXPOSURE);
         // A dim scene is meant to look dim: the darker, the lower its middle grey.
-        float key = 0.20 * clamp(exp2(0.22 * (average - 11.5)), 0.25, 1.0);
+        float key = 0.19 * clamp(exp2(0.13 * (average - 11.5)), 0.3, 1.0);
         bool isFirst = exposure.exposure <= 0.0;
         float wanted = log2(key) - mean;
         float now = isFirst ? wanted : mix(wanted, log2(exposure.exposure), keep);

