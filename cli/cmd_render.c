@@ -460,7 +460,7 @@ int RunRender(int argumentCount, char** arguments)
          .value = &render.fps,
          .placeholder = "F",
          .help = "frames per second of the sea and the video (default 30)",
-         .min = 1,
+         .min = 0.01,
          .max = 1000},
         {.name = "view",
          .kind = OPTION_TEXT,
