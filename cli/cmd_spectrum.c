@@ -69,6 +69,11 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
     bool hasWaves = FindState(record, &state);
     const swSpectrumTable* table = &record->table;
     printf("%s, %s UTC, one of %d records\n", path, record->time, swMeasuredSea_GetCount(sea));
+    if (record->partitionCount > 0)
+    {
+        printf("  built up from a summary of %d system%s of waves\n", record->partitionCount,
+               record->partitionCount > 1 ? "s" : "");
+    }
     printf("  %d frequencies, %.4g to %.4g Hz; %s\n", table->frequencyCount, (double)table->frequencies[0],
            (double)table->frequencies[table->frequencyCount - 1],
            record->meanDirection != NULL ? "with directions" : "without directions: spread as cos^16(theta/2)");
@@ -106,6 +111,7 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     WriteSeaState(&json, &state);
     JsonNull(&json, "whitecap_fraction");
     JsonInteger(&json, "corrected_count", record->correctedCount);
+    JsonInteger(&json, "partition_count", record->partitionCount);
     JsonFloats(&json, "frequency_hz", record->table.frequencies, record->table.frequencyCount);
     JsonFloats(&json, "bandwidth_hz", record->table.bandwidths, record->table.frequencyCount);
     JsonFloats(&json, "energy_m2_per_hz", record->energy, record->table.frequencyCount);
@@ -177,7 +183,8 @@ int RunSpectrum(int argumentCount, char** arguments)
                        .synopsis = "FILE [--at TIME] [--plot FILE.svg] [--list] [--json]",
                        .text =
                            "Read a measured sea state. FILE is the energy file of an NDBC set (44013.data_spec, or a\n"
-                           "yearly 44013w2022.txt), plain or gzip; the direction files beside it are found by name.",
+                           "yearly 44013w2022.txt), the direction files beside it being found by name, or an NDBC\n"
+                           "summary (44013.spec); plain or gzip.",
                        .options = options,
                        .optionCount = sizeof(options) / sizeof(options[0]),
                        .positionalMin = 1,

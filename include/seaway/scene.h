@@ -71,6 +71,7 @@ SW_API swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view);
 /// @return what swCreateWorld(), swCreateWaveSystem() and swWorld_Step() return
 SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
 
-/// Read a measured sea: an NDBC energy file, plain or gzip; the direction files beside it are found by their names.
+/// Read a measured sea: an NDBC energy file, the direction files beside it being found by their names, or an NDBC summary
+/// (swParseNdbcSummary()); plain or gzip.
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file and line in the host's log), SW_ERROR_NO_MEMORY
 SW_API swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea);

@@ -123,7 +123,8 @@ typedef struct swMeasuredRecord
     const float* energy;
 
     /// First circular moments: mean direction where waves go (radians) and r1, by frequency; r2 and its direction.
-    /// Gaps are filled from the nearest frequency, impossible moments corrected: what the table was made from.
+    /// Gaps are filled from the nearest frequency, impossible moments corrected: what the table was made from. A
+    /// summary's are those of its swell and wind sea together.
     /// NULL if the file holds no directions (the table is then spread as cos^2s with s = 8 around east). [frequencyCount]
     const float* meanDirection;
     const float* r1;
@@ -132,6 +133,10 @@ typedef struct swMeasuredRecord
 
     /// How many frequencies had moments that no distribution can have and were corrected.
     int correctedCount;
+
+    /// 0 if the file holds spectra. Of a summary: of how many systems of waves, swell and wind sea, the table was built
+    /// up; then its shape is that of a formula and only heights, periods and directions are measured.
+    int partitionCount;
 } swMeasuredRecord;
 
 /// Texts of one NDBC directional set, as the buoy centre publishes them; only `energy` is required.
@@ -154,6 +159,19 @@ typedef struct swNdbcTexts
 /// A file may have 1024 frequencies, 1,000,000 records and 1,048,576 values: two years of hourly records.
 /// @return SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
 SW_API swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea** sea);
+
+/// Whether a text names NDBC columns and WVHT among them: a summary, where swParseNdbc() wants spectra.
+SW_API bool swIsNdbcSummary(const char* text, size_t size);
+
+/// Parse an NDBC spectral wave summary (STATION.spec): heights, periods and directions of swell and wind sea. Each becomes
+/// a JONSWAP spectrum spread as cos^2s and the record their sum, scaled to the height of the whole sea; docs/spectra.md
+/// says with which shapes. A line that does not tell them apart, as those of standard meteorological files, becomes one
+/// system by height, dominant or average period, and mean direction. Prefer swParseNdbc() where spectra are at hand.
+/// Lines without height or period are left out. Records come in ascending time, at most 16,384.
+/// @param name file name for messages, may be NULL
+/// @return SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
+SW_API swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, const char* name,
+                                   swMeasuredSea** sea);
 
 /// Number of records, at least 1.
 SW_API int swMeasuredSea_GetCount(const swMeasuredSea* sea);

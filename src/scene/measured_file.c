@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// An NDBC set from its energy file. The direction files lie beside it under names that follow from its own:
+// An NDBC summary, or an NDBC set from its energy file. The direction files lie beside it under names that follow from its own:
 //   real time    44013.data_spec   44013.swdir   44013.swdir2   44013.swr1   44013.swr2   (44013.swden as well)
 //   archive      44013w2021.txt    44013d2021.txt 44013i2021.txt 44013j2021.txt 44013k2021.txt
-// each perhaps with .gz at the end.
+// each perhaps with .gz at the end. A summary (44013.spec) stands alone and is known by its heading.
 
 #include <stdio.h>
 #include <string.h>
@@ -92,17 +92,21 @@ static swResult readFiles(const swHost* host, FileSet* set)
             return result;
         }
     }
-    if (set->paths[ALPHA1][0] == '\0')
-    {
-        swLog(host, SW_LOG_INFO, "%s has no direction files beside it: its waves are taken to go east.",
-              set->paths[ENERGY]);
-    }
     return SW_SUCCESS;
 }
 
 static swResult parseFiles(const swHost* host, const FileSet* set, swMeasuredSea** sea)
 {
     const swText* texts = set->texts;
+    if (swIsNdbcSummary(texts[ENERGY].data, texts[ENERGY].size))
+    {
+        return swParseNdbcSummary(host, texts[ENERGY].data, texts[ENERGY].size, set->paths[ENERGY], sea);
+    }
+    if (set->paths[ALPHA1][0] == '\0')
+    {
+        swLog(host, SW_LOG_INFO, "%s has no direction files beside it: its waves are taken to go east.",
+              set->paths[ENERGY]);
+    }
     swNdbcTexts ndbc = {
         .energy = texts[ENERGY].data != NULL ? texts[ENERGY].data : "",
         .alpha1 = texts[ALPHA1].data,

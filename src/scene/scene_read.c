@@ -316,7 +316,8 @@ static swResult readFileSpectrum(swYaml* yaml, yaml_node_t* node, const WavesTex
     swSceneWaves* waves = text->waves;
     if (nodes->nodes[FILE_NAME] == NULL)
     {
-        return swFailYaml(yaml, node, "a spectrum 'file' needs the key file with the name of an NDBC energy file.");
+        return swFailYaml(yaml, node,
+                          "a spectrum 'file' needs the key file with the name of an NDBC energy file or summary.");
     }
     char path[1024];
     joinPath(path, sizeof(path), ((Reader*)yaml->context)->folder, text->file);

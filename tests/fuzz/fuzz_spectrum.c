@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // NDBC texts from anywhere: five texts split from one input by the byte '|' (which no NDBC file holds), in the order
-// energy, alpha1, alpha2, r1, r2. What is read must be a spectrum.
+// energy, alpha1, alpha2, r1, r2; or, where the first has the heading of one, a summary. What is read must be a spectrum.
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,7 @@ static void CheckSea(const swMeasuredSea* sea)
         double variance = 0.0;
         for (int j = 0; j < record.table.frequencyCount; ++j)
         {
+            FUZZ_CHECK(record.table.frequencies[j] > (j > 0 ? record.table.frequencies[j - 1] : 0.0f));
             variance += (double)record.energy[j] * (double)record.table.bandwidths[j];
         }
         if (swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &seaState) == SW_SUCCESS)
@@ -71,7 +73,9 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     int messages = 0;
     host.logContext = &messages;
     swMeasuredSea* sea = NULL;
-    swResult result = swParseNdbc(&host, &texts, &sea);
+    bool isSummary = swIsNdbcSummary(texts.energy, texts.energySize);
+    swResult result = isSummary ? swParseNdbcSummary(&host, texts.energy, texts.energySize, NULL, &sea)
+                                : swParseNdbc(&host, &texts, &sea);
     FUZZ_CHECK((result == SW_SUCCESS) == (sea != NULL));
     FUZZ_CHECK(result == SW_SUCCESS || messages > 0);
     if (sea != NULL)

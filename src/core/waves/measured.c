@@ -16,42 +16,12 @@
 
 #include "core/base/host.h"
 #include "core/math/scalar.h"
+#include "core/waves/measured.h"
 #include "core/waves/ndbc.h"
 #include "core/waves/spreading.h"
-#include "seaway/spectrum.h"
-
-#define DIRECTIONS 72
-#define DEFAULT_EXPONENT 8.0
 
 // Two printed frequencies are the same if they differ by less: rounding to three decimals on both sides.
 #define PRINTED_TOLERANCE 0.00051
-
-// Floats of one record and frequency: energy, four moments, the table.
-#define FLOATS_PER_FREQUENCY (5 + DIRECTIONS)
-
-typedef struct Record
-{
-    int64_t minutes;
-    int frequencyCount;
-    int correctedCount;
-    bool hasDirections;
-    double variance;
-    const float* frequencies;
-    const float* bandwidths;
-    float* energy; // then meanDirection, r1, direction2, r2, each [frequencyCount], then the table
-} Record;
-
-struct swMeasuredSea
-{
-    swHost host;
-    int count;
-    size_t recordsSize;
-    Record* records;
-    size_t floatsSize;
-    float* floats; // of all records
-    size_t bandsSize;
-    float* bands; // frequencies of all sets, then bandwidths of all sets
-};
 
 typedef struct Files
 {
@@ -113,6 +83,20 @@ static bool takeStandardBands(int count, const float* printed, float* frequencie
     return true;
 }
 
+void swFillBandwidths(int count, const float* frequencies, float* widths)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        int below = i > 0 ? i - 1 : i;
+        int above = i + 1 < count ? i + 1 : i;
+        widths[i] = (frequencies[above] - frequencies[below]) / (float)(above - below);
+    }
+    if (widths[0] > 2.0f * frequencies[0])
+    {
+        widths[0] = 2.0f * frequencies[0];
+    }
+}
+
 static void fillBands(int count, const float* printed, float* frequencies, float* widths)
 {
     if (takeStandardBands(count, printed, frequencies, widths))
@@ -120,16 +104,7 @@ static void fillBands(int count, const float* printed, float* frequencies, float
         return;
     }
     memcpy(frequencies, printed, (size_t)count * sizeof(float));
-    for (int i = 0; i < count; ++i)
-    {
-        int below = i > 0 ? i - 1 : i;
-        int above = i + 1 < count ? i + 1 : i;
-        widths[i] = (printed[above] - printed[below]) / (float)(above - below);
-    }
-    if (widths[0] > 2.0f * printed[0])
-    {
-        widths[0] = 2.0f * printed[0];
-    }
+    swFillBandwidths(count, frequencies, widths);
 }
 
 // ---- records ----
@@ -212,7 +187,7 @@ static swMoments getMoments(const Raw* raw, int i)
     double r2 = (double)raw->r2[i];
     if (r1 < 0.0)
     {
-        r1 = DEFAULT_EXPONENT / (DEFAULT_EXPONENT + 1.0);
+        r1 = SW_SEA_DEFAULT_EXPONENT / (SW_SEA_DEFAULT_EXPONENT + 1.0);
     }
     if (r2 < 0.0 || raw->alpha2[i] < 0.0f)
     {
@@ -227,7 +202,7 @@ static swMoments getMoments(const Raw* raw, int i)
                        r2 * swSin(2.0 * direction2)};
 }
 
-static void fillDirections(Record* record, const Raw* raw)
+static void fillDirections(swSeaRecord* record, const Raw* raw)
 {
     int count = record->frequencyCount;
     float* meanDirection = record->energy + count;
@@ -235,7 +210,7 @@ static void fillDirections(Record* record, const Raw* raw)
     float* direction2 = r1 + count;
     float* r2 = direction2 + count;
     float* density = r2 + count;
-    for (int i = 0; i < count; ++i, density += DIRECTIONS)
+    for (int i = 0; i < count; ++i, density += SW_SEA_DIRECTIONS)
     {
         swMoments moments = getMoments(raw, findDirected(raw, count, i));
         record->correctedCount += swCorrectMoments(&moments) && raw->alpha1[i] >= 0.0f ? 1 : 0;
@@ -245,30 +220,30 @@ static void fillDirections(Record* record, const Raw* raw)
         r2[i] = (float)sqrt(moments.a2 * moments.a2 + moments.b2 * moments.b2);
         if (record->energy[i] > 0.0f)
         {
-            swFillMaximumEntropy(&moments, DIRECTIONS, density);
+            swFillMaximumEntropy(&moments, SW_SEA_DIRECTIONS, density);
         }
     }
 }
 
-static void fillWithoutDirections(Record* record)
+static void fillWithoutDirections(swSeaRecord* record)
 {
     int count = record->frequencyCount;
     float* density = record->energy + 5 * count;
     float* first = density;
-    for (int i = 0; i < count; ++i, density += DIRECTIONS)
+    for (int i = 0; i < count; ++i, density += SW_SEA_DIRECTIONS)
     {
         if (i == 0)
         {
-            swFillCosineSpread(DEFAULT_EXPONENT, 0.0, DIRECTIONS, first);
+            swFillCosineSpread(SW_SEA_DEFAULT_EXPONENT, 0.0, SW_SEA_DIRECTIONS, first);
         }
         else
         {
-            memcpy(density, first, DIRECTIONS * sizeof(float));
+            memcpy(density, first, SW_SEA_DIRECTIONS * sizeof(float));
         }
     }
 }
 
-static void fillRecord(const Files* files, const swNdbcRow* row, Record* record, Raw* raw)
+static void fillRecord(const Files* files, const swNdbcRow* row, swSeaRecord* record, Raw* raw)
 {
     int count = record->frequencyCount;
     const float* values = (const float*)files->energy.values.data + row->first;
@@ -288,9 +263,9 @@ static void fillRecord(const Files* files, const swNdbcRow* row, Record* record,
         fillWithoutDirections(record);
     }
     float* density = record->energy + 5 * count;
-    for (int i = 0; i < count * DIRECTIONS; ++i)
+    for (int i = 0; i < count * SW_SEA_DIRECTIONS; ++i)
     {
-        density[i] *= record->energy[i / DIRECTIONS];
+        density[i] *= record->energy[i / SW_SEA_DIRECTIONS];
     }
 }
 
@@ -311,7 +286,32 @@ static bool hasEnergy(const swNdbcFile* energy, const swNdbcRow* row)
 
 // ---- the sea ----
 
-static swResult allocateSea(const swHost* host, const swNdbcFile* energy, swMeasuredSea** result)
+swResult swAllocateMeasuredSea(const swHost* host, const char* name, size_t recordCount, size_t frequencyCount,
+                               size_t bandCount, swMeasuredSea** result)
+{
+    swMeasuredSea* sea = swAllocateZero(host, sizeof(*sea));
+    if (sea == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for a measured sea.");
+    }
+    *result = sea;
+    sea->host = *host;
+    sea->count = (int)recordCount;
+    sea->recordsSize = recordCount * sizeof(swSeaRecord);
+    sea->floatsSize = frequencyCount * SW_SEA_FLOATS * sizeof(float);
+    sea->bandsSize = bandCount * sizeof(float);
+    sea->records = swAllocateZero(host, sea->recordsSize);
+    sea->floats = swAllocateZero(host, sea->floatsSize);
+    sea->bands = swAllocateZero(host, sea->bandsSize);
+    if (sea->records == NULL || sea->floats == NULL || sea->bands == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for %s: %zu records need %zu bytes.", name, recordCount,
+                      sea->recordsSize + sea->floatsSize + sea->bandsSize);
+    }
+    return SW_SUCCESS;
+}
+
+static swResult allocateSea(const swHost* host, const swNdbcFile* energy, swMeasuredSea** sea)
 {
     const swNdbcRow* rows = energy->rows.data;
     const swNdbcSet* sets = energy->sets.data;
@@ -327,26 +327,7 @@ static swResult allocateSea(const swHost* host, const swNdbcFile* energy, swMeas
     {
         return swFail(host, SW_ERROR_FORMAT, "%s:%d: every energy in the file is missing.", energy->name, rows[0].line);
     }
-    swMeasuredSea* sea = swAllocateZero(host, sizeof(*sea));
-    if (sea == NULL)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for a measured sea.");
-    }
-    *result = sea;
-    sea->host = *host;
-    sea->count = (int)recordCount;
-    sea->recordsSize = recordCount * sizeof(Record);
-    sea->floatsSize = frequencyCount * FLOATS_PER_FREQUENCY * sizeof(float);
-    sea->bandsSize = 2 * energy->frequencies.count * sizeof(float);
-    sea->records = swAllocateZero(host, sea->recordsSize);
-    sea->floats = swAllocateZero(host, sea->floatsSize);
-    sea->bands = swAllocateZero(host, sea->bandsSize);
-    if (sea->records == NULL || sea->floats == NULL || sea->bands == NULL)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for %s: %zu records need %zu bytes.", energy->name,
-                      recordCount, sea->recordsSize + sea->floatsSize + sea->bandsSize);
-    }
-    return SW_SUCCESS;
+    return swAllocateMeasuredSea(host, energy->name, recordCount, frequencyCount, 2 * energy->frequencies.count, sea);
 }
 
 static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* sea)
@@ -367,7 +348,7 @@ static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* s
     {
         return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the directions of %s.", energy->name);
     }
-    Record* record = sea->records;
+    swSeaRecord* record = sea->records;
     float* floats = sea->floats;
     for (size_t i = 0; i < energy->rows.count; ++i)
     {
@@ -381,7 +362,7 @@ static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* s
         record->bandwidths = bandwidths + set->first;
         record->energy = floats;
         fillRecord(files, &rows[i], record, raw);
-        floats += (size_t)set->count * FLOATS_PER_FREQUENCY;
+        floats += (size_t)set->count * SW_SEA_FLOATS;
         ++record;
     }
     swFree(host, raw, sizeof(*raw));
@@ -476,16 +457,17 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
     {
         return result;
     }
-    const Record* record = &sea->records[index];
+    const swSeaRecord* record = &sea->records[index];
     int count = record->frequencyCount;
     swPrintMinutes(record->minutes, result.time);
     result.table.frequencyCount = count;
-    result.table.directionCount = DIRECTIONS;
+    result.table.directionCount = SW_SEA_DIRECTIONS;
     result.table.frequencies = record->frequencies;
     result.table.bandwidths = record->bandwidths;
     result.table.density = record->energy + 5 * count;
     result.energy = record->energy;
     result.correctedCount = record->correctedCount;
+    result.partitionCount = record->partitionCount;
     if (record->hasDirections)
     {
         result.meanDirection = record->energy + count;

@@ -9,7 +9,9 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_check.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_formula.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_table.c
-    ${CMAKE_CURRENT_LIST_DIR}/spreading.c)
+    ${CMAKE_CURRENT_LIST_DIR}/spreading.c
+    ${CMAKE_CURRENT_LIST_DIR}/summary.c
+    ${CMAKE_CURRENT_LIST_DIR}/summary_sea.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE
