@@ -12,7 +12,7 @@
 #define SW_SUN_GREEN 0.995f
 #define SW_SUN_BLUE 0.915f
 #define SW_SUN_RADIUS 0.004654
-#define SW_FOAM_PERIOD 16.0
+#define SW_FOAM_PERIOD 128.0
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define SW_CLOUD_DRIFT 0.015 // km/s
 
@@ -62,11 +62,11 @@ static void setSky(const swSkyDef* sky, swPictureParams* p)
 }
 
 // [Cox 1954]: the slope variance of a sea under a wind, both directions together, less what the bands hold. Ripples below
-// the shortest band are never quite absent.
+// the shortest band hold a fifth at least.
 static float getRippleVariance(float windSpeed, float resolved)
 {
     float total = 0.003f + 5.12e-3f * windSpeed;
-    return 0.5f * fmaxf(total - resolved, 0.1f * total);
+    return 0.5f * fmaxf(total - resolved, 0.2f * total);
 }
 
 static void setWater(const swPicture* picture, const swFrame* frame, swPictureFrame* built)
