@@ -10,7 +10,7 @@ struct FoamDetail
     float thickness; // of the foam that is there, [0, 1]
 };
 
-const float foamPeriod = 128.0; // m; offsets of the anchor are taken modulo this
+const float foamPeriod = 1024.0; // m; offsets of the anchor are taken modulo this
 
 // Turned and scaled by whole numbers, so that the pattern still closes after a period.
 vec2 foamTurn(vec2 p, vec2 turn)
@@ -23,15 +23,22 @@ vec2 foamJump(float seed)
     return fract(vec2(0.7548777, 0.5698403) * seed);
 }
 
-// Two laces, `scale` patterns a period; `lod` is that of one pattern a period.
-float foamLaces(sampler2D pattern, vec2 p, float lod, float scale, float seed)
+// Two laces, turned against each other so that they line up again only after the whole period. `first` and `second` are
+// their turns, see foamTurn(); `lod` is that of one pattern a period.
+float foamLaces(sampler2D pattern, vec2 p, float lod, vec2 first, vec2 second, float seed)
 {
     vec2 jump = foamJump(seed);
-    lod += log2(scale);
-    float a = textureLod(pattern, foamTurn(p, vec2(scale, 0.0)) + jump, lod).r;
-    float b = textureLod(pattern, foamTurn(p, vec2(3.0, 2.0) * scale) - jump.yx, lod + 1.85).g;
+    float a = textureLod(pattern, foamTurn(p, first) + jump, lod + log2(length(first))).r;
+    float b = textureLod(pattern, foamTurn(p, second) - jump.yx, lod + log2(length(second))).g;
     // Weights of 0.8 and 0.6 keep the spread of the sum that of one pattern.
     return 0.8 * (a - 0.5) + 0.6 * (b - 0.5);
+}
+
+// The patterns are bent by a slow one, so that rows of equal patches do not show from a height.
+vec2 foamBend(sampler2D pattern, vec2 p)
+{
+    vec2 slow = textureLod(pattern, foamTurn(p, vec2(2.0, -1.0)), 6.0).rg;
+    return p + 40.0 * (slow - 0.5);
 }
 
 // Blend that keeps the spread.
@@ -47,11 +54,11 @@ float foamValue(sampler2D pattern, vec2 p, float lod, float pixel, float seed)
     float value = 0.0;
     if (far < 1.0)
     {
-        value = foamLaces(pattern, p, lod, 8.0, seed);
+        value = foamLaces(pattern, p, lod, vec2(56.0, 31.0), vec2(184.0, 136.0), seed);
     }
     if (far > 0.0)
     {
-        value = blendEven(value, foamLaces(pattern, p, lod, 2.0, seed + 0.37), far);
+        value = blendEven(value, foamLaces(pattern, p, lod, vec2(13.0, 8.0), vec2(43.0, 31.0), seed + 0.37), far);
     }
     return value;
 }
@@ -67,20 +74,21 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     }
     // Between blurred across and jagged along: the footprint's middle size.
     float pixel = sqrt(footprint.longest * footprint.shortest);
+    p = foamBend(pattern, p);
     float lod = log2(max(pixel * float(SW_FOAM_TEXTURE_SIDE) / foamPeriod, 1e-3));
     float turn = smoothstep(0.0, 1.0, abs(2.0 * phase - 1.0));
     float first = foamValue(pattern, p, lod, pixel, seed + (phase > 0.5 ? 2.0 : 0.0));
     float second = foamValue(pattern, p, lod, pixel, seed + 1.0);
     float value = blendEven(second, first, turn) + 0.5;
 
-    float seen = 1.0 - smoothstep(2.0, 16.0, pixel);
+    float seen = 1.0 - smoothstep(1.5, 8.0, pixel);
     float soft = 0.12 + 0.12 * smoothstep(0.02, 1.0, pixel);
     // Even the densest foam keeps some holes.
     float edge = 1.0 - amount * (1.0 - 0.18 * amount);
     float holes = smoothstep(edge - soft, edge + soft, value);
     foam.cover = mix(amount, holes, seen);
 
-    float bubbles = textureLod(pattern, foamTurn(p, vec2(96.0, 40.0)) + foamJump(seed + 0.5), lod + 6.7).b;
+    float bubbles = textureLod(pattern, foamTurn(p, vec2(768.0, 320.0)) + foamJump(seed + 0.5), lod + 9.7).b;
     float depth = clamp((value - edge) * 1.7, 0.0, 1.0);
     foam.thickness = clamp(mix(0.6, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
     return foam;

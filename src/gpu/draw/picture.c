@@ -12,7 +12,7 @@
 #define SW_SUN_GREEN 0.995f
 #define SW_SUN_BLUE 0.915f
 #define SW_SUN_RADIUS 0.004654
-#define SW_FOAM_PERIOD 128.0
+#define SW_FOAM_PERIOD 1024.0
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define SW_CLOUD_DRIFT 0.015 // km/s
 
