@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Make scenes/data/harbour_storm.*: a buoy that never was, in the real-time layout of the US National Data Buoy Center.
+"""Make scenes/data/harbour_storm.*: a buoy that never was, in the real-time layouts of the US National Data Buoy Center.
 
 Three hours of a south-westerly wind sea that grows to 2.4 m and 8.3 s, over a north-westerly swell of 12 s. Each system
 is a JONSWAP peak spread as cos^2s; at each frequency the energies and circular moments add up, as a buoy would see them,
@@ -89,6 +89,18 @@ def write(path, heading, records, column, form, missing):
             file.write("%s%s %s\n" % (time, separation, pairs))
 
 
+def summarize(time, rows, wind_sea, swell):
+    """The line of a spectral wave summary: the whole sea by its spectrum, swell and wind sea by what they are made of."""
+    zero = sum(row[0] * w for row, w in zip(rows, WIDTHS))
+    two = sum(row[0] * w * f * f for row, w, f in zip(rows, WIDTHS, FREQUENCIES))
+    peak = max(rows, key=lambda row: row[0])
+    points = "N NNE NE ENE E ESE SE SSE S SSW SW WSW W WNW NW NNW".split()
+    names = [points[round(bearing / 22.5) % 16] for bearing in (swell[2], wind_sea[2])]
+    return "%s %4.1f %4.1f %4.1f %4.1f %4.1f %3s %3s %10s %4.1f %3.0f\n" % (
+        time, 4.0 * math.sqrt(zero), swell[0], swell[1], wind_sea[0], wind_sea[1], *names, "N/A",
+        math.sqrt(zero / two), peak[1])
+
+
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(__file__), "..", "scenes", "data")
     random = make_random(20241116)
@@ -101,6 +113,11 @@ def main():
     for ending, (name, column, form, missing) in names.items():
         heading = "#YY  MM DD hh mm " + " ".join("%s_%d (freq_%d)" % (name, i, i) for i in (1, 2, 3)) + " ... >"
         write(stem + ending, heading, records, column, form, missing)
+    with open(stem + "spec", "w", encoding="ascii", newline="\n") as file:
+        file.write("#YY  MM DD hh mm WVHT  SwH  SwP  WWH  WWP SwD WWD  STEEPNESS  APD MWD\n"
+                   "#yr  mo dy hr mn    m    m  sec    m  sec  -  degT     -      sec degT\n")
+        for (time, rows), (_, wind_sea, swell) in zip(reversed(records), reversed(RECORDS)):
+            file.write(summarize(time, rows, wind_sea, swell))
 
 
 if __name__ == "__main__":

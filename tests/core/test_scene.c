@@ -315,6 +315,40 @@ static void PackedSetsAreFoundByTheirNames(void** state)
     rmdir(folder);
 }
 
+static void SummariesAreSeasToo(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    char folder[] = "/tmp/seaway_scene_XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    char packedPath[256];
+    snprintf(packedPath, sizeof(packedPath), "%s/storm.gz", folder); // known by its heading, not its name
+    CopyPacked(SCENES "/data/harbour_storm.spec", packedPath, true);
+    swMeasuredSea* packed = NULL;
+    swMeasuredSea* plain = NULL;
+    assert_int_equal(swReadMeasuredSea(&host, packedPath, &packed), SW_SUCCESS);
+    assert_int_equal(swReadMeasuredSea(&host, SCENES "/data/harbour_storm.spec", &plain), SW_SUCCESS);
+    remove(packedPath);
+    rmdir(folder);
+    assert_int_equal(swMeasuredSea_GetCount(packed), 3);
+    swMeasuredRecord a = swMeasuredSea_GetRecord(packed, 1);
+    swMeasuredRecord b = swMeasuredSea_GetRecord(plain, 1);
+    assert_int_equal(a.partitionCount, 2);
+    size_t size = (size_t)b.table.frequencyCount * (size_t)b.table.directionCount * sizeof(float);
+    assert_memory_equal(a.table.density, b.table.density, size);
+    swDestroyMeasuredSea(packed);
+    swDestroyMeasuredSea(plain);
+
+    static const char text[] =
+        "waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    at: 2024-11-16 05:50\n";
+    swScene* scene = NULL;
+    assert_int_equal(swReadSceneText(&host, text, sizeof(text) - 1, "a.yaml", SCENES, &scene), SW_SUCCESS);
+    swSeaState seaState;
+    assert_int_equal(swSpectrum_GetSeaState(&scene->waves[0].def.spectrum, 0.0f, 0.0f, &seaState), SW_SUCCESS);
+    assert_true(IsNear((double)seaState.peakPeriod, 7.6));
+    swDestroyScene(scene);
+}
+
 static void FailingMemoryLeavesNothingBehind(void** state)
 {
     (void)state;
@@ -341,7 +375,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(EveryKeyReachesItsField),          cmocka_unit_test(WhatIsLeftOutKeepsItsDefault),
         cmocka_unit_test(WrongScenesAreNamedWithTheirLine), cmocka_unit_test(ShippedScenesMakeSeas),
-        cmocka_unit_test(PackedSetsAreFoundByTheirNames),   cmocka_unit_test(FailingMemoryLeavesNothingBehind),
+        cmocka_unit_test(PackedSetsAreFoundByTheirNames),   cmocka_unit_test(SummariesAreSeasToo),
+        cmocka_unit_test(FailingMemoryLeavesNothingBehind),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
