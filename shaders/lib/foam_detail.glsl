@@ -38,7 +38,7 @@ float foamLaces(sampler2D pattern, vec2 p, float lod, vec2 first, vec2 second, f
 vec2 foamBend(sampler2D pattern, vec2 p)
 {
     vec2 slow = textureLod(pattern, foamTurn(p, vec2(2.0, -1.0)), 6.0).rg;
-    return p + 40.0 * (slow - 0.5);
+    return p + 110.0 * (slow - 0.5);
 }
 
 // Blend that keeps the spread.
@@ -81,7 +81,7 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     float second = foamValue(pattern, p, lod, pixel, seed + 1.0);
     float value = blendEven(second, first, turn) + 0.5;
 
-    float seen = 1.0 - smoothstep(1.5, 8.0, pixel);
+    float seen = 1.0 - smoothstep(1.0, 6.0, pixel);
     float soft = 0.12 + 0.12 * smoothstep(0.02, 1.0, pixel);
     // Even the densest foam keeps some holes.
     float edge = 1.0 - amount * (1.0 - 0.18 * amount);
