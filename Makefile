@@ -28,7 +28,7 @@ demo: setup build ## A measured sea: in a window, or without a display as a pict
 	@scripts/demo $(SEAWAY)
 
 test: setup build ## Run every test
-	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
 
 bench: build ## Measure: the core against FFTW, the queries, the GPU passes
 	@scripts/bench $(BUILD)
