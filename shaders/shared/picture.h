@@ -71,7 +71,8 @@ SW_PARAMS(swPictureParams)
     float cloudZ;
 
     float slopeVariance; // of each axis, all waves
-    float unused0, unused1, unused2;
+    float foamAtRest;    // beyond the slices
+    float unused0, unused1;
 };
 SW_PARAMS_SIZE(swPictureParams, 320);
 

@@ -127,6 +127,7 @@ float foamAmount(SlicePair pair)
 {
     float resolution = float(picture.resolution);
     float amount =
+        (1.0 - pair.firstWeight - pair.secondWeight) * picture.foamAtRest +
         pair.firstWeight *
         textureLod(foamLayer, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).r;
     if (pair.secondWeight > 0.0)

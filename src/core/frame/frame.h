@@ -81,6 +81,7 @@ typedef struct swViewFrame
     int64_t foamClock;
     uint32_t foamResetCount;
     float foamDeviation[SW_MAX_SLICES];                       // of J, from waves that the slice does not carry
+    float foamAtRest;                                         // the steady state beyond all slices, of all waves
     swFoamSource foamSources[SW_MAX_SLICES][SW_FOAM_SOURCES]; // from previousSlices to slices
     const float* displacement;                                // [slice][R][R][4], NULL without CPU layers
     const float* derivatives;                                 // [slice][R][R][4]

@@ -61,6 +61,13 @@ float swGetFoamDeviation(const swFrame* frame, const float* chops, float minWave
     return sqrtf(variance);
 }
 
+float swGetFoamAtRest(const swFrame* frame, const float* chops)
+{
+    const swFoamDef* foam = &frame->foam;
+    float fold = swFoamFold(1.0f, foam->threshold, swGetFoamDeviation(frame, chops, INFINITY));
+    return swFoamSteady(fold, foam->gain / foam->fadeRate);
+}
+
 // Linear between four texels, whose corner (x, z) may be exact on either axis.
 static float blendTexels(const float* foam, int resolution, int x, int z, float alongX, float alongZ)
 {

@@ -24,5 +24,8 @@ void swPlanFoam(swFoamState* state, int64_t elapsedTicks, swViewFrame* view);
 // `chops` holds one factor per wave system.
 float swGetFoamDeviation(const swFrame* frame, const float* chops, float minWavelength);
 
+// Mean foam of the steady state where no wave is known: what the sea beyond the slices is drawn with.
+float swGetFoamAtRest(const swFrame* frame, const float* chops);
+
 // Take the steps: from `previous` to `next`, [slice][R][R] each.
 void swStepFoam(const swHost* host, const swFoamDef* def, const swViewFrame* view, const float* previous, float* next);

@@ -124,6 +124,7 @@ static void placeView(swWorld* world, const float* chops, int64_t elapsedTicks, 
                           frame->foamSources[i]);
         frame->foamDeviation[i] = swGetFoamDeviation(&world->frame, chops, frame->slices[i].minWavelength);
     }
+    frame->foamAtRest = swGetFoamAtRest(&world->frame, chops);
 }
 
 void swPlaceViews(swWorld* world, int64_t elapsedTicks)

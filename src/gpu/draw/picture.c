@@ -166,6 +166,7 @@ void swBuildPicture(const swPicture* picture, const swFrame* frame, const swView
     setMesh(picture, frame, view, built);
     setBands(frame, detailSide, built);
     setTime(picture, built);
+    built->params.foamAtRest = view->foamAtRest;
 }
 
 swResult swUploadPicture(swGpu* gpu, swPictureFrame* built)
