@@ -90,6 +90,6 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
 
     float bubbles = textureLod(pattern, foamTurn(p, vec2(768.0, 320.0)) + foamJump(seed + 0.5), lod + 9.7).b;
     float depth = clamp((value - edge) * 1.7, 0.0, 1.0);
-    foam.thickness = clamp(mix(0.6, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
+    foam.thickness = clamp(mix(0.37, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
     return foam;
 }
