@@ -5,6 +5,8 @@
 // its tiles, a new view its layers. What a step leaves (the frame) stays valid until the next one, so a wave system that
 // is destroyed or gets another spectrum keeps its old bands alive in a list of retired ones until then.
 
+#include <stdatomic.h>
+
 #include "core/base/id_pool.h"
 #include "core/frame/frame.h"
 #include "core/lod/stack.h"
@@ -50,9 +52,9 @@ typedef struct swTilePair
 
 struct swWorld
 {
-    swHost host;        // the caller's
-    swHost countedHost; // the same with memory counted; everything but the world itself comes from it
-    size_t memory;      // bytes held
+    swHost host;          // the caller's
+    swHost countedHost;   // the same with memory counted; everything but the world itself comes from it
+    atomic_size_t memory; // bytes held; workers allocate too
     swWorldDef def;
     const swWaveKernels* kernels;
 
