@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #version 460
 
-// Next to nothing: what a dispatch and a barrier cost by themselves.
+// Next to nothing: what a dispatch and a barrier cost by themselves, and over a large buffer what memory gives.
 
 layout(local_size_x = 64) in;
 
@@ -12,5 +12,5 @@ layout(std430, binding = 0) buffer Words
 
 void main()
 {
-    words[gl_GlobalInvocationID.x] += 1u;
+    words[gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64 + gl_GlobalInvocationID.x] += 1u;
 }

@@ -12,13 +12,14 @@
 // Columns that one workgroup of the FFT's second axis transforms, see waves_columns.comp.
 #define SW_COLUMN_BLOCK 4
 
-// Texels of a slice that one workgroup makes: a thread owns a run of texels along z. See slices.comp.
+// Texels of a slice that one workgroup makes: a thread owns a run of SW_SLICE_RUN (4) texels along z. See slices.comp.
 #define SW_SLICE_WIDTH 64
-#define SW_SLICE_RUN 8
+#define SW_SLICE_RUN 4
 #define SW_SLICE_RUNS 2
-#define SW_SLICE_HEIGHT 16
-// Tiles whose weights along z are in shared memory at once.
+#define SW_SLICE_HEIGHT 8
+// Tiles whose weights along z are in shared memory at once, and tile rows that a run may touch.
 #define SW_SLICE_BATCH 16
+#define SW_SLICE_ROWS 8
 
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32

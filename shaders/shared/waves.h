@@ -28,15 +28,18 @@ SW_PARAMS(swTileParams)
 };
 SW_PARAMS_SIZE(swTileParams, 64);
 
-// A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column `base`.
+// A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column baseX.
+// A tile so much finer than the slice that a run of texels would touch more than SW_SLICE_ROWS rows is there once for each
+// texel of a run.
 SW_PARAMS(swSliceTile)
 {
     float fractionX, fractionZ; // in [0, 1)
     float step;                 // spline units a texel
     float perMetre;             // spline units a metre: resolution / side
-    sw_uint baseX, baseZ;       // in [0, resolution)
+    sw_uint base;               // baseX in the low half, baseZ in the high one; in [0, resolution)
     sw_uint firstTexel;
     sw_uint resolution;
+    sw_uint runMask; // bit t: texel t of a run is meant
 };
 SW_PARAMS_SIZE(swSliceTile, 32);
 

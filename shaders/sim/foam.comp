@@ -6,10 +6,11 @@
 // formulas and the search for the past are those of shared/foam.h; the folding J comes in full precision from the
 // displacement's fourth component.
 
+#include "lib/blocks.glsl"
 #include "shared/foam.h"
 #include "shared/waves.h"
 
-layout(local_size_x = SW_FOAM_BLOCK, local_size_y = SW_FOAM_BLOCK) in;
+layout(local_size_x = SW_FOAM_BLOCK * SW_FOAM_BLOCK) in;
 
 layout(std430, binding = 0) readonly buffer Slices
 {
@@ -72,7 +73,7 @@ bool readPrevious(ivec3 at, out float foam)
 
 void main()
 {
-    ivec3 at = ivec3(gl_GlobalInvocationID);
+    ivec3 at = ivec3(gl_WorkGroupID.xy * SW_FOAM_BLOCK + blockPlace(gl_LocalInvocationIndex), gl_WorkGroupID.z);
     swFoamSliceParams slice = slices[at.z];
     float jacobian = imageLoad(displacement, at).w;
     float fold = swFoamFold(jacobian, slice.threshold, slice.deviation);

@@ -7,10 +7,11 @@
 // [Bruneton 2010]. Slopes are the spline's own, by rest position, at points i side / D; one workgroup makes 32 x 32 of
 // them and averages down to one, so that all mips come from one dispatch.
 
+#include "lib/blocks.glsl"
 #include "shared/spline.h"
 #include "shared/waves.h"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 256) in;
 
 layout(std430, binding = 0) readonly buffer Tiles
 {
@@ -33,7 +34,7 @@ layout(push_constant) uniform Push
 
 // A tile has at most two samples a detail texel (512 samples on 256 texels).
 #define MAX_SPAN (2 * SW_DETAIL_BLOCK + 3)
-shared float heights[MAX_SPAN * MAX_SPAN];
+shared float heights[MAX_SPAN * MAX_SPAN]; // then the slopes made of them
 shared vec4 means[16][16];
 
 // Coefficients that the block's windows touch.
@@ -99,20 +100,36 @@ void main()
     loadHeights(tile, corner, span);
     barrier();
 
-    uvec2 thread = gl_LocalInvocationID.xy;
+    // A thread makes four neighbours, whose mean is a texel of mip 1.
+    uvec2 thread = blockPlace(gl_LocalInvocationIndex);
     ivec2 block = ivec2(gl_WorkGroupID.xy);
     float perMetre = float(tile.resolution) / tile.side;
+    vec2 slopes[4];
     vec4 mean = vec4(0.0);
     for (uint q = 0; q < 4; ++q)
     {
-        uvec2 local = 2 * thread + uvec2(q & 1, q >> 1);
-        vec2 slope = slopeAt(vec2(local) * ratio, span, perMetre);
-        vec4 moments = vec4(slope, slope * slope);
-        imageStore(mip0, ivec3(block * SW_DETAIL_BLOCK + ivec2(local), tileIndex), moments);
-        mean += 0.25 * moments;
+        slopes[q] = slopeAt(vec2(2 * thread + uvec2(q & 1, q >> 1)) * ratio, span, perMetre);
+        mean += 0.25 * vec4(slopes[q], slopes[q] * slopes[q]);
     }
     imageStore(mip1, ivec3(block * 16 + ivec2(thread), tileIndex), mean);
     means[thread.y][thread.x] = mean;
+
+    // They change places, so that threads side by side store texels side by side.
+    barrier();
+    for (uint q = 0; q < 4; ++q)
+    {
+        uint at = (2 * thread.y + (q >> 1)) * SW_DETAIL_BLOCK + 2 * thread.x + (q & 1);
+        heights[2 * at] = slopes[q].x;
+        heights[2 * at + 1] = slopes[q].y;
+    }
+    barrier();
+    for (uint q = 0; q < 4; ++q)
+    {
+        uvec2 local = thread + 16 * uvec2(q & 1, q >> 1);
+        uint at = local.y * SW_DETAIL_BLOCK + local.x;
+        vec2 slope = vec2(heights[2 * at], heights[2 * at + 1]);
+        imageStore(mip0, ivec3(block * SW_DETAIL_BLOCK + ivec2(local), tileIndex), vec4(slope, slope * slope));
+    }
     for (uint level = 2; level < SW_DETAIL_MIPS; ++level)
     {
         uint width = 32 >> level;

@@ -355,26 +355,40 @@ static void reduceOffset(int64_t first, double texel, const swTile* tile, float*
     *base = (uint32_t)cell & (uint32_t)(tile->resolution - 1);
 }
 
+static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint32_t firstTexel)
+{
+    swSliceTile out = {
+        .step = (float)(slice->texel * tile->resolution / tile->side),
+        .perMetre = (float)(tile->resolution / tile->side),
+        .firstTexel = firstTexel,
+        .resolution = (uint32_t)tile->resolution,
+        .runMask = (1u << SW_SLICE_RUN) - 1,
+    };
+    uint32_t baseX, baseZ;
+    reduceOffset(slice->firstX, slice->texel, tile, &out.fractionX, &baseX);
+    reduceOffset(slice->firstZ, slice->texel, tile, &out.fractionZ, &baseZ);
+    out.base = baseX | baseZ << 16;
+    return out;
+}
+
+// Everything is written once, in order: uploads are slow to read.
 static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice,
                                swSliceTile* tiles)
 {
     uint32_t count = 0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
-        const swTile* tile = &frame->tiles[i];
-        if (tile->minWavelength < slice->minWavelength)
+        if (frame->tiles[i].minWavelength < slice->minWavelength)
         {
             continue;
         }
-        swSliceTile* out = &tiles[count++];
-        *out = (swSliceTile){
-            .step = (float)(slice->texel * tile->resolution / tile->side),
-            .perMetre = (float)(tile->resolution / tile->side),
-            .firstTexel = gpuWorld->params[i].firstTexel,
-            .resolution = (uint32_t)tile->resolution,
-        };
-        reduceOffset(slice->firstX, slice->texel, tile, &out->fractionX, &out->baseX);
-        reduceOffset(slice->firstZ, slice->texel, tile, &out->fractionZ, &out->baseZ);
+        swSliceTile tile = makeSliceTile(slice, &frame->tiles[i], gpuWorld->params[i].firstTexel);
+        bool isSparse = (SW_SLICE_RUN - 1) * tile.step > SW_SLICE_ROWS - 4;
+        for (uint32_t t = 0; t < (isSparse ? SW_SLICE_RUN : 1); ++t)
+        {
+            tile.runMask = isSparse ? 1u << t : tile.runMask;
+            tiles[count++] = tile;
+        }
     }
     return count;
 }
@@ -383,7 +397,7 @@ static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const s
 {
     swGpu* gpu = gpuWorld->gpu;
     swSliceList lists[SW_MAX_SLICES] = {0};
-    size_t most = (size_t)viewFrame->sliceCount * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1);
+    size_t most = (size_t)viewFrame->sliceCount * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
     swResult result = swReserveUpload(gpu, most * sizeof(swSliceTile), &view->sliceTiles);
     if (result != SW_SUCCESS)
     {
