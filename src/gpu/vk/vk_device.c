@@ -245,8 +245,11 @@ static swResult createInstance(swGpu* gpu, const swGpuDef* def)
     VkResult created = create(&info, NULL, &gpu->instance);
     if (created != VK_SUCCESS)
     {
-        return swFail(&gpu->host, SW_ERROR_NO_DEVICE, "no Vulkan instance could be created: %s",
-                      swVkResultName(created));
+        return swFail(&gpu->host, SW_ERROR_NO_DEVICE, "no Vulkan instance could be created: %s%s",
+                      swVkResultName(created),
+                      created == VK_ERROR_INCOMPATIBLE_DRIVER
+                          ? " (no Vulkan driver is installed: install the GPU's, or Debian's mesa-vulkan-drivers)"
+                          : "");
     }
     gpu->ownsInstance = true;
     return SW_SUCCESS;
