@@ -67,7 +67,7 @@ SW_API void swDestroyWaveSystem(swWorld* world, swWaveSystemId id);
 SW_API bool swWaveSystem_IsValid(const swWorld* world, swWaveSystemId id);
 
 /// Replace the spectrum, keeping seed and phases; the surface changes with the next step. Costs a fresh initial
-/// spectrum: a few milliseconds.
+/// spectrum: some 20 ms on one thread, shared out over the host's workers.
 SW_API swResult swWaveSystem_SetSpectrum(swWorld* world, swWaveSystemId id, const swSpectrumDef* spectrum);
 
 /// Range [0, 10]. Takes effect with the next step.

@@ -343,7 +343,7 @@ static void SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea(void** state)
 }
 
 // Mean foam of the finest slice over a few seconds of a sea.
-static double MeasureFoam(float windSpeed, float finestTexel)
+static swWorld* MakeWindySea(float windSpeed, float finestTexel, swView** view)
 {
     swHost host = swDefaultHost();
     swWorldDef worldDef = swDefaultWorldDef();
@@ -360,16 +360,29 @@ static double MeasureFoam(float windSpeed, float finestTexel)
     viewDef.resolution = 128;
     viewDef.finestTexel = finestTexel;
     viewDef.enableCpuLayers = true;
+    assert_int_equal(swCreateView(world, &viewDef, view), SW_SUCCESS);
+    return world;
+}
+
+static double MeanFoamOf(const swView* view)
+{
+    double mean = 0.0;
+    for (int t = 0; t < 128 * 128; ++t)
+    {
+        mean += (double)swView_GetFoam(view, 0)[t] / (128.0 * 128.0);
+    }
+    return mean;
+}
+
+static double MeasureFoam(float windSpeed, float finestTexel)
+{
     swView* view;
-    assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+    swWorld* world = MakeWindySea(windSpeed, finestTexel, &view);
     double mean = 0.0;
     for (int i = 0; i < 40; ++i)
     {
         swWorld_Step(world, 0.1);
-        for (int t = 0; i % 5 == 4 && t < 128 * 128; ++t)
-        {
-            mean += (double)swView_GetFoam(view, 0)[t] / (8.0 * 128.0 * 128.0);
-        }
+        mean += i % 5 == 4 ? MeanFoamOf(view) / 8.0 : 0.0;
     }
     swDestroyWorld(world);
     return mean;
@@ -389,6 +402,42 @@ static void CoverGrowsWithWindAsWhitecapsDo(void** state)
     assert_true(gale > 0.025 && gale < 0.15);
 }
 
+static void TheSeaBeyondTheSlicesHasAsMuchFoam(void** state)
+{
+    (void)state;
+    swView* view;
+    swWorld* world = MakeWindySea(20.0f, 8.0f, &view);
+    double mean = 0.0;
+    for (int i = 0; i < 40; ++i)
+    {
+        swWorld_Step(world, 0.1);
+        mean += MeanFoamOf(view) / 40.0;
+    }
+    double beyond = (double)swGetWorldFrame(world)->views[0].foamAtRest;
+    print_message("mean foam: %.4f in a slice of 8 m, %.4f beyond\n", mean, beyond);
+    assert_true(beyond > 0.8 * mean && beyond < 1.25 * mean);
+    swDestroyWorld(world);
+}
+
+static void AChangedLawTakesEffect(void** state)
+{
+    (void)state;
+    swView* view;
+    swWorld* world = MakeWindySea(20.0f, 4.0f, &view);
+    swWorld_Step(world, 0.1);
+    double before = MeanFoamOf(view);
+    swFoamDef barren = swDefaultFoamDef();
+    barren.gain = 0.0f;
+    barren.fadeRate = 0.5f;
+    swWorld_SetFoam(world, &barren);
+    for (int i = 0; i < 60; ++i)
+    {
+        swWorld_Step(world, 1.0 / 30.0);
+    }
+    assert_true(fabs(MeanFoamOf(view) / before - exp(-1.0)) < 0.02);
+    swDestroyWorld(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -404,6 +453,8 @@ int main(void)
         cmocka_unit_test(AFoldThatIsKnownIsExact),
         cmocka_unit_test(SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea),
         cmocka_unit_test(CoverGrowsWithWindAsWhitecapsDo),
+        cmocka_unit_test(TheSeaBeyondTheSlicesHasAsMuchFoam),
+        cmocka_unit_test(AChangedLawTakesEffect),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
