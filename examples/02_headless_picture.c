@@ -257,7 +257,7 @@ static bool DrawSea(Picture* picture, swWorld* world, swView* view, swGpuWorld* 
 {
     swPos eye = {0.0, 12.0, 0.0};
     swPicture what = {.view = view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
-    what.camera = swMakeCamera(eye, 2.6f, -0.09f, 0.0f, 0.9f, WIDTH, HEIGHT);
+    what.camera = swMakeCamera(eye, 3.6f, -0.09f, 0.0f, 0.9f, WIDTH, HEIGHT);
     what.water.windSpeed = 16.0f;
     VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
 

@@ -129,7 +129,7 @@ float foamAmount(SlicePair pair)
     float amount =
         (1.0 - pair.firstWeight - pair.secondWeight) * picture.foamAtRest +
         pair.firstWeight *
-        textureLod(foamLayer, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).r;
+            textureLod(foamLayer, vec3(sliceUv(slices[pair.first], place, resolution), float(pair.first)), 0.0).r;
     if (pair.secondWeight > 0.0)
     {
         amount +=
