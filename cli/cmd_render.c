@@ -541,7 +541,7 @@ int RunRender(int argumentCount, char** arguments)
                        .synopsis = "SCENE --out FILE [options]",
                        .text = "Make a picture, numbered frames or a video of a scene, without a window.\n\n"
                                "  seaway render scenes/gale.yaml --out gale.png\n"
-                               "  seaway render scenes/gale.yaml --out gale.mp4 --frames 300 --view low --to-view high",
+                               "  seaway render scenes/open_sea.yaml --out climb.mp4 --frames 300 --view low --to-view high",
                        .options = options,
                        .optionCount = sizeof(options) / sizeof(options[0]),
                        .positionalMin = 1,
