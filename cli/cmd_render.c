@@ -539,9 +539,10 @@ int RunRender(int argumentCount, char** arguments)
     };
     const Verb verb = {.name = "render",
                        .synopsis = "SCENE --out FILE [options]",
-                       .text = "Make a picture, numbered frames or a video of a scene, without a window.\n\n"
-                               "  seaway render scenes/gale.yaml --out gale.png\n"
-                               "  seaway render scenes/open_sea.yaml --out climb.mp4 --frames 300 --view low --to-view high",
+                       .text =
+                           "Make a picture, numbered frames or a video of a scene, without a window.\n\n"
+                           "  seaway render scenes/gale.yaml --out gale.png\n"
+                           "  seaway render scenes/open_sea.yaml --out up.mp4 --frames 300 --view low --to-view high",
                        .options = options,
                        .optionCount = sizeof(options) / sizeof(options[0]),
                        .positionalMin = 1,
