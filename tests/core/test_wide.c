@@ -95,6 +95,40 @@ static void SineAndCosineAreTheScalarOnes(void** state)
     }
 }
 
+static void ExponentialIsExact(void** state)
+{
+    (void)state;
+    enum
+    {
+        ROW = 18 // where runOperations() leaves exp(m / 2^24)
+    };
+    const WideProbe* probes[8];
+    int count = ListWideProbes(probes);
+    double worst = 0.0;
+    for (int probe = 0; probe < count; ++probe)
+    {
+        for (int round = 0; round < 4000; ++round)
+        {
+            float zero[PROBE_LANES] = {0.0f}, out[PROBE_OPERATIONS * PROBE_LANES];
+            uint32_t m[PROBE_LANES];
+            for (int i = 0; i < PROBE_LANES; ++i)
+            {
+                double x = -86.9 + 166.8 * (round * PROBE_LANES + i) / (4000.0 * PROBE_LANES);
+                m[i] = (uint32_t)(int32_t)(x * 0x1p24);
+            }
+            probes[probe]->runOperations(zero, zero, m, m, out);
+            for (int i = 0; i < PROBE_LANES; ++i)
+            {
+                double wanted = exp((double)(float)(int32_t)m[i] * 0x1p-24);
+                double error = fabs((double)out[ROW * PROBE_LANES + i] / wanted - 1.0);
+                worst = error > worst ? error : worst;
+            }
+        }
+    }
+    print_message("exponential: worst relative error %.2g\n", worst);
+    assert_true(worst < 2.5e-7);
+}
+
 static void TransposeMovesEveryElement(void** state)
 {
     (void)state;
@@ -136,6 +170,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(EveryOperationGivesTheSameBits),
         cmocka_unit_test(SineAndCosineAreTheScalarOnes),
+        cmocka_unit_test(ExponentialIsExact),
         cmocka_unit_test(TransposeMovesEveryElement),
         cmocka_unit_test(WidthsAreWhatTheSetsHold),
     };

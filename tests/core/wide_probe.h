@@ -10,7 +10,7 @@
 
 enum
 {
-    PROBE_OPERATIONS = 18,
+    PROBE_OPERATIONS = 22,
     PROBE_LANES = 8
 };
 

@@ -15,13 +15,14 @@ static void RunOperations(const float* pa, const float* pb, const uint32_t* pm, 
         const swWide results[] = {swAddW(a, b), swSubW(a, b),   swMulW(a, b),  swMinW(a, b),
                                   swMaxW(a, b), swSplatW(0.1f), swToFloatI(m), swFlipSignW(a, m)};
         const swWideI integers[] = {swAddI(m, n),       swSubI(m, n),         swAndI(m, n),
-                                    swShiftLeftI(m, 7), swShiftRightI(m, 30), swSplatI(77)};
+                                    swShiftLeftI(m, 7), swShiftRightI(m, 30), swSplatI(77),
+                                    swMulI(m, n),       swAsIntW(swAddW(a, b))};
         int row = 0;
         for (int k = 0; k < 8; ++k)
         {
             swStoreW(out + PROBE_LANES * row++ + i, results[k]);
         }
-        for (int k = 0; k < 6; ++k)
+        for (int k = 0; k < 8; ++k)
         {
             uint32_t lanes[SW_WIDTH];
             swStoreI(lanes, integers[k]);
@@ -30,12 +31,14 @@ static void RunOperations(const float* pa, const float* pb, const uint32_t* pm, 
         // A mask from the lowest bit.
         swWideI mask = swSubI(swSplatI(0), swAndI(m, swSplatI(1)));
         swStoreW(out + PROBE_LANES * row++ + i, swSelectW(mask, a, b));
+        swStoreW(out + PROBE_LANES * row++ + i, swAsFloatI(swShiftLeftI(swSplatI(127), 23)));
+        swStoreW(out + PROBE_LANES * row++ + i, swExpW(swMulW(swToFloatI(m), swSplatW(0x1p-24f))));
     }
     swQuads left = swLoadQ(pa);
     swQuads right = swLoadQ(pb);
-    swStoreQ(out + PROBE_LANES * 15, swAddQ(swMulQ(left, right), swSplatQ(pa[0], pb[0])));
-    swStoreSumQ(out + PROBE_LANES * 16, left);
-    swStoreSumQ(out + PROBE_LANES * 16 + 4, right);
+    swStoreQ(out + PROBE_LANES * 19, swAddQ(swMulQ(left, right), swSplatQ(pa[0], pb[0])));
+    swStoreSumQ(out + PROBE_LANES * 20, left);
+    swStoreSumQ(out + PROBE_LANES * 20 + 4, right);
     // Four rows of four columns, there and back, as many at a time as the width has.
     float table[8 * 4];
     memcpy(table, pa, 8 * sizeof(float));
@@ -49,7 +52,7 @@ static void RunOperations(const float* pa, const float* pb, const uint32_t* pm, 
         swLoadColumns4(table + 4 * i, 4, columns);
         swStoreRows4(back + 4 * i, columns[1], columns[0], columns[3], columns[2]);
     }
-    memcpy(out + PROBE_LANES * 17, back + 4, PROBE_LANES * sizeof(float));
+    memcpy(out + PROBE_LANES * 21, back + 4, PROBE_LANES * sizeof(float));
 }
 
 static void SinCosTurns(const uint32_t* phases, int count, float* sines, float* cosines)

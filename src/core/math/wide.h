@@ -58,3 +58,23 @@ static inline void swSinCosTurnsW(swWideI phase, swWide* sine, swWide* cosine)
     *sine = swFlipSignW(swSelectW(odd, c, s), swShiftLeftI(quadrant, 30));
     *cosine = swFlipSignW(swSelectW(odd, s, c), swShiftLeftI(swAddI(quadrant, one), 30));
 }
+
+// exp(x) for x in [-87, 80], below which it stays at exp(-87); 2 ulp. Cephes' reduction: x = n ln 2 + r, with ln 2 in two
+// parts so that r is exact.
+static inline swWide swExpW(swWide x)
+{
+    const float round = 12582912.0f; // 1.5 * 2^23: adding it leaves the nearest integer in the low bits
+    x = swMaxW(swMinW(x, swSplatW(80.0f)), swSplatW(-87.0f));
+    swWide shifted = swAddW(swMulW(x, swSplatW(1.44269504f)), swSplatW(round));
+    swWide n = swSubW(shifted, swSplatW(round));
+    swWide r = swSubW(swSubW(x, swMulW(n, swSplatW(0.693359375f))), swMulW(n, swSplatW(-2.12194440e-4f)));
+    swWide sum = swSplatW(1.0f / 5040.0f);
+    sum = swAddW(swMulW(sum, r), swSplatW(1.0f / 720.0f));
+    sum = swAddW(swMulW(sum, r), swSplatW(1.0f / 120.0f));
+    sum = swAddW(swMulW(sum, r), swSplatW(1.0f / 24.0f));
+    sum = swAddW(swMulW(sum, r), swSplatW(1.0f / 6.0f));
+    sum = swAddW(swMulW(sum, r), swSplatW(0.5f));
+    sum = swAddW(swSplatW(1.0f), swAddW(r, swMulW(sum, swMulW(r, r))));
+    swWideI power = swShiftLeftI(swAddI(swAsIntW(shifted), swSplatI(127)), 23);
+    return swMulW(sum, swAsFloatI(power));
+}

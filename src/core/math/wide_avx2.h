@@ -75,6 +75,21 @@ static inline swWideI swSubI(swWideI a, swWideI b)
     return _mm256_sub_epi32(a, b);
 }
 
+static inline swWideI swMulI(swWideI a, swWideI b)
+{
+    return _mm256_mullo_epi32(a, b);
+}
+
+static inline swWide swAsFloatI(swWideI a)
+{
+    return _mm256_castsi256_ps(a);
+}
+
+static inline swWideI swAsIntW(swWide a)
+{
+    return _mm256_castps_si256(a);
+}
+
 static inline swWideI swAndI(swWideI a, swWideI b)
 {
     return _mm256_and_si256(a, b);

@@ -76,6 +76,21 @@ static inline swWideI swSubI(swWideI a, swWideI b)
     return vsubq_u32(a, b);
 }
 
+static inline swWideI swMulI(swWideI a, swWideI b)
+{
+    return vmulq_u32(a, b);
+}
+
+static inline swWide swAsFloatI(swWideI a)
+{
+    return vreinterpretq_f32_u32(a);
+}
+
+static inline swWideI swAsIntW(swWide a)
+{
+    return vreinterpretq_u32_f32(a);
+}
+
 static inline swWideI swAndI(swWideI a, swWideI b)
 {
     return vandq_u32(a, b);

@@ -74,6 +74,27 @@ static inline swWideI swSubI(swWideI a, swWideI b)
     return a - b;
 }
 
+// Low 32 bits of the products.
+static inline swWideI swMulI(swWideI a, swWideI b)
+{
+    return a * b;
+}
+
+// The same bits.
+static inline swWide swAsFloatI(swWideI a)
+{
+    float f;
+    memcpy(&f, &a, sizeof f);
+    return f;
+}
+
+static inline swWideI swAsIntW(swWide a)
+{
+    uint32_t u;
+    memcpy(&u, &a, sizeof u);
+    return u;
+}
+
 static inline swWideI swAndI(swWideI a, swWideI b)
 {
     return a & b;

@@ -75,6 +75,23 @@ static inline swWideI swSubI(swWideI a, swWideI b)
     return _mm_sub_epi32(a, b);
 }
 
+static inline swWideI swMulI(swWideI a, swWideI b)
+{
+    __m128i even = _mm_mul_epu32(a, b);
+    __m128i odd = _mm_mul_epu32(_mm_srli_si128(a, 4), _mm_srli_si128(b, 4));
+    return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, 0x08), _mm_shuffle_epi32(odd, 0x08));
+}
+
+static inline swWide swAsFloatI(swWideI a)
+{
+    return _mm_castsi128_ps(a);
+}
+
+static inline swWideI swAsIntW(swWide a)
+{
+    return _mm_castps_si128(a);
+}
+
 static inline swWideI swAndI(swWideI a, swWideI b)
 {
     return _mm_and_si128(a, b);
