@@ -70,10 +70,9 @@ static bool CreateSea(Sea* sea, int size)
     def.maxWavelength = 1024.0f;
     def.chop = 1.0f;
     def.weight = 1.0f;
-    def.depth = INFINITY;
     def.seed = 1;
     double start = Now();
-    if (swBuildModes(&sea->host, &def, 9.81f, sea->bands) != SW_SUCCESS)
+    if (swBuildModes(&sea->host, &def, 9.81f, 7.4e-5f, sea->bands) != SW_SUCCESS)
     {
         return false;
     }

@@ -47,7 +47,7 @@ typedef struct Stats
 // Frequencies that the system makes waves of, Hz.
 static void FindRange(const swScene* scene, const swWaveSystemDef* def, double* low, double* high)
 {
-    double gravity = (double)scene->world.gravity, depth = (double)def->depth;
+    double gravity = (double)scene->world.gravity, depth = (double)def->spectrum.depth;
     *low = FindFrequency((double)def->maxWavelength, depth, gravity);
     *high = FindFrequency((double)def->minWavelength, depth, gravity);
 }
@@ -116,7 +116,7 @@ static swWorld* CreateSea(const Stats* stats, int seed, bool onlyBins)
     {
         swWaveSystemDef* def = &scene->waves[i].def;
         def->seed += (uint32_t)seed * 1000u;
-        double shortest = FindWavelength(1.02 * last, (double)def->depth, (double)scene->world.gravity);
+        double shortest = FindWavelength(1.02 * last, (double)def->spectrum.depth, (double)scene->world.gravity);
         if (onlyBins && shortest > (double)def->minWavelength && shortest < (double)def->maxWavelength)
         {
             def->minWavelength = (float)shortest;
@@ -201,10 +201,11 @@ static void AskBins(const Stats* stats, SeaSums* sums)
         int bin = i / PARTS;
         double width = (stats->bins.high[bin] - stats->bins.low[bin]) / PARTS;
         double f = stats->bins.low[bin] + width * (i % PARTS + 0.5);
-        double omega = 2.0 * SW_PI * f, k = omega * omega / (double)stats->scene->world.gravity;
         for (int j = 0; j < stats->scene->wavesCount; ++j)
         {
             const swWaveSystemDef* def = &stats->scene->waves[j].def;
+            double length = FindWavelength(f, (double)def->spectrum.depth, (double)stats->scene->world.gravity);
+            double k = 2.0 * SW_PI / length;
             double weight2 = (double)def->weight * (double)def->weight;
             double energy = weight2 * width * (double)swSpectrum_GetDensity(&def->spectrum, (float)f);
             for (int direction = 0; direction < DIRECTIONS && energy > 0.0; ++direction)

@@ -16,6 +16,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+// Over density, m^3/s^2: what swDefaultWorldDef() has.
+#define SURFACE_TENSION 7.4e-5
+
 typedef struct Complex
 {
     double re, im;
@@ -57,7 +60,7 @@ void UseEqualBins(double low, double high, int count, SeaBins* bins)
 double FindFrequency(double wavelength, double depth, double gravity)
 {
     double k = 2.0 * SW_PI / wavelength;
-    double omega2 = gravity * k * (isfinite(depth) ? tanh(k * depth) : 1.0);
+    double omega2 = (gravity * k + SURFACE_TENSION * k * k * k) * (isfinite(depth) ? tanh(k * depth) : 1.0);
     return sqrt(omega2) / (2.0 * SW_PI);
 }
 

@@ -54,7 +54,7 @@ void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state);
 // The bin of the largest density.
 int FindPeakBin(const SeaBins* bins, const SeaSums* sums);
 
-// Length of a wave of `frequency` Hz over `depth` m (infinity is allowed), and back.
+// Length of a wave of `frequency` Hz over `depth` m (infinity is allowed), and back. With the surface tension of water.
 double FindWavelength(double frequency, double depth, double gravity);
 double FindFrequency(double wavelength, double depth, double gravity);
 

@@ -111,8 +111,8 @@ void CloseSea(Sea* sea)
 static bool KeepsSystem(const swWaveSystemDef* a, const swWaveSystemDef* b)
 {
     return a->resolution == b->resolution && a->tileWaves == b->tileWaves && a->minWavelength == b->minWavelength &&
-           a->maxWavelength == b->maxWavelength && a->chop == b->chop && a->depth == b->depth &&
-           a->loopPeriod == b->loopPeriod && a->seed == b->seed;
+           a->maxWavelength == b->maxWavelength && a->chop == b->chop && a->loopPeriod == b->loopPeriod &&
+           a->seed == b->seed;
 }
 
 static swResult ReplaceWaves(Sea* sea, SeaWaves* waves)

@@ -67,6 +67,10 @@ typedef struct swSpectrumDef
     /// directions alike, 75 a swell. Unused by tables.
     float spreadExponent;
 
+    /// Depth of the water, m: for the waves' lengths and speeds, omega^2 = (g k + sigma k^3) tanh(k depth), with the
+    /// world's gravity and surface tension. Range (0, inf]. Default infinite.
+    float depth;
+
     /// For SW_SPECTRUM_TABLE. Read only during the call that takes the def. Default NULL.
     const swSpectrumTable* table;
 
@@ -92,7 +96,7 @@ typedef struct swSeaState
     float meanDirection;     ///< energy-weighted over all frequencies
     float peakDirection;     ///< mean direction at the peak frequency
     float spread;            ///< sqrt(2 (1 - r1)) over all frequencies, radians
-    float meanSquareSlope;   ///< integral of k^2 S, deep water, of the frequencies integrated
+    float meanSquareSlope;   ///< integral of k^2 S of the frequencies integrated, k by depth and surface tension
 } swSeaState;
 
 /// One-dimensional density at f, m^2/Hz. Returns 0 outside the spectrum. Any thread.

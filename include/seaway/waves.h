@@ -41,9 +41,6 @@ typedef struct swWaveSystemDef
     /// Factor on displacement. Range [0, 10]. Default 1.
     float weight;
 
-    /// Water depth for dispersion, m: omega^2 = g k tanh(k depth). Range (0, inf). Default infinity.
-    float depth;
-
     /// The waves repeat exactly after this time, s. Default 0: never.
     float loopPeriod;
 

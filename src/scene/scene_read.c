@@ -31,6 +31,11 @@ static swScene* getScene(const swYaml* yaml)
 
 static const swYamlField worldFields[] = {
     {.key = "gravity_mps2", .type = SW_YAML_FLOAT, .offset = offsetof(swWorldDef, gravity), .low = 0.1, .high = 100.0},
+    {.key = "surface_tension_m3ps2",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swWorldDef, surfaceTension),
+     .low = 0.0,
+     .high = 1e-3},
     {.key = "sea_level_m", .type = SW_YAML_DOUBLE, .offset = offsetof(swWorldDef, seaLevel), .low = -1e5, .high = 1e5},
 };
 
@@ -245,7 +250,7 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
         {.key = "max_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(maxWavelength), .low = 0.0, .high = 1e5},
     [CHOP] = {.key = "chop", .type = SW_YAML_FLOAT, .offset = SYSTEM(chop), .low = 0.0, .high = 2.0},
     [WEIGHT] = {.key = "weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(weight), .low = 0.0, .high = 10.0},
-    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(depth), .low = 0.01, .high = 1e5},
+    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(depth), .low = 0.01, .high = 1e5},
     [LOOP_PERIOD] =
         {.key = "loop_period_s", .type = SW_YAML_FLOAT, .offset = SYSTEM(loopPeriod), .low = 0.0, .high = 86400.0},
     [SEED] = {.key = "seed", .type = SW_YAML_UINT, .offset = SYSTEM(seed), .low = 0.0, .high = 4294967295.0},

@@ -83,10 +83,10 @@ int main(void)
                            .maxWavelength = 4096.0f,
                            .chop = 1.0f,
                            .weight = 1.0f,
-                           .depth = 60.0f,
                            .seed = 3};
+    def.spectrum.depth = 60.0f;
     static swBandModes bands[SW_MAX_BANDS];
-    if (swBuildModes(&host, &def, 9.81f, bands) != SW_SUCCESS)
+    if (swBuildModes(&host, &def, 9.81f, 7.4e-5f, bands) != SW_SUCCESS)
     {
         return 2;
     }

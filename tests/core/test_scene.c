@@ -50,7 +50,7 @@ static void EveryKeyReachesItsField(void** state)
     static const char text[] = "name: All of it\n"
                                "time_s: -12.5\n"
                                "exposure_ev: 0.5\n"
-                               "world: {gravity_mps2: 3.7, sea_level_m: 11}\n"
+                               "world: {gravity_mps2: 3.7, surface_tension_m3ps2: 1e-4, sea_level_m: 11}\n"
                                "foam: {fade_rate_per_s: 0.5, threshold: 0.25, gain_per_s: 3}\n"
                                "view: {slice_count: 5, resolution: 256, finest_texel_m: 0.125, max_scale_level: 4}\n"
                                "sun: {azimuth_deg: 90, elevation_deg: 45, illuminance_lux: 1e5}\n"
@@ -101,7 +101,7 @@ static void EveryKeyReachesItsField(void** state)
     }
     assert_string_equal(scene->name, "All of it");
     assert_true(scene->time == -12.5 && scene->exposureEv == 0.5f);
-    assert_true(scene->world.gravity == 3.7f && scene->world.seaLevel == 11.0);
+    assert_true(scene->world.gravity == 3.7f && scene->world.surfaceTension == 1e-4f && scene->world.seaLevel == 11.0);
     assert_true(scene->world.foam.fadeRate == 0.5f && scene->world.foam.threshold == 0.25f &&
                 scene->world.foam.gain == 3.0f);
     assert_true(scene->view.sliceCount == 5 && scene->view.resolution == 256 && scene->view.finestTexel == 0.125f &&
@@ -119,8 +119,8 @@ static void EveryKeyReachesItsField(void** state)
                 def->spectrum.peakPeriod == 8.0f && def->spectrum.spreadExponent == 12.0f);
     assert_true(IsNear(cos((double)def->spectrum.direction), 1.0)); // from the west: eastward
     assert_true(def->resolution == 256 && def->tileWaves == 16 && def->minWavelength == 0.5f &&
-                def->maxWavelength == 512.0f && def->chop == 0.5f && def->weight == 0.75f && def->depth == 30.0f &&
-                def->loopPeriod == 60.0f && def->seed == 4294967295u);
+                def->maxWavelength == 512.0f && def->chop == 0.5f && def->weight == 0.75f &&
+                def->spectrum.depth == 30.0f && def->loopPeriod == 60.0f && def->seed == 4294967295u);
 
     const swSceneWaves* measured = &scene->waves[1];
     assert_non_null(measured->measured);

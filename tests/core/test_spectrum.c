@@ -128,7 +128,7 @@ static void IntegralsOfNarrowPeaksAreAccurate(void** state)
     def.peakPeriod = 14.0f;
     def.gamma = 10.0f;
     swCompiledSpectrum* spectrum = NULL;
-    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, &spectrum), SW_SUCCESS);
+    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, 7.4e-5, &spectrum), SW_SUCCESS);
     static const double ranges[][2] = {{0.0, 100.0}, {0.2, 0.3}, {0.3, 0.44}, {0.44, 0.46}, {0.449, 1.3}, {2.0, 40.0}};
     double worst = 0.0;
     for (int i = 0; i < 6; ++i)
@@ -161,7 +161,7 @@ static void DirectionsIntegrateToOne(void** state)
     def.direction = 1.0f;
     def.spreadExponent = 20.0f;
     swCompiledSpectrum* spectrum = NULL;
-    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, &spectrum), SW_SUCCESS);
+    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, 7.4e-5, &spectrum), SW_SUCCESS);
     for (int i = 1; i < 10; ++i)
     {
         double omega = 0.4 * i;
@@ -222,7 +222,7 @@ static void TablesKeepTheirEnergy(void** state)
 
     swCompiledSpectrum* spectrum = NULL;
     def.extendTail = false;
-    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, &spectrum), SW_SUCCESS);
+    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, 7.4e-5, &spectrum), SW_SUCCESS);
     memset(s_density, 0, sizeof(s_density)); // a copy was taken
     assert_true(fabs(swIntegrateCompiled(spectrum, 0.0, TURN * 0.2401) - variance) < 3e-7);
     assert_true(swIntegrateCompiled(spectrum, 0.0, TURN * 0.045) < 1e-12);
@@ -247,7 +247,7 @@ static void TablesTurnAndScale(void** state)
     assert_true(IsNear(seaState.meanDirection, SW_PI / 2.0 + 0.5, 1e-6));
     swHost host = MakeHost();
     swCompiledSpectrum* spectrum = NULL;
-    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, &spectrum), SW_SUCCESS);
+    assert_int_equal(swCompileSpectrum(&host, &def, 9.81, 7.4e-5, &spectrum), SW_SUCCESS);
     assert_true(fabs(swIntegrateCompiled(spectrum, 0.0, TURN * 0.24) - 9.0 / 16.0) < 1e-6);
     swFreeCompiledSpectrum(&host, spectrum);
     assert_true(swSpectrum_GetSpreading(&def, 0.08f, (float)(SW_PI / 2.0 + 0.5)) > 5.0f);
@@ -345,7 +345,7 @@ static void WrongSpectraAreNamed(void** state)
     for (int i = 0; i < 9; ++i)
     {
         swCompiledSpectrum* spectrum = NULL;
-        assert_int_equal(swCompileSpectrum(&host, &cases[i].def, 9.81, &spectrum), SW_ERROR_INVALID);
+        assert_int_equal(swCompileSpectrum(&host, &cases[i].def, 9.81, 7.4e-5, &spectrum), SW_ERROR_INVALID);
         assert_null(spectrum);
         if (strstr(s_message, cases[i].words) == NULL)
         {

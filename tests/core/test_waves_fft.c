@@ -34,7 +34,7 @@ static Sea* CreateSea(const swWaveSystemDef* def)
     Sea* sea = calloc(1, sizeof(Sea));
     sea->host = swDefaultHost();
     sea->def = *def;
-    assert_int_equal(swBuildModes(&sea->host, def, 9.81f, sea->bands), SW_SUCCESS);
+    assert_int_equal(swBuildModes(&sea->host, def, 9.81f, 7.4e-5f, sea->bands), SW_SUCCESS);
     size_t side = (size_t)def->resolution + 3;
     sea->texelBytes = side * side * 4 * sizeof(float);
     for (int i = 0; i < SW_MAX_BANDS; ++i)
@@ -139,7 +139,6 @@ static swWaveSystemDef MakeWindSea(void)
     def.maxWavelength = 4096.0f;
     def.chop = 1.0f;
     def.weight = 1.0f;
-    def.depth = INFINITY;
     def.seed = 1;
     return def;
 }
@@ -223,14 +222,17 @@ static void EveryBandHasItsEnergy(void** state)
     swWaveSystemDef def = MakeWindSea();
     Sea* sea = CreateSea(&def);
     swCompiledSpectrum* spectrum = NULL;
-    assert_int_equal(swCompileSpectrum(&sea->host, &def.spectrum, (double)9.81f, &spectrum), SW_SUCCESS);
+    assert_int_equal(swCompileSpectrum(&sea->host, &def.spectrum, (double)9.81f, (double)7.4e-5f, &spectrum),
+                     SW_SUCCESS);
     double total = 0.0;
     for (int t = 0; t < sea->tileCount; ++t)
     {
         const swBandModes* band = &sea->bands[sea->tiles[t].band];
         double k0 = TURN / (double)band->maxWavelength;
         double k1 = TURN / (double)band->minWavelength;
-        double wanted = swIntegrateCompiled(spectrum, sqrt((double)9.81f * k0), sqrt((double)9.81f * k1));
+        double sigma = (double)7.4e-5f;
+        double wanted = swIntegrateCompiled(spectrum, sqrt((double)9.81f * k0 + sigma * k0 * k0 * k0),
+                                            sqrt((double)9.81f * k1 + sigma * k1 * k1 * k1));
         double sum = 0.0;
         for (int i = 0; i < band->modeCount; ++i)
         {
@@ -484,7 +486,7 @@ static void PhasesStayExactForAMonth(void** state)
             uint64_t frequency = ((uint64_t)m->frequencyHigh << 32) | m->frequencyLow;
             long double q = sqrtl((long double)(m->qx * m->qx + m->qz * m->qz));
             long double k = 2.0L * 3.14159265358979323846264L * q / (long double)sea->tiles[t].side;
-            long double omega = sqrtl((long double)9.81f * k);
+            long double omega = sqrtl((long double)9.81f * k + (long double)7.4e-5f * k * k * k);
             long double turns = omega / (2.0L * 3.14159265358979323846264L) * (long double)month;
             long double phase = ldexpl((long double)(frequency * (uint64_t)ticks), -64);
             long double error = phase - (turns - floorl(turns));
@@ -562,14 +564,14 @@ static void ShallowWaterSlowsLongWaves(void** state)
 {
     (void)state;
     swWaveSystemDef def = MakeWindSea();
-    def.depth = 5.0f;
+    def.spectrum.depth = 5.0f;
     Sea* sea = CreateSea(&def);
     for (int t = 0; t < sea->tileCount; ++t)
     {
         const swTile* tile = &sea->tiles[t];
         const swMode* m = &tile->modes[tile->modeCount / 2];
         double k = TURN * hypot(m->qx, m->qz) / tile->side;
-        double omega = sqrt((double)9.81f * k * tanh(k * 5.0));
+        double omega = sqrt(((double)9.81f * k + (double)7.4e-5f * k * k * k) * tanh(k * 5.0));
         double got = TURN * ldexp((double)m->frequencyHigh, 32 - 64) * SW_TICKS_PER_SECOND;
         got += TURN * ldexp((double)m->frequencyLow, -64) * SW_TICKS_PER_SECOND;
         assert_true(fabs(got / omega - 1.0) < 1e-10);

@@ -320,6 +320,9 @@ static void WhatCannotBeMadeIsSaid(void** state)
     assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_ERROR_INVALID);
     assert_null(world);
     worldDef = swDefaultWorldDef();
+    worldDef.surfaceTension = 0.01f;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_ERROR_INVALID);
+    worldDef = swDefaultWorldDef();
     worldDef.foam.fadeRate = 0.0f;
     assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_ERROR_INVALID);
     worldDef = swDefaultWorldDef();

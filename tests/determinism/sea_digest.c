@@ -51,7 +51,7 @@ static swResult AddWaves(swWorld* world)
     swell.resolution = 32;
     swell.tileWaves = 8;
     swell.minWavelength = 64.0f;
-    swell.depth = 40.0f;
+    swell.spectrum.depth = 40.0f;
     swell.seed = 7;
     return result != SW_SUCCESS ? result : swCreateWaveSystem(world, &swell, &id);
 }

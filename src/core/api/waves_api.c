@@ -15,7 +15,6 @@ swWaveSystemDef swDefaultWaveSystemDef(void)
         .maxWavelength = 4096.0f,
         .chop = 1.0f,
         .weight = 1.0f,
-        .depth = INFINITY,
         .seed = 1,
         .internalValue = SW_DEF_COOKIE,
     };
@@ -58,10 +57,6 @@ static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
     {
         return swFail(host, SW_ERROR_INVALID, "a wave system's weight is %g; it must be in [0, 10]",
                       (double)def->weight);
-    }
-    if (!(def->depth > 0.0f))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's depth is %g m; it must be above 0", (double)def->depth);
     }
     if (!(def->loopPeriod >= 0.0f && def->loopPeriod < INFINITY))
     {

@@ -21,6 +21,7 @@ swWorldDef swDefaultWorldDef(void)
 {
     return (swWorldDef){
         .gravity = 9.81f,
+        .surfaceTension = 7.4e-5f,
         .enableQueries = true,
         .foam = swDefaultFoamDef(),
         .isa = SW_ISA_BEST,
@@ -46,6 +47,11 @@ static swResult checkWorldDef(const swHost* host, const swWorldDef* def)
     {
         return swFail(host, SW_ERROR_INVALID, "gravity is %g m/s^2; it must be above 0 and at most 100",
                       (double)def->gravity);
+    }
+    if (!isWithin(def->surfaceTension, 0.0f, 1e-3f))
+    {
+        return swFail(host, SW_ERROR_INVALID, "surface tension is %g m^3/s^2; it must be in [0, 0.001]",
+                      (double)def->surfaceTension);
     }
     if (!(fabs(def->seaLevel) <= 1e6))
     {

@@ -19,10 +19,12 @@
 
 // What GetSeaState and the formulas' heights are worked out with.
 #define SW_STANDARD_GRAVITY 9.81
+#define SW_STANDARD_SURFACE_TENSION 7.4e-5
 
 struct swCompiledSpectrum
 {
     swSpectrumKind kind;
+    swDispersion dispersion;
     double direction; // mean direction of a formula; what a table turns by
 
     // Formulas.
@@ -56,15 +58,18 @@ SW_PRINTF(2, 3) bool swComplain(swComplaint* complaint, const char* format, ...)
 bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def);
 
 // Everything but copying: a table stays the caller's. False with a complaint if the def is wrong.
-bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, swComplaint* complaint);
+bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, double surfaceTension,
+                       swComplaint* complaint);
 
-// What is integrated together over omega: S times 1 / omega, 1, omega, omega^2, omega^4.
+// What is integrated together over omega: S times 1 / omega, 1, omega, omega^2, and k^2.
 typedef struct swSpectrumMoments
 {
-    double minusOne, zero, one, two, four;
+    double minusOne, zero, one, two, slope;
+    bool wantsSlope; // else k, which costs more than all the rest, is not looked for and `slope` stays 0
 } swSpectrumMoments;
 
-void swAddSpectrumMoments(swSpectrumMoments* moments, double omega, double variance);
+void swAddSpectrumMoments(swSpectrumMoments* moments, const swCompiledSpectrum* spectrum, double omega,
+                          double variance);
 
 // S(omega) of a compiled spectrum, m^2 s.
 typedef double (*swSpectrumDensityFcn)(const swCompiledSpectrum* spectrum, double omega);

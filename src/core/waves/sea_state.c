@@ -122,7 +122,8 @@ static void sumBins(const swCompiledSpectrum* spectrum, swSpectrumMoments* momen
     {
         double width = spectrum->binScale * (double)spectrum->table.bandwidths[i];
         Vector row = getRowVector(spectrum, i);
-        swAddSpectrumMoments(moments, SW_TURN * (double)spectrum->table.frequencies[i], width * spectrum->energy[i]);
+        swAddSpectrumMoments(moments, spectrum, SW_TURN * (double)spectrum->table.frequencies[i],
+                             width * spectrum->energy[i]);
         vector->x += width * row.x;
         vector->y += width * row.y;
     }
@@ -134,7 +135,7 @@ swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, fl
     swCompiledSpectrum spectrum;
     swComplaint complaint;
     if (!(minFrequency >= 0.0f && maxFrequency >= minFrequency && maxFrequency <= 1000.0f) ||
-        !swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, &complaint))
+        !swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint))
     {
         return SW_ERROR_INVALID;
     }
@@ -143,7 +144,7 @@ swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, fl
     bool isWhole = maxFrequency == 0.0f;
     double low = (double)minFrequency;
     double high = isWhole ? (isTable ? spectrum.highEdge : MAX_FORMULA_FREQUENCY) : (double)maxFrequency;
-    swSpectrumMoments moments = {0};
+    swSpectrumMoments moments = {.wantsSlope = true};
     Vector vector = {0.0, 0.0};
     if (isTable && isWhole)
     {
@@ -181,6 +182,6 @@ swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, fl
     seaState->meanDirection = (float)meanDirection;
     seaState->peakDirection = (float)peakDirection;
     seaState->spread = (float)sqrt(2.0 * (r1 < 1.0 ? 1.0 - r1 : 0.0));
-    seaState->meanSquareSlope = (float)(moments.four / (SW_STANDARD_GRAVITY * SW_STANDARD_GRAVITY));
+    seaState->meanSquareSlope = (float)moments.slope;
     return SW_SUCCESS;
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/dispersion.c
     ${CMAKE_CURRENT_LIST_DIR}/measured.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc_text.c

@@ -13,6 +13,7 @@
 
 #include "core/waves/compiled.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/base/assert.h"
@@ -26,12 +27,14 @@ swSpectrumDef swDefaultSpectrumDef(void)
     def.fetch = 300e3f;
     def.gamma = 3.3f;
     def.spreadExponent = 8.0f;
+    def.depth = INFINITY;
     def.extendTail = true;
     def.internalValue = SW_SPECTRUM_COOKIE;
     return def;
 }
 
-bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, swComplaint* complaint)
+bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, double surfaceTension,
+                       swComplaint* complaint)
 {
     SW_ASSERT(def->internalValue == SW_SPECTRUM_COOKIE);
     memset(spectrum, 0, sizeof(*spectrum));
@@ -44,6 +47,7 @@ bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, d
         return false;
     }
     spectrum->kind = def->kind;
+    spectrum->dispersion = (swDispersion){gravity, surfaceTension, (double)def->depth};
     spectrum->direction = (double)def->direction;
     if (def->kind == SW_SPECTRUM_TABLE)
     {
@@ -57,13 +61,17 @@ bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, d
 static const double gaussNodes[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
 static const double gaussWeights[4] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 
-void swAddSpectrumMoments(swSpectrumMoments* moments, double omega, double variance)
+void swAddSpectrumMoments(swSpectrumMoments* moments, const swCompiledSpectrum* spectrum, double omega, double variance)
 {
     moments->minusOne += variance / omega;
     moments->zero += variance;
     moments->one += variance * omega;
     moments->two += variance * omega * omega;
-    moments->four += variance * omega * omega * omega * omega;
+    if (moments->wantsSlope)
+    {
+        double k = swGetWaveNumber(&spectrum->dispersion, omega);
+        moments->slope += variance * k * k;
+    }
 }
 
 void swAddSpectrumPanel(swSpectrumMoments* moments, swSpectrumDensityFcn density, const swCompiledSpectrum* spectrum,
@@ -75,8 +83,8 @@ void swAddSpectrumPanel(swSpectrumMoments* moments, swSpectrumDensityFcn density
     {
         double low = middle - half * gaussNodes[i];
         double high = middle + half * gaussNodes[i];
-        swAddSpectrumMoments(moments, low, half * gaussWeights[i] * density(spectrum, low));
-        swAddSpectrumMoments(moments, high, half * gaussWeights[i] * density(spectrum, high));
+        swAddSpectrumMoments(moments, spectrum, low, half * gaussWeights[i] * density(spectrum, low));
+        swAddSpectrumMoments(moments, spectrum, high, half * gaussWeights[i] * density(spectrum, high));
     }
 }
 
@@ -101,7 +109,8 @@ static swResult copyTable(const swHost* host, swCompiledSpectrum* spectrum)
     return SW_SUCCESS;
 }
 
-swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double gravity, swCompiledSpectrum** spectrum)
+swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double gravity, double surfaceTension,
+                           swCompiledSpectrum** spectrum)
 {
     *spectrum = NULL;
     swCompiledSpectrum* compiled = swAllocate(host, sizeof(*compiled));
@@ -111,7 +120,7 @@ swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double 
     }
     swComplaint complaint;
     swResult result = SW_SUCCESS;
-    if (!swPrepareSpectrum(compiled, def, gravity, &complaint))
+    if (!swPrepareSpectrum(compiled, def, gravity, surfaceTension, &complaint))
     {
         result = swFail(host, SW_ERROR_INVALID, "%s", complaint.text);
     }
@@ -135,6 +144,11 @@ void swFreeCompiledSpectrum(const swHost* host, swCompiledSpectrum* spectrum)
         swFree(host, spectrum->memory, spectrum->memorySize);
         swFree(host, spectrum, sizeof(*spectrum));
     }
+}
+
+swDispersion swGetCompiledDispersion(const swCompiledSpectrum* spectrum)
+{
+    return spectrum->dispersion;
 }
 
 double swGetCompiledDensity(const swCompiledSpectrum* spectrum, double omega)
@@ -184,7 +198,7 @@ float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency)
 {
     swCompiledSpectrum spectrum;
     swComplaint complaint;
-    if (!swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, &complaint))
+    if (!swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint))
     {
         return 0.0f;
     }
@@ -195,7 +209,7 @@ float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float d
 {
     swCompiledSpectrum spectrum;
     swComplaint complaint;
-    if (!swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, &complaint))
+    if (!swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint))
     {
         return 0.0f;
     }

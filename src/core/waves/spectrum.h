@@ -4,14 +4,20 @@
 // Spectra ready for integration: what swSpectrumDef means, with energy calibrated and everything looked up once.
 // Angular frequency omega in rad/s, direction theta in radians where waves go, densities in m^2 s / rad^2.
 
+#include "core/waves/dispersion.h"
 #include "seaway/spectrum.h"
 
 typedef struct swCompiledSpectrum swCompiledSpectrum;
 
 // Checks ranges (a sentence goes to the log) and copies tables.
-// Gravity is needed by the formulas (Hasselmann 1973 and Pierson 1964 scale with g).
-swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double gravity, swCompiledSpectrum** spectrum);
+// Gravity is needed by the formulas (Hasselmann 1973 and Pierson 1964 scale with g) and, with surface tension over density
+// (m^3/s^2), by the dispersion.
+swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double gravity, double surfaceTension,
+                           swCompiledSpectrum** spectrum);
 void swFreeCompiledSpectrum(const swHost* host, swCompiledSpectrum* spectrum);
+
+// Gravity, surface tension and the def's depth.
+swDispersion swGetCompiledDispersion(const swCompiledSpectrum* spectrum);
 
 // S(omega): the integral over all directions, m^2 s. Includes the table's tail if asked for.
 double swGetCompiledDensity(const swCompiledSpectrum* spectrum, double omega);

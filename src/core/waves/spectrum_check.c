@@ -2,6 +2,7 @@
 
 #include "core/waves/compiled.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -95,7 +96,8 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
                           SW_SPECTRUM_KIND_COUNT - 1);
     }
     if (!checkRange(complaint, "significantHeight", def->significantHeight, 0.0, 40.0, false) ||
-        !checkRange(complaint, "direction", def->direction, -1000.0, 1000.0, false))
+        !checkRange(complaint, "direction", def->direction, -1000.0, 1000.0, false) ||
+        !checkRange(complaint, "depth", def->depth, 0.0, (double)INFINITY, true))
     {
         return false;
     }

@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-#include "core/math/scalar.h"
-
 // Bins whose level and directions the tail takes over.
 #define TAIL_BINS 4
 
@@ -123,18 +121,13 @@ void swIntegrateTable(const swCompiledSpectrum* spectrum, double omega0, double 
             begin = end;
         }
     }
-    double tailBegin = omega0 / SW_TURN > spectrum->highEdge ? omega0 / SW_TURN : spectrum->highEdge;
-    if (last > tailBegin && spectrum->tailLevel > 0.0)
+    // The tail, in steps of a seventh.
+    begin = omega0 / SW_TURN > spectrum->highEdge ? omega0 / SW_TURN : spectrum->highEdge;
+    while (begin < last && spectrum->tailLevel > 0.0)
     {
-        // Integrals of c f^-5 f^n, and powers of 2 pi as the moments are over omega.
-        double a = tailBegin;
-        double b = last;
-        double level = spectrum->tailLevel;
-        moments->minusOne += level / 5.0 * (1.0 / (a * a * a * a * a) - 1.0 / (b * b * b * b * b)) / SW_TURN;
-        moments->zero += level / 4.0 * (1.0 / (a * a * a * a) - 1.0 / (b * b * b * b));
-        moments->one += level / 3.0 * (1.0 / (a * a * a) - 1.0 / (b * b * b)) * SW_TURN;
-        moments->two += level / 2.0 * (1.0 / (a * a) - 1.0 / (b * b)) * SW_TURN * SW_TURN;
-        moments->four += level * swLn(b / a) * SW_TURN * SW_TURN * SW_TURN * SW_TURN;
+        double end = 1.15 * begin < last ? 1.15 * begin : last;
+        swAddSpectrumPanel(moments, swGetTableDensity, spectrum, SW_TURN * begin, SW_TURN * end);
+        begin = end;
     }
 }
 

@@ -13,7 +13,7 @@
 // along each axis [Unser 1999]; the stored amplitudes are divided by that, so that the spline has the energy, not its
 // samples.
 //
-// omega^2 = g k tanh(k depth). Frequencies are rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is
+// Frequencies are those of dispersion.h, rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is
 // an integer, exact after any time. With a loop period they are whole numbers of turns a loop.
 
 #include "core/waves/waves_fft.h"
@@ -43,7 +43,7 @@ typedef struct Builder
     const swHost* host;
     const swWaveSystemDef* def;
     const swCompiledSpectrum* spectrum;
-    double gravity;
+    swDispersion dispersion;
     swBandModes* bands;
     swResult results[SW_MAX_BANDS];
 } Builder;
@@ -67,32 +67,14 @@ double swGetTileSide(int band, int tileWaves)
     return tileWaves * shortest * factor;
 }
 
-static double getOmega(const Builder* builder, double k)
-{
-    double depth = (double)builder->def->depth;
-    double deep = builder->gravity * k;
-    return sqrt(isinf(depth) ? deep : deep * swTanh(k * depth));
-}
-
-static double getGroupSpeed(const Builder* builder, double k, double omega)
-{
-    double depth = (double)builder->def->depth;
-    if (isinf(depth))
-    {
-        return 0.5 * builder->gravity / omega;
-    }
-    double t = swTanh(k * depth);
-    return 0.5 * builder->gravity * (t + k * depth * (1.0 - t * t)) / omega;
-}
-
 // Energy per area of the k plane, m^4.
 static double getDensity(const Builder* builder, double kx, double kz)
 {
     double k = sqrt(kx * kx + kz * kz);
-    double omega = getOmega(builder, k);
+    double omega = swGetOmega(&builder->dispersion, k);
     double theta = swAtan2(kz, kx);
     double density = swGetCompiledDensity2(builder->spectrum, omega, theta);
-    return density > 0.0 ? density * getGroupSpeed(builder, k, omega) / k : 0.0;
+    return density > 0.0 ? density * swGetGroupSpeed(&builder->dispersion, k) / k : 0.0;
 }
 
 // Gauss's rule: three points an axis where cells are wide, two where they are narrow. A cell of the usual 32 waves
@@ -239,7 +221,7 @@ static swMode makeMode(const Builder* builder, const swBandModes* band, const Ri
     double ar, ai, br, bi;
     getAmplitude(builder, band->band, ring, qx, qz, &ar, &ai);
     getAmplitude(builder, band->band, ring, -qx, -qz, &br, &bi);
-    uint64_t frequency = getFrequency(getOmega(builder, k), band->loopTicks);
+    uint64_t frequency = getFrequency(swGetOmega(&builder->dispersion, k), band->loopTicks);
     swMode mode;
     mode.qx = (int16_t)qx;
     mode.qz = (int16_t)qz;
@@ -339,7 +321,8 @@ static swResult buildBand(const Builder* builder, int index, swBandModes* band)
     band->minWavelength = (float)shortest;
     band->maxWavelength = (float)longest;
     Ring ring = {.dk = TURN / band->side, .k0 = TURN / longest, .k1 = TURN / shortest};
-    double variance = swIntegrateCompiled(builder->spectrum, getOmega(builder, ring.k0), getOmega(builder, ring.k1));
+    double variance = swIntegrateCompiled(builder->spectrum, swGetOmega(&builder->dispersion, ring.k0),
+                                          swGetOmega(&builder->dispersion, ring.k1));
     if (!(variance > LEAST_VARIANCE))
     {
         return SW_SUCCESS;
@@ -371,17 +354,19 @@ static void buildBands(void* context, int begin, int end, int worker)
     }
 }
 
-swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, swBandModes* bands)
+swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
+                      swBandModes* bands)
 {
     memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
-    Builder builder = {.host = host, .def = def, .gravity = (double)gravity, .bands = bands};
+    Builder builder = {.host = host, .def = def, .bands = bands};
     swCompiledSpectrum* spectrum = NULL;
-    swResult result = swCompileSpectrum(host, &def->spectrum, (double)gravity, &spectrum);
+    swResult result = swCompileSpectrum(host, &def->spectrum, (double)gravity, (double)surfaceTension, &spectrum);
     if (result != SW_SUCCESS)
     {
         return result;
     }
     builder.spectrum = spectrum;
+    builder.dispersion = swGetCompiledDispersion(spectrum);
     for (int band = 0; band < SW_MAX_BANDS; ++band)
     {
         bands[band].band = band;

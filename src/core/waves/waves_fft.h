@@ -21,7 +21,8 @@ typedef struct swBandModes
 } swBandModes;
 
 // Fill bands[SW_MAX_BANDS] for a system, at weight 1. Frees nothing on failure that it did not allocate.
-swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, swBandModes* bands);
+swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
+                      swBandModes* bands);
 void swFreeModes(const swHost* host, swBandModes* bands);
 
 // The side of band b's tile, m: tileWaves * shortest wavelength * a factor in (0.85, 1] that is different for each

@@ -59,7 +59,7 @@ static swResult makeBandSet(swWorld* world, const swWaveSystemDef* def, const sw
         return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for a wave system");
     }
     set->resolution = def->resolution;
-    swResult result = swBuildModes(&world->countedHost, def, world->def.gravity, set->bands);
+    swResult result = swBuildModes(&world->countedHost, def, world->def.gravity, world->def.surfaceTension, set->bands);
     if (result == SW_ERROR_NO_MEMORY)
     {
         swFail(&world->host, result, "no memory for the waves of a system with tiles of %d x %d samples",
