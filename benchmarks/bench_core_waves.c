@@ -117,7 +117,7 @@ static double TimeFrame(Sea* sea, const swWaveKernels* kernels, int64_t ticks)
     {
         bool single = i + 1 == sea->tileCount;
         swTransformTiles(kernels, &sea->tiles[i], sea->texels[i], single ? NULL : &sea->tiles[i + 1],
-                         single ? NULL : sea->texels[i + 1], ticks, sea->scratch);
+                         single ? NULL : sea->texels[i + 1], ticks, 0, sea->scratch);
     }
     return Now() - start;
 }

@@ -245,7 +245,8 @@ static void PrintSurface(const swWorld* world, const swQueryDef* def, const Poin
 {
     static float height[BLOCK], jacobian[BLOCK], residual[BLOCK];
     static swVec3 displacement[BLOCK], normal[BLOCK];
-    const swSurfaceSamples samples = {height, displacement, normal, jacobian, residual};
+    const swSurfaceSamples samples = {
+        .height = height, .displacement = displacement, .normal = normal, .jacobian = jacobian, .residual = residual};
     double time = swWorld_GetTime(world);
     for (int begin = 0; begin < list->count; begin += BLOCK)
     {

@@ -5,20 +5,44 @@
 #include "world.h"
 
 /// @file
-/// Ask for the surface. Answers come from the same waves that are drawn, at the time of the last step, and never depend
-/// on a view. All queries are thread-safe, take no lock and allocate nothing.
+/// Ask for the water: its surface, the motion below it, what a ray meets. Answers come from the same waves that are drawn
+/// and never depend on a view. All queries are thread-safe on a `const swWorld*`, take no lock and allocate nothing.
+/// docs/queries.md says what each costs and how exact it is.
+
+/// For swQueryDef::time: the time of the last step.
+#define SW_QUERY_NOW (-1e300)
+
+/// How the motion below is stretched between trough and crest.
+typedef enum swStretching
+{
+    /// Heights count from the bottom to the surface above: what linear theory has at still water is found at the surface
+    /// [Wheeler 1970]. Continuous with the surface.
+    SW_STRETCHING_WHEELER,
+
+    /// Linear theory as it stands: heights count from still water, and above it the motion is that at still water.
+    /// Free of divergence to rounding.
+    SW_STRETCHING_LINEAR
+} swStretching;
 
 /// Must be initialized with swDefaultQueryDef().
 typedef struct swQueryDef
 {
-    /// Ignore bands whose waves are all shorter than this, m. Default 0.
+    /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Default 0.
     float minWavelength;
 
-    /// Stop the search for the water column once the horizontal error is below this, m. Default 0.0005.
+    /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, inf). Default 0.0005.
     float tolerance;
 
     /// Range [1, 64]. Default 24.
     int maxIterations;
+
+    /// s, past or future. Default SW_QUERY_NOW. At another time than that of the last step each wave is summed by itself:
+    /// exact where the tiles of a step are interpolated (0.5 % of a band's height), and some hundred times slower. Systems
+    /// that are changing keep the amplitudes of the last step.
+    double time;
+
+    /// Of swWorld_QueryVolume(). Default SW_STRETCHING_WHEELER.
+    swStretching stretching;
 
     /// Set by swDefaultQueryDef().
     int internalValue;
@@ -35,7 +59,7 @@ typedef struct swSurfaceSamples
     /// Displacement of the water particle that is there, from its resting point, m.
     swVec3* displacement;
 
-    /// Unit normal of the true (Eulerian) surface.
+    /// Unit normal of the true (Eulerian) surface. Of bands above minWavelength only: the scale asked for.
     swVec3* normal;
 
     /// Determinant of the horizontal displacement's Jacobian: 1 flat, below 0 folded over.
@@ -44,6 +68,11 @@ typedef struct swSurfaceSamples
     /// Horizontal distance between the point and where the answering particle is, m; above the tolerance where the
     /// surface is folded and the search did not converge.
     float* residual;
+
+    /// Velocity, m/s, and acceleration, m/s^2, of the water particle that is there. Fast with swWorldDef::enableVelocity
+    /// and enableAcceleration, else summed wave by wave.
+    swVec3* velocity;
+    swVec3* acceleration;
 } swSurfaceSamples;
 
 typedef struct swQueryStats
@@ -64,3 +93,75 @@ SW_API double swWorld_GetHeight(const swWorld* world, double x, double z);
 /// `slopes` (d height / d x, d height / d z per rest metre) may be NULL, as may any array of `samples`.
 SW_API void swWorld_QueryParticles(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
                                    const swSurfaceSamples* samples, swVec2* slopes);
+
+/// A grid of heights for engines that want one, such as a physics engine's height field. Point (i, j) is at
+/// (originX + i * spacing, originZ + j * spacing).
+typedef struct swHeightMapDef
+{
+    double originX, originZ; ///< m
+    double spacing;          ///< m. Range (0, inf)
+    int width, height;       ///< points along x and along z, at least 1
+} swHeightMapDef;
+
+/// Fill `heights` ([height][width], m, absolute). The same answers as swWorld_QuerySurface(), at less cost a point: a
+/// point's search begins where its neighbour's ended. `stats` may be NULL.
+SW_API void swWorld_QueryHeightMap(const swWorld* world, const swQueryDef* def, const swHeightMapDef* map,
+                                   float* heights, swQueryStats* stats);
+
+/// Where answers about places in the water go: arrays of as many elements as points, or NULL to skip.
+typedef struct swVolumeSamples
+{
+    /// How far below the surface the place is, measured upwards along the vertical, m; negative in the air.
+    float* depth;
+
+    /// Orbital velocity, m/s, and local acceleration, m/s^2. 0 in the air.
+    swVec3* velocity;
+    swVec3* acceleration;
+
+    /// Dynamic pressure, by which the waves change the pressure of still water, in metres of water: times density and
+    /// gravity it is pascals. 0 in the air.
+    float* pressureHead;
+} swVolumeSamples;
+
+/// Sample the motion of the water at `count` places by linear theory [Dean and Dalrymple 1991], each wave with its own
+/// fading with depth. Waves are summed one by one; those too short to reach a place are skipped.
+SW_API void swWorld_QueryVolume(const swWorld* world, const swQueryDef* def, int count, const swPos* points,
+                                const swVolumeSamples* samples);
+
+/// Mean drift of the water at a depth below still water (m, at least 0) by all waves together: Stokes drift in deep and
+/// finite water [Kenyon 1969], m/s along x and z.
+SW_API swVec2 swWorld_GetStokesDrift(const swWorld* world, double depthBelow);
+
+/// A ray, or a sphere that sweeps along one. Must be initialized with swDefaultRay().
+typedef struct swRay
+{
+    swPos origin;      ///< m
+    swVec3 direction;  ///< need not be of length one, but not 0
+    float maxDistance; ///< m. Range [0, 1e5]. Default 1000
+    float radius;      ///< of the sphere, m. Range [0, 100]. Default 0: a ray
+
+    /// Time that the way to maxDistance takes, s: the surface moves meanwhile, from the query's time on. Range [0, 3600].
+    /// Default 0: the surface stands still. Otherwise waves are summed one by one, as at any other time.
+    float duration;
+
+    /// Set by swDefaultRay().
+    int internalValue;
+} swRay;
+
+SW_API swRay swDefaultRay(swPos origin, swVec3 direction);
+
+typedef struct swRayHit
+{
+    bool isHit;
+    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit
+    swPos position; ///< of the sphere's centre then
+    swPos point;    ///< of the water that it touches
+    swVec3 normal;  ///< of the surface there
+    bool fromBelow; ///< it began in the water and came out
+} swRayHit;
+
+/// Find where rays first cross the surface, from either side. Along the way the surface is looked at in steps of at most
+/// half the shortest wavelength that counts, so that whole crests are not missed; def.minWavelength makes long rays fast.
+/// Hits are good to 2 def.tolerance along the ray. A sphere touches where its lowest point seen along the surface's normal
+/// does: exact on flat water, and good to radius^2 times the surface's curvature / 2 on waves.
+SW_API void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits);

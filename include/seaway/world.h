@@ -60,6 +60,12 @@ typedef struct swWorldDef
     /// Default true. False skips the surface on the CPU, for a host that only draws: queries then answer sea level.
     bool enableQueries;
 
+    /// Keep velocities and accelerations of the surface beside its displacement, so that queries of them are as fast as
+    /// those of heights. Each costs as much time in a step, and memory, as the displacement. Without them the same queries
+    /// sum up waves one by one, some hundred times slower. Default false.
+    bool enableVelocity;
+    bool enableAcceleration;
+
     swFoamDef foam;
 
     /// Default SW_ISA_BEST: the widest that this machine has.

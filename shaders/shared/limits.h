@@ -4,6 +4,7 @@
 #define SW_SHARED_LIMITS_H
 #define SW_LIMIT_TILES 64
 #define SW_LIMIT_SLICES 15
+#define SW_LIMIT_FREE_WAVES 1024
 #define SW_LIMIT_RESOLUTION 512
 
 // Roots of unity that the FFT's table holds.

@@ -50,11 +50,11 @@ static uint64_t HashSea(const swWaveKernels* kernels, int count, const swTile* t
         int64_t ticks = (int64_t)(1000.7 * step * SW_TICKS_PER_SECOND) - 123456789;
         for (int i = 0; i + 1 < count; i += 2)
         {
-            swTransformTiles(kernels, &tiles[i], texels[i], &tiles[i + 1], texels[i + 1], ticks, scratch);
+            swTransformTiles(kernels, &tiles[i], texels[i], &tiles[i + 1], texels[i + 1], ticks, 0, scratch);
         }
         if (count % 2 != 0)
         {
-            swTransformTiles(kernels, &tiles[count - 1], texels[count - 1], NULL, NULL, ticks, scratch);
+            swTransformTiles(kernels, &tiles[count - 1], texels[count - 1], NULL, NULL, ticks, 0, scratch);
         }
         for (int i = 0; i < count; ++i)
         {

@@ -319,7 +319,6 @@ static void SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea(void** state)
         seed = seed * 1664525u + 1013904223u;
         points[i].z = 1e5 * (double)(seed >> 8) * 0x1p-24;
     }
-    const float chops[] = {1.0f, 1.0f};
     const float shortest[] = {0.0f, 0.25f, 1.0f, 4.0f, 16.0f, 64.0f};
     double whole = 0.0;
     for (int s = 0; s < 6; ++s)
@@ -328,7 +327,7 @@ static void SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea(void** state)
         def.minWavelength = shortest[s];
         swSurfaceSamples samples = {.jacobian = jacobians};
         swWorld_QueryParticles(sea.world, &def, COUNT, points, &samples, NULL);
-        float deviation = swGetFoamDeviation(swGetWorldFrame(sea.world), chops, shortest[s]);
+        float deviation = swGetFoamDeviation(swGetWorldFrame(sea.world), shortest[s]);
         double fold = 0.0;
         for (int i = 0; i < COUNT; ++i)
         {

@@ -82,7 +82,7 @@ static void TransformSea(Sea* sea, swIsa isa, int64_t ticks)
     {
         bool single = i + 1 == sea->tileCount;
         swTransformTiles(kernels, &sea->tiles[i], sea->texels[i], single ? NULL : &sea->tiles[i + 1],
-                         single ? NULL : sea->texels[i + 1], ticks, scratch);
+                         single ? NULL : sea->texels[i + 1], ticks, 0, scratch);
     }
     swFree(&sea->host, scratch, size);
 }
@@ -402,7 +402,7 @@ static void LoneTileIsTheSameWaterAsAPairedOne(void** state)
     swSampleTiles(swGetWaveKernels(SW_ISA_BEST), 1, &sea->tiles[5], 1, &point, paired, NULL);
     size_t size = swGetTileScratchSize(128);
     void* scratch = swAllocate(&sea->host, size);
-    swTransformTiles(swGetWaveKernels(SW_ISA_BEST), &sea->tiles[5], sea->texels[5], NULL, NULL, 12345, scratch);
+    swTransformTiles(swGetWaveKernels(SW_ISA_BEST), &sea->tiles[5], sea->texels[5], NULL, NULL, 12345, 0, scratch);
     swSampleTiles(swGetWaveKernels(SW_ISA_BEST), 1, &sea->tiles[5], 1, &point, lone, NULL);
     for (int i = 0; i < 3; ++i)
     {

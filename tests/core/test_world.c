@@ -371,6 +371,7 @@ static void SystemsTilesAndViewsHaveALimit(void** state)
     swResult result = SW_SUCCESS;
     while (made < SW_MAX_WAVE_SYSTEMS && result == SW_SUCCESS)
     {
+        def.seed = 1 + (uint32_t)made; // the same sea would share its tiles
         result = swCreateWaveSystem(world, &def, &ids[made]);
         made += result == SW_SUCCESS ? 1 : 0;
     }

@@ -9,8 +9,10 @@ swWaveSystemDef swDefaultWaveSystemDef(void)
 {
     return (swWaveSystemDef){
         .spectrum = swDefaultSpectrumDef(),
+        .method = SW_WAVES_FFT,
         .resolution = 128,
         .tileWaves = 32,
+        .componentsPerOctave = 8,
         .minWavelength = 0.0625f,
         .maxWavelength = 4096.0f,
         .chop = 1.0f,
@@ -38,17 +40,62 @@ static swResult checkTiles(const swHost* host, const swWaveSystemDef* def)
                       "a wave system's tileWaves is %d; with resolution %d it must be in [4, %d]", def->tileWaves,
                       def->resolution, def->resolution / 4);
     }
+    return SW_SUCCESS;
+}
+
+static bool isWithin(float value, double least, double most)
+{
+    return (double)value >= least && (double)value <= most; // false for NaN
+}
+
+static swResult checkComponents(const swHost* host, const swWaveSystemDef* def)
+{
+    if (def->componentCount < 0 || def->componentCount > SW_MAX_FREE_WAVES ||
+        (def->componentCount > 0 && def->components == NULL))
+    {
+        return swFail(host, SW_ERROR_INVALID, "a wave system's components are %d at %s; it may have up to %d",
+                      def->componentCount, def->components == NULL ? "NULL" : "an address", SW_MAX_FREE_WAVES);
+    }
+    for (int i = 0; i < def->componentCount; ++i)
+    {
+        const swWaveComponent* c = &def->components[i];
+        if (!isWithin(c->wavelength, 0.0625, 4096.0) || !isWithin(c->direction, -1000.0, 1000.0) ||
+            !isWithin(c->amplitude, 0.0, 40.0) || !isWithin(c->phase, -1e6, 1e6))
+        {
+            return swFail(
+                host, SW_ERROR_INVALID,
+                "component %d of a wave system has wavelength %g m (0.0625 to 4096), direction %g rad (-1000 to "
+                "1000), amplitude %g m (0 to 40) and phase %g rad (-1e6 to 1e6)",
+                i, (double)c->wavelength, (double)c->direction, (double)c->amplitude, (double)c->phase);
+        }
+    }
+    return SW_SUCCESS;
+}
+
+static swResult checkGerstner(const swHost* host, const swWaveSystemDef* def)
+{
+    if (def->componentsPerOctave < 1 || def->componentsPerOctave > 32)
+    {
+        return swFail(host, SW_ERROR_INVALID, "a wave system's componentsPerOctave is %d; it must be in [1, 32]",
+                      def->componentsPerOctave);
+    }
+    if (!isWithin(def->reverseWeight, 0.0, 1.0) || !isWithin(def->directionVariance, 0.0, 3.1416))
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "a wave system's reverseWeight is %g (0 to 1) and its directionVariance %g rad (0 to pi)",
+                      (double)def->reverseWeight, (double)def->directionVariance);
+    }
+    return checkComponents(host, def);
+}
+
+static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
+{
     if (!(def->minWavelength >= 0.0625f && def->minWavelength < def->maxWavelength && def->maxWavelength <= 4096.0f))
     {
         return swFail(host, SW_ERROR_INVALID,
                       "a wave system's wavelengths are %g to %g m; they must ascend within 0.0625 to 4096",
                       (double)def->minWavelength, (double)def->maxWavelength);
     }
-    return SW_SUCCESS;
-}
-
-static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
-{
     if (!(def->chop >= 0.0f && def->chop <= 2.0f))
     {
         return swFail(host, SW_ERROR_INVALID, "a wave system's chop is %g; it must be in [0, 2]", (double)def->chop);
@@ -66,6 +113,22 @@ static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
     return SW_SUCCESS;
 }
 
+static swResult checkDef(const swHost* host, const swWaveSystemDef* def)
+{
+    if ((unsigned)def->method >= SW_WAVE_METHOD_COUNT)
+    {
+        return swFail(host, SW_ERROR_INVALID, "a wave system's method is %d; it must be in [0, %d]", (int)def->method,
+                      SW_WAVE_METHOD_COUNT - 1);
+    }
+    swResult result = swCheckSpectrum(host, &def->spectrum);
+    result = result == SW_SUCCESS ? checkWaves(host, def) : result;
+    if (result == SW_SUCCESS)
+    {
+        result = def->method == SW_WAVES_FFT ? checkTiles(host, def) : checkGerstner(host, def);
+    }
+    return result;
+}
+
 swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSystemId* idOut)
 {
     bool isValid = world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && idOut != NULL;
@@ -75,8 +138,7 @@ swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSy
         return SW_ERROR_INVALID;
     }
     *idOut = (swWaveSystemId){0, 0};
-    swResult result = checkTiles(&world->host, def);
-    result = result == SW_SUCCESS ? checkWaves(&world->host, def) : result;
+    swResult result = checkDef(&world->host, def);
     swId id;
     result = result == SW_SUCCESS ? swAddSystem(world, def, &id) : result;
     if (result == SW_SUCCESS)
@@ -108,25 +170,62 @@ bool swWaveSystem_IsValid(const swWorld* world, swWaveSystemId id)
     return world != NULL && swIsIdValid(&world->systemIds, (swId){id.index1, id.generation});
 }
 
-swResult swWaveSystem_SetSpectrum(swWorld* world, swWaveSystemId id, const swSpectrumDef* spectrum)
+static bool isTransition(double seconds)
+{
+    return seconds >= 0.0 && seconds <= SW_MAX_TRANSITION;
+}
+
+swResult swWaveSystem_Set(swWorld* world, swWaveSystemId id, const swWaveSystemDef* def, double seconds)
 {
     swWaveSystem* system = findSystem(world, id);
-    SW_ASSERT(system != NULL && spectrum != NULL);
-    if (system == NULL || spectrum == NULL)
+    bool isValid = system != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && isTransition(seconds);
+    SW_ASSERT(isValid);
+    if (!isValid)
     {
         return SW_ERROR_INVALID;
     }
-    return swReplaceSpectrum(world, system, spectrum);
+    swResult result = checkDef(&world->host, def);
+    return result == SW_SUCCESS ? swChangeSystem(world, system, def, seconds) : result;
+}
+
+swWaveSystemDef swWaveSystem_Get(const swWorld* world, swWaveSystemId id)
+{
+    const swWaveSystem* system = findSystem(world, id);
+    SW_ASSERT(system != NULL);
+    if (system == NULL)
+    {
+        return swDefaultWaveSystemDef();
+    }
+    swWaveSystemDef def = *swGetSystemDef(system);
+    def.weight = system->weight.to;
+    return def;
+}
+
+swResult swWaveSystem_SetSpectrum(swWorld* world, swWaveSystemId id, const swSpectrumDef* spectrum)
+{
+    SW_ASSERT(spectrum != NULL);
+    if (spectrum == NULL || !swWaveSystem_IsValid(world, id))
+    {
+        return SW_ERROR_INVALID;
+    }
+    swWaveSystemDef def = swWaveSystem_Get(world, id);
+    def.spectrum = *spectrum;
+    return swWaveSystem_Set(world, id, &def, 0.0);
 }
 
 void swWaveSystem_SetWeight(swWorld* world, swWaveSystemId id, float weight)
 {
+    swWaveSystem_FadeWeight(world, id, weight, 0.0);
+}
+
+void swWaveSystem_FadeWeight(swWorld* world, swWaveSystemId id, float weight, double seconds)
+{
     swWaveSystem* system = findSystem(world, id);
-    bool isValid = system != NULL && weight >= 0.0f && weight <= 10.0f;
+    bool isValid = system != NULL && isWithin(weight, 0.0, 10.0) && isTransition(seconds);
     SW_ASSERT(isValid);
     if (isValid)
     {
-        system->def.weight = weight;
+        swRampWeight(world, system, weight, seconds);
     }
 }
 
@@ -134,22 +233,50 @@ float swWaveSystem_GetWeight(const swWorld* world, swWaveSystemId id)
 {
     const swWaveSystem* system = findSystem(world, id);
     SW_ASSERT(system != NULL);
-    return system != NULL ? system->def.weight : 0.0f;
+    return system != NULL ? swGetRamp(&system->weight, world->frame.ticks) : 0.0f;
 }
 
-int swWaveSystem_GetBands(const swWorld* world, swWaveSystemId id, swBandInfo* bands)
+// The octave of a free wave.
+static int findBand(float wavelength)
 {
-    const swWaveSystem* system = findSystem(world, id);
-    SW_ASSERT(system != NULL && bands != NULL);
-    if (system == NULL || bands == NULL)
+    int band = 0;
+    while (band < SW_MAX_BANDS - 1 && ldexpf(1.0f, band - 3) <= wavelength)
     {
-        return 0;
+        band += 1;
+    }
+    return band;
+}
+
+static int listOctaves(const swWaveSet* set, float square, swBandInfo* bands)
+{
+    swBandInfo octaves[SW_MAX_BANDS] = {0};
+    for (int i = 0; i < set->waveCount; ++i)
+    {
+        const swFreeWave* wave = &set->waves[i];
+        swBandInfo* octave = &octaves[findBand(wave->wavelength)];
+        octave->modeCount += 1;
+        octave->variance += 0.5f * wave->amplitude * wave->amplitude * square;
+        octave->meanSquareSlope += swGetFreeWaveSlope(wave) * square;
     }
     int count = 0;
-    float square = system->def.weight * system->def.weight;
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        if (octaves[band].modeCount > 0)
+        {
+            octaves[band].minWavelength = ldexpf(1.0f, band - 4);
+            octaves[band].maxWavelength = ldexpf(1.0f, band - 3);
+            bands[count++] = octaves[band];
+        }
+    }
+    return count;
+}
+
+static int listBands(const swWaveSet* set, float square, swBandInfo* bands)
+{
+    int count = 0;
     for (int i = 0; i < SW_MAX_BANDS; ++i)
     {
-        const swBandModes* band = &system->set->bands[i];
+        const swBandModes* band = &set->bands[i];
         if (band->modeCount > 0)
         {
             bands[count++] = (swBandInfo){
@@ -163,4 +290,18 @@ int swWaveSystem_GetBands(const swWorld* world, swWaveSystemId id, swBandInfo* b
         }
     }
     return count;
+}
+
+int swWaveSystem_GetBands(const swWorld* world, swWaveSystemId id, swBandInfo* bands)
+{
+    const swWaveSystem* system = findSystem(world, id);
+    SW_ASSERT(system != NULL && bands != NULL);
+    if (system == NULL || bands == NULL)
+    {
+        return 0;
+    }
+    const swWaveSet* set = system->layers[system->layerCount - 1].set;
+    float weight = swGetRamp(&system->weight, world->frame.ticks);
+    float square = weight * weight;
+    return set->def.method == SW_WAVES_FFT ? listBands(set, square, bands) : listOctaves(set, square, bands);
 }

@@ -5,9 +5,6 @@
 #include "core/base/host.h"
 #include "core/world/world.h"
 
-// Ticks of 2^-24 s must fit an int64: 8,700 years either way.
-#define SW_LARGEST_TIME 274877906944.0
-
 #define SW_LONGEST_STEP 3600.0
 
 // The mean fold below 0.5 of all waves, measured at 1.6 million points, is 0.0014, 0.019, 0.16, 0.36, 1.2 and 2.5 e-4 at

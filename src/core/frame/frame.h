@@ -34,9 +34,12 @@ typedef struct swMode
 
 #define SW_TICKS_PER_SECOND 16777216.0 // 2^24
 
+// Ticks must fit an int64: 8,700 years either way.
+#define SW_LARGEST_TIME 274877906944.0
+
 typedef struct swTile
 {
-    int system;        // index of the wave system
+    int system;        // index of the wave system, of several that share the tile the first
     int band;          // octave, see SW_MAX_BANDS
     int resolution;    // N
     int maxBin;        // largest |qx| or |qz| of a mode, at most N / 4
@@ -46,11 +49,31 @@ typedef struct swTile
     float weight;                         // the system's weight; already in the texels
     float variance;                       // of height, m^2, with weight
     float slopeVarianceX, slopeVarianceZ; // E[(dh/dx)^2], E[(dh/dz)^2], with weight
+    float strainVariance;                 // of dDx/dx + dDz/dz, with weight: J to first order
+    float depth;                          // m, of the waves' dispersion
     int modeCount;
     const swMode* modes;      // ordered by qz, then qx
     uint32_t spectrumVersion; // changes when modes do
+    const float* response;    // [N / 4 + 1]: what the spline leaves of bin |q| along an axis; modes are divided by it
     const float* texels;      // [N + 3][N + 3][4], NULL without CPU queries
+    const float* velocity;    // the same for the rates of displacement, NULL unless the world has them
+    const float* acceleration;
 } swTile;
+
+// A wave that is no part of a tile: evaluated where it is asked for, with its exact wave vector. With
+// theta = 2 pi (turnsX x + turnsZ z - frequency ticks + phase): height a cos theta, sideways -(dx, dz) a sin theta.
+typedef struct swFreeWave
+{
+    double turnsX, turnsZ; // wave vector over 2 pi, turns per metre
+    uint64_t frequency;    // turns per tick, as swMode has it
+    int64_t loopTicks;     // as swTile has it
+    uint32_t phase;        // at the origin at tick 0, a fraction of 2^32
+    float amplitude;       // m, with weight
+    float dx, dz;          // chop k / |k|
+    float wavelength;      // m
+    float depth;           // m
+    int system;
+} swFreeWave;
 
 // One slice of a view, snapped. See swSliceInfo.
 typedef struct swSlice
@@ -99,6 +122,28 @@ static inline int64_t swGetTileTicks(const swTile* tile, int64_t ticks)
     return rest < 0 ? rest + tile->loopTicks : rest;
 }
 
+static inline int64_t swGetFreeWaveTicks(const swFreeWave* wave, int64_t ticks)
+{
+    if (wave->loopTicks <= 0)
+    {
+        return ticks;
+    }
+    int64_t rest = ticks % wave->loopTicks;
+    return rest < 0 ? rest + wave->loopTicks : rest;
+}
+
+// Variances of one free wave: of its slope, and of dDx/dx + dDz/dz.
+static inline float swGetFreeWaveSlope(const swFreeWave* wave)
+{
+    float steepness = 6.2831853f / wave->wavelength * wave->amplitude;
+    return 0.5f * steepness * steepness;
+}
+
+static inline float swGetFreeWaveStrain(const swFreeWave* wave)
+{
+    return swGetFreeWaveSlope(wave) * (wave->dx * wave->dx + wave->dz * wave->dz);
+}
+
 #define SW_MAX_VIEWS 16
 
 // Foam steps per second.
@@ -115,6 +160,8 @@ typedef struct swFrame
     uint32_t tilesVersion; // changes when the list of tiles does
     int tileCount;
     const swTile* tiles; // all systems; within a system by band, shortest first
+    int waveCount;
+    const swFreeWave* waves; // of all systems, longest first
     int viewCount;
     const swViewFrame* views;
 } swFrame;

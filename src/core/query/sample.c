@@ -13,11 +13,9 @@
 #include "core/query/sample.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "shared/surface_normal.h"
-
-// Points worked on together; everything about a block lives on the stack.
-#define SW_QUERY_BLOCK 128
 
 typedef struct swSearch
 {
@@ -30,20 +28,29 @@ typedef struct swSearch
     float reach;              // share of the full step, below 1 after a bad one
 } swSearch;
 
-typedef struct swQuery
+// Free waves of at least a length; they come longest first.
+static int countLongWaves(const swFrame* frame, float minWavelength)
 {
-    const swWaveKernels* kernels;
-    const swQueryDef* def;
-    double seaLevel;
-    int tileCount;
-    swTile tiles[SW_MAX_TILES];
-} swQuery;
+    int count = frame->waveCount;
+    while (count > 0 && frame->waves[count - 1].wavelength < minWavelength)
+    {
+        count -= 1;
+    }
+    return count;
+}
 
-static void beginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def)
+void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
+                  swPosXZ origin)
 {
     query->kernels = kernels;
     query->def = def;
+    query->origin = origin;
     query->seaLevel = frame->seaLevel;
+    bool isNow = def->time == SW_QUERY_NOW;
+    query->ticks = isNow ? frame->ticks : (int64_t)floor(def->time * SW_TICKS_PER_SECOND + 0.5);
+    query->isNow = query->ticks == frame->ticks;
+    query->waves = frame->waves;
+    query->waveCount = countLongWaves(frame, def->minWavelength);
     query->tileCount = 0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
@@ -54,6 +61,143 @@ static void beginQuery(swQuery* query, const swFrame* frame, const swWaveKernels
         }
     }
 }
+
+// ---- adding up waves ----
+
+static void addRows(int count, float (*to)[4], float (*rows)[4])
+{
+    for (int i = 0; i < count; ++i)
+    {
+        for (int c = 0; c < 3; ++c)
+        {
+            to[i][c] += rows[i][c];
+        }
+    }
+}
+
+// Waves one by one, added to what is there. The kernel makes velocity and acceleration together.
+static void sumOneByOne(const swQuery* query, bool withTiles, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    if (!withTiles && query->waveCount == 0)
+    {
+        return;
+    }
+    float unused[SW_QUERY_BLOCK][4];
+    bool hasMotion = out->velocity != NULL || out->acceleration != NULL;
+    if (hasMotion)
+    {
+        memset(unused, 0, (size_t)count * sizeof unused[0]);
+    }
+    const swSurfaceSums sums = {
+        .displacement = out->displacement,
+        .gradients = out->gradients,
+        .velocity = hasMotion && out->velocity == NULL ? unused : out->velocity,
+        .acceleration = hasMotion && out->acceleration == NULL ? unused : out->acceleration,
+    };
+    const swWaveSumJob job = {
+        .tileCount = withTiles ? query->tileCount : 0,
+        .tiles = query->tiles,
+        .waveCount = query->waveCount,
+        .waves = query->waves,
+        .ticks = query->ticks,
+        .count = count,
+        .points = rest,
+        .surface = &sums,
+    };
+    swSumWaves(query->kernels, &job);
+}
+
+static bool hasField(const swQuery* query, bool isVelocity)
+{
+    const swTile* tile = &query->tiles[0];
+    return query->tileCount == 0 || (isVelocity ? tile->velocity : tile->acceleration) != NULL;
+}
+
+// Displacement of a set of texels: those of velocity or acceleration.
+static void sampleField(const swQuery* query, bool isVelocity, int count, const swPosXZ* rest, float (*out)[4])
+{
+    swTile tiles[SW_MAX_TILES];
+    for (int i = 0; i < query->tileCount; ++i)
+    {
+        tiles[i] = query->tiles[i];
+        tiles[i].texels = isVelocity ? query->tiles[i].velocity : query->tiles[i].acceleration;
+    }
+    swSampleTiles(query->kernels, query->tileCount, tiles, count, rest, out[0], NULL);
+}
+
+// What tiles have no texels for: motion of tiles wave by wave.
+static void sumTileMotion(const swQuery* query, int count, const swPosXZ* rest, float (*velocity)[4],
+                          float (*acceleration)[4])
+{
+    float ignored[3][SW_QUERY_BLOCK][4];
+    memset(ignored, 0, sizeof ignored);
+    const swSurfaceSums sums = {
+        .displacement = ignored[0],
+        .velocity = velocity != NULL ? velocity : ignored[1],
+        .acceleration = acceleration != NULL ? acceleration : ignored[2],
+    };
+    const swWaveSumJob job = {
+        .tileCount = query->tileCount,
+        .tiles = query->tiles,
+        .ticks = query->ticks,
+        .count = count,
+        .points = rest,
+        .surface = &sums,
+    };
+    swSumWaves(query->kernels, &job);
+}
+
+static void evaluateMotion(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    bool needsVelocity = out->velocity != NULL && !hasField(query, true);
+    bool needsAcceleration = out->acceleration != NULL && !hasField(query, false);
+    if (needsVelocity || needsAcceleration)
+    {
+        sumTileMotion(query, count, rest, needsVelocity ? out->velocity : NULL,
+                      needsAcceleration ? out->acceleration : NULL);
+    }
+    float field[SW_QUERY_BLOCK][4];
+    if (out->velocity != NULL && !needsVelocity)
+    {
+        sampleField(query, true, count, rest, field);
+        addRows(count, out->velocity, field);
+    }
+    if (out->acceleration != NULL && !needsAcceleration)
+    {
+        sampleField(query, false, count, rest, field);
+        addRows(count, out->acceleration, field);
+    }
+}
+
+void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    size_t rows = (size_t)count * 4 * sizeof(float);
+    if (out->velocity != NULL)
+    {
+        memset(out->velocity, 0, rows);
+    }
+    if (out->acceleration != NULL)
+    {
+        memset(out->acceleration, 0, rows);
+    }
+    if (query->isNow)
+    {
+        swSampleTiles(query->kernels, query->tileCount, query->tiles, count, rest, out->displacement[0],
+                      out->gradients != NULL ? out->gradients[0] : NULL);
+        evaluateMotion(query, count, rest, out);
+    }
+    else
+    {
+        memset(out->displacement, 0, rows);
+        if (out->gradients != NULL)
+        {
+            memset(out->gradients, 0, 2 * rows);
+        }
+    }
+    sumOneByOne(query, !query->isNow, count, rest, out);
+}
+
+// ---- finding particles ----
 
 // Good Broyden update of the inverse Jacobian for a step (sx, sz) that changed the residual by (yx, yz).
 static void correctJacobian(swSearch* search, float sx, float sz, float yx, float yz)
@@ -110,20 +254,36 @@ static bool advanceSearch(swSearch* search, const float* displacement, float tol
     return true;
 }
 
-// Find the particles above a block of points. `found` receives the displacement at each answer.
-static int searchBlock(const swQuery* query, int count, const swPosXZ* points, swSearch* searches, float (*found)[4])
+// Offsets to try first: those given, or none.
+static void beginSearches(const swQuery* query, int count, const swVec2* guess, swSearch* searches)
 {
+    (void)query;
+    for (int i = 0; i < count; ++i)
+    {
+        searches[i] = (swSearch){.b00 = 1.0f, .b11 = 1.0f, .bestSquare = INFINITY, .reach = 1.0f};
+        if (guess != NULL)
+        {
+            searches[i].dx = guess[i].x;
+            searches[i].dz = guess[i].y;
+        }
+    }
+}
+
+void swFindParticles(const swQuery* query, int count, const swPosXZ* points, const swVec2* guess, swFound* found)
+{
+    swSearch searches[SW_QUERY_BLOCK];
     swPosXZ tried[SW_QUERY_BLOCK];
     float displacement[SW_QUERY_BLOCK][4];
     int active[SW_QUERY_BLOCK];
     int activeCount = count;
     float toleranceSquare = query->def->tolerance * query->def->tolerance;
+    beginSearches(query, count, guess, searches);
     for (int i = 0; i < count; ++i)
     {
-        searches[i] = (swSearch){.b00 = 1.0f, .b11 = 1.0f, .bestSquare = INFINITY, .reach = 1.0f};
         active[i] = i;
     }
-    int evaluations = 0;
+    found->evaluations = 0;
+    const swEvaluation evaluation = {.displacement = displacement};
     for (int iteration = 0; iteration < query->def->maxIterations && activeCount > 0; ++iteration)
     {
         for (int i = 0; i < activeCount; ++i)
@@ -132,8 +292,8 @@ static int searchBlock(const swQuery* query, int count, const swPosXZ* points, s
             tried[i].x = points[active[i]].x + (double)search->dx;
             tried[i].z = points[active[i]].z + (double)search->dz;
         }
-        swSampleTiles(query->kernels, query->tileCount, query->tiles, activeCount, tried, displacement[0], NULL);
-        evaluations += activeCount;
+        swEvaluate(query, activeCount, tried, &evaluation);
+        found->evaluations += activeCount;
         int stillActive = 0;
         for (int i = 0; i < activeCount; ++i)
         {
@@ -142,57 +302,61 @@ static int searchBlock(const swQuery* query, int count, const swPosXZ* points, s
             bool isDone = !advanceSearch(&searches[point], displacement[i], toleranceSquare);
             if (searches[point].bestSquare < before)
             {
-                for (int c = 0; c < 4; ++c)
-                {
-                    found[point][c] = displacement[i][c];
-                }
+                memcpy(found->displacement[point], displacement[i], sizeof displacement[i]);
             }
             active[stillActive] = point;
             stillActive += isDone ? 0 : 1;
         }
         activeCount = stillActive;
     }
-    return evaluations;
+    for (int i = 0; i < count; ++i)
+    {
+        found->rest[i].x = points[i].x + (double)searches[i].bestX;
+        found->rest[i].z = points[i].z + (double)searches[i].bestZ;
+        found->residual[i] = sqrtf(searches[i].bestSquare);
+    }
 }
 
-// The upward unit normal; the underside of a fold is turned over.
-static swVec3 makeNormal(const float* g, float jacobian)
+// ---- answers ----
+
+swVec3 swMakeNormal(const float g[8], float* jacobian)
 {
+    *jacobian = swSurfaceJacobian(g[0], g[1], g[2], g[3]);
     float x = swSurfaceNormalX(g[2], g[3], g[4], g[5]);
     float z = swSurfaceNormalZ(g[0], g[1], g[4], g[5]);
-    float length = sqrtf(x * x + jacobian * jacobian + z * z);
+    float length = sqrtf(x * x + *jacobian * *jacobian + z * z);
     if (length < 1e-20f)
     {
         return (swVec3){0.0f, 1.0f, 0.0f};
     }
-    float scale = (jacobian < 0.0f ? -1.0f : 1.0f) / length;
-    return (swVec3){-x * scale, jacobian * scale, -z * scale};
+    float scale = (*jacobian < 0.0f ? -1.0f : 1.0f) / length;
+    return (swVec3){-x * scale, *jacobian * scale, -z * scale};
+}
+
+static void writeVectors(swVec3* to, int first, int count, float (*rows)[4])
+{
+    for (int i = 0; i < count && to != NULL; ++i)
+    {
+        to[first + i] = (swVec3){rows[i][0], rows[i][1], rows[i][2]};
+    }
 }
 
 // Write answers [first, first + count); gradients may be NULL if neither normals nor Jacobians are wanted.
 static void writeSamples(const swSurfaceSamples* samples, double seaLevel, int first, int count,
                          float (*displacement)[4], float (*gradients)[8])
 {
-    for (int i = 0; i < count; ++i)
+    writeVectors(samples->displacement, first, count, displacement);
+    for (int i = 0; i < count && samples->height != NULL; ++i)
     {
-        const float* d = displacement[i];
-        if (samples->height != NULL)
-        {
-            samples->height[first + i] = (float)(seaLevel + (double)d[1]);
-        }
-        if (samples->displacement != NULL)
-        {
-            samples->displacement[first + i] = (swVec3){d[0], d[1], d[2]};
-        }
-        if (gradients == NULL)
-        {
-            continue;
-        }
-        const float* g = gradients[i];
-        float jacobian = swSurfaceJacobian(g[0], g[1], g[2], g[3]);
+        samples->height[first + i] = (float)(seaLevel + (double)displacement[i][1]);
+    }
+    for (int i = 0; i < count && gradients != NULL; ++i)
+    {
+        float jacobian;
+        swVec3 normal = swMakeNormal(gradients[i], &jacobian);
         if (samples->normal != NULL)
         {
-            samples->normal[first + i] = makeNormal(g, jacobian);
+            samples->normal[first + i] = normal;
         }
         if (samples->jacobian != NULL)
         {
@@ -201,48 +365,78 @@ static void writeSamples(const swSurfaceSamples* samples, double seaLevel, int f
     }
 }
 
-static void countBlock(swQueryStats* stats, const swSearch* searches, int count, float tolerance)
+static void countBlock(swQueryStats* stats, const swFound* found, int count, float tolerance)
 {
+    stats->iterationCount += found->evaluations;
     for (int i = 0; i < count; ++i)
     {
-        float residual = sqrtf(searches[i].bestSquare);
+        float residual = found->residual[i];
         stats->convergedCount += residual <= tolerance ? 1 : 0;
         stats->worstResidual = residual > stats->worstResidual ? residual : stats->worstResidual;
     }
 }
 
-void swQuerySurface(const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def, int count,
-                    const swPosXZ* points, const swSurfaceSamples* samples, swQueryStats* stats)
+static bool wantsMore(const swSurfaceSamples* samples)
 {
-    swQuery query;
-    beginQuery(&query, frame, kernels, def);
-    bool needsGradients = samples->normal != NULL || samples->jacobian != NULL;
+    return samples->normal != NULL || samples->jacobian != NULL || samples->velocity != NULL ||
+           samples->acceleration != NULL;
+}
+
+static bool wantsGradients(const swSurfaceSamples* samples)
+{
+    return samples->normal != NULL || samples->jacobian != NULL;
+}
+
+static void sampleParticles(const swQuery* query, const swSurfaceSamples* samples, bool withGradients, int first,
+                            int count, const swPosXZ* rest, float (*displacement)[4], float (*gradients)[8])
+{
+    float velocity[SW_QUERY_BLOCK][4];
+    float acceleration[SW_QUERY_BLOCK][4];
+    const swEvaluation evaluation = {
+        .displacement = displacement,
+        .gradients = withGradients ? gradients : NULL,
+        .velocity = samples->velocity != NULL ? velocity : NULL,
+        .acceleration = samples->acceleration != NULL ? acceleration : NULL,
+    };
+    swEvaluate(query, count, rest, &evaluation);
+    writeVectors(samples->velocity, first, count, velocity);
+    writeVectors(samples->acceleration, first, count, acceleration);
+}
+
+static int placeBlock(const swQuery* query, int count, const swPosXZ* points, int first, swPosXZ* block)
+{
+    int blockCount = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK;
+    for (int i = 0; i < blockCount; ++i)
+    {
+        block[i] = (swPosXZ){points[first + i].x + query->origin.x, points[first + i].z + query->origin.z};
+    }
+    return blockCount;
+}
+
+void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                    swQueryStats* stats)
+{
     swQueryStats total = {0};
     for (int first = 0; first < count; first += SW_QUERY_BLOCK)
     {
-        int blockCount = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK;
-        swSearch searches[SW_QUERY_BLOCK];
-        float found[SW_QUERY_BLOCK][4];
+        swPosXZ block[SW_QUERY_BLOCK];
         float gradients[SW_QUERY_BLOCK][8];
-        total.iterationCount += searchBlock(&query, blockCount, points + first, searches, found);
-        if (needsGradients)
+        int blockCount = placeBlock(query, count, points, first, block);
+        swFound found;
+        swFindParticles(query, blockCount, block, NULL, &found);
+        bool withGradients = wantsGradients(samples);
+        if (wantsMore(samples))
         {
-            swPosXZ rest[SW_QUERY_BLOCK];
             float again[SW_QUERY_BLOCK][4];
-            for (int i = 0; i < blockCount; ++i)
-            {
-                rest[i].x = points[first + i].x + (double)searches[i].bestX;
-                rest[i].z = points[first + i].z + (double)searches[i].bestZ;
-            }
-            swSampleTiles(kernels, query.tileCount, query.tiles, blockCount, rest, again[0], gradients[0]);
-            total.iterationCount += blockCount;
+            sampleParticles(query, samples, withGradients, first, blockCount, found.rest, again, gradients);
+            found.evaluations += blockCount;
         }
-        writeSamples(samples, query.seaLevel, first, blockCount, found, needsGradients ? gradients : NULL);
-        for (int i = 0; i < blockCount && samples->residual != NULL; ++i)
+        writeSamples(samples, query->seaLevel, first, blockCount, found.displacement, withGradients ? gradients : NULL);
+        if (samples->residual != NULL)
         {
-            samples->residual[first + i] = sqrtf(searches[i].bestSquare);
+            memcpy(samples->residual + first, found.residual, (size_t)blockCount * sizeof(float));
         }
-        countBlock(&total, searches, blockCount, def->tolerance);
+        countBlock(&total, &found, blockCount, query->def->tolerance);
     }
     if (stats != NULL)
     {
@@ -250,30 +444,62 @@ void swQuerySurface(const swFrame* frame, const swWaveKernels* kernels, const sw
     }
 }
 
-void swQueryParticles(const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def, int count,
-                      const swPosXZ* points, const swSurfaceSamples* samples, swVec2* slopes)
+void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                      swVec2* slopes)
 {
-    swQuery query;
-    beginQuery(&query, frame, kernels, def);
-    bool needsGradients = samples->normal != NULL || samples->jacobian != NULL || slopes != NULL;
+    bool withGradients = wantsGradients(samples) || slopes != NULL;
     for (int first = 0; first < count; first += SW_QUERY_BLOCK)
     {
-        int blockCount = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK;
-        float found[SW_QUERY_BLOCK][4];
+        swPosXZ block[SW_QUERY_BLOCK];
+        float displacement[SW_QUERY_BLOCK][4];
         float gradients[SW_QUERY_BLOCK][8];
-        swSampleTiles(kernels, query.tileCount, query.tiles, blockCount, points + first, found[0],
-                      needsGradients ? gradients[0] : NULL);
-        writeSamples(samples, query.seaLevel, first, blockCount, found, needsGradients ? gradients : NULL);
-        for (int i = 0; i < blockCount; ++i)
+        int blockCount = placeBlock(query, count, points, first, block);
+        sampleParticles(query, samples, withGradients, first, blockCount, block, displacement, gradients);
+        writeSamples(samples, query->seaLevel, first, blockCount, displacement, withGradients ? gradients : NULL);
+        for (int i = 0; i < blockCount && slopes != NULL; ++i)
         {
-            if (slopes != NULL)
-            {
-                slopes[first + i] = (swVec2){gradients[i][4], gradients[i][5]};
-            }
-            if (samples->residual != NULL)
-            {
-                samples->residual[first + i] = 0.0f;
-            }
+            slopes[first + i] = (swVec2){gradients[i][4], gradients[i][5]};
         }
+        if (samples->residual != NULL)
+        {
+            memset(samples->residual + first, 0, (size_t)blockCount * sizeof(float));
+        }
+    }
+}
+
+// ---- height maps ----
+
+// A stretch of a row at a time. Each point begins with the offset that the point above it in the map ended with, which is
+// at hand for the whole stretch at once.
+void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* heights, swQueryStats* stats)
+{
+    swQueryStats total = {0};
+    for (int column = 0; column < map->width; column += SW_QUERY_BLOCK)
+    {
+        int count = map->width - column < SW_QUERY_BLOCK ? map->width - column : SW_QUERY_BLOCK;
+        swVec2 guess[SW_QUERY_BLOCK];
+        for (int row = 0; row < map->height; ++row)
+        {
+            swPosXZ block[SW_QUERY_BLOCK];
+            for (int i = 0; i < count; ++i)
+            {
+                block[i].x = map->originX + map->spacing * (column + i) + query->origin.x;
+                block[i].z = map->originZ + map->spacing * row + query->origin.z;
+            }
+            swFound found;
+            swFindParticles(query, count, block, row > 0 ? guess : NULL, &found);
+            for (int i = 0; i < count; ++i)
+            {
+                guess[i].x = (float)(found.rest[i].x - block[i].x);
+                guess[i].y = (float)(found.rest[i].z - block[i].z);
+                heights[(size_t)row * (size_t)map->width + (size_t)(column + i)] =
+                    (float)(query->seaLevel + (double)found.displacement[i][1]);
+            }
+            countBlock(&total, &found, count, query->def->tolerance);
+        }
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
     }
 }

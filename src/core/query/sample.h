@@ -4,10 +4,60 @@
 // The surface above points of the horizontal plane: find the particle that is there, then say where it is. See sample.c.
 
 #include "core/waves/waves_fft.h"
+#include "core/waves/waves_sum.h"
 #include "seaway/query.h"
 
-void swQuerySurface(const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def, int count,
-                    const swPosXZ* points, const swSurfaceSamples* samples, swQueryStats* stats);
+// Points worked on together; everything about a block lives on the stack.
+#define SW_QUERY_BLOCK 128
 
-void swQueryParticles(const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def, int count,
-                      const swPosXZ* points, const swSurfaceSamples* samples, swVec2* slopes);
+// The waves that count for a query, and how to add them up.
+typedef struct swQuery
+{
+    const swWaveKernels* kernels;
+    const swQueryDef* def;
+    swPosXZ origin; // of the caller's coordinates, in the sea
+    double seaLevel;
+    int64_t ticks;
+    bool isNow; // the tiles' texels are of that time
+    int waveCount;
+    const swFreeWave* waves;
+    int tileCount;
+    swTile tiles[SW_MAX_TILES];
+} swQuery;
+
+void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
+                  swPosXZ origin);
+
+// What is asked of a block of rest points (in the sea). Velocity and acceleration may be NULL, each by itself.
+typedef struct swEvaluation
+{
+    float (*displacement)[4];
+    float (*gradients)[8]; // may be NULL
+    float (*velocity)[4];
+    float (*acceleration)[4];
+} swEvaluation;
+
+// At most SW_QUERY_BLOCK points.
+void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out);
+
+// What the search for the particles above a block of points found.
+typedef struct swFound
+{
+    swPosXZ rest[SW_QUERY_BLOCK]; // in the sea
+    float displacement[SW_QUERY_BLOCK][4];
+    float residual[SW_QUERY_BLOCK];
+    int evaluations;
+} swFound;
+
+// Find the particles above at most SW_QUERY_BLOCK points in the sea. `guess` may be NULL, or offsets from the points to
+// begin with.
+void swFindParticles(const swQuery* query, int count, const swPosXZ* points, const swVec2* guess, swFound* found);
+
+// The upward unit normal of gradients as swEvaluation has them; the underside of a fold is turned over.
+swVec3 swMakeNormal(const float gradients[8], float* jacobian);
+
+void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                    swQueryStats* stats);
+void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                      swVec2* slopes);
+void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* heights, swQueryStats* stats);

@@ -46,25 +46,25 @@ void swPlanFoam(swFoamState* state, int64_t elapsedTicks, swViewFrame* view)
     view->foamResetCount = state->resetCount;
 }
 
-float swGetFoamDeviation(const swFrame* frame, const float* chops, float minWavelength)
+float swGetFoamDeviation(const swFrame* frame, float minWavelength)
 {
     float variance = 0.0f;
     for (int i = 0; i < frame->tileCount; ++i)
     {
         const swTile* tile = &frame->tiles[i];
-        if (tile->minWavelength < minWavelength)
-        {
-            float chop = chops[tile->system];
-            variance += chop * chop * (tile->slopeVarianceX + tile->slopeVarianceZ);
-        }
+        variance += tile->minWavelength < minWavelength ? tile->strainVariance : 0.0f;
+    }
+    for (int i = frame->waveCount - 1; i >= 0 && frame->waves[i].wavelength < minWavelength; --i)
+    {
+        variance += swGetFreeWaveStrain(&frame->waves[i]);
     }
     return sqrtf(variance);
 }
 
-float swGetFoamAtRest(const swFrame* frame, const float* chops)
+float swGetFoamAtRest(const swFrame* frame)
 {
     const swFoamDef* foam = &frame->foam;
-    float fold = swFoamFold(1.0f, foam->threshold, swGetFoamDeviation(frame, chops, INFINITY));
+    float fold = swFoamFold(1.0f, foam->threshold, swGetFoamDeviation(frame, INFINITY));
     return swFoamSteady(fold, foam->gain / foam->fadeRate);
 }
 

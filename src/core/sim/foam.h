@@ -20,12 +20,11 @@ typedef struct swFoamState
 void swPlanFoam(swFoamState* state, int64_t elapsedTicks, swViewFrame* view);
 
 // How much J varies at a place by waves that a slice does not carry: the deviation of the sum of tiles shorter than
-// minWavelength. To first order J = 1 + dDx/dx + dDz/dz, whose variance is chop^2 times that of the slope.
-// `chops` holds one factor per wave system.
-float swGetFoamDeviation(const swFrame* frame, const float* chops, float minWavelength);
+// minWavelength. To first order J = 1 + dDx/dx + dDz/dz.
+float swGetFoamDeviation(const swFrame* frame, float minWavelength);
 
 // Mean foam of the steady state where no wave is known: what the sea beyond the slices is drawn with.
-float swGetFoamAtRest(const swFrame* frame, const float* chops);
+float swGetFoamAtRest(const swFrame* frame);
 
 // Take the steps: from `previous` to `next`, [slice][R][R] each.
 void swStepFoam(const swHost* host, const swFoamDef* def, const swViewFrame* view, const float* previous, float* next);

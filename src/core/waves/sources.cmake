@@ -16,7 +16,9 @@ target_sources(seaway_core PRIVATE
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/mode_mix.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_fft.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves_gerstner.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_scalar.c)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     target_sources(seaway_core PRIVATE

@@ -27,3 +27,9 @@ double swGetCompiledDensity2(const swCompiledSpectrum* spectrum, double omega, d
 
 // Integral of S(omega) over [omega0, omega1], m^2; accurate to 1e-5 relative however narrow the peak.
 double swIntegrateCompiled(const swCompiledSpectrum* spectrum, double omega0, double omega1);
+
+// SW_ERROR_INVALID and a sentence in the log if a def is outside of its ranges.
+swResult swCheckSpectrum(const swHost* host, const swSpectrumDef* def);
+
+// Whether two checked defs mean the same, tables compared by what they hold.
+bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b);

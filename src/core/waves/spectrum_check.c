@@ -3,8 +3,10 @@
 #include "core/waves/compiled.h"
 
 #include <math.h>
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #define MIN_FREQUENCIES 2
 #define MIN_DIRECTIONS 4
@@ -113,4 +115,37 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
     }
     return def->kind != SW_SPECTRUM_JONSWAP || (checkRange(complaint, "fetch", def->fetch, 1e3, 1e7, false) &&
                                                 checkRange(complaint, "gamma", def->gamma, 1.0, 10.0, false));
+}
+
+swResult swCheckSpectrum(const swHost* host, const swSpectrumDef* def)
+{
+    swComplaint complaint;
+    if (def->internalValue != SW_SPECTRUM_COOKIE)
+    {
+        return swFail(host, SW_ERROR_INVALID, "The spectrum was not initialized with swDefaultSpectrumDef().");
+    }
+    return swCheckSpectrumDef(&complaint, def) ? SW_SUCCESS : swFail(host, SW_ERROR_INVALID, "%s", complaint.text);
+}
+
+static bool isSameTable(const swSpectrumTable* a, const swSpectrumTable* b)
+{
+    size_t frequencies = (size_t)a->frequencyCount;
+    size_t densities = frequencies * (size_t)a->directionCount;
+    return a->frequencyCount == b->frequencyCount && a->directionCount == b->directionCount &&
+           memcmp(a->frequencies, b->frequencies, frequencies * sizeof(float)) == 0 &&
+           memcmp(a->bandwidths, b->bandwidths, frequencies * sizeof(float)) == 0 &&
+           memcmp(a->density, b->density, densities * sizeof(float)) == 0;
+}
+
+bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b)
+{
+    static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 56, "compare what is new in swSpectrumDef");
+    if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->fetch != b->fetch || a->gamma != b->gamma ||
+        a->significantHeight != b->significantHeight || a->peakPeriod != b->peakPeriod ||
+        a->direction != b->direction || a->spreadExponent != b->spreadExponent || a->depth != b->depth ||
+        a->extendTail != b->extendTail)
+    {
+        return false;
+    }
+    return a->kind != SW_SPECTRUM_TABLE || isSameTable(a->table, b->table);
 }

@@ -174,14 +174,13 @@ static bool fillEnergies(const Builder* builder, Ring* ring, double variance)
     return true;
 }
 
-static int64_t getLoopTicks(const swWaveSystemDef* def)
+int64_t swGetLoopTicks(const swWaveSystemDef* def)
 {
     double ticks = floor((double)def->loopPeriod * SW_TICKS_PER_SECOND + 0.5);
     return ticks >= 1.0 ? (int64_t)ticks : 0;
 }
 
-// Turns per tick as Q0.64.
-static uint64_t getFrequency(double omega, int64_t loopTicks)
+uint64_t swGetTurnsPerTick(double omega, int64_t loopTicks)
 {
     double turnsPerTick = omega / TURN / SW_TICKS_PER_SECOND;
     if (loopTicks > 0)
@@ -204,6 +203,21 @@ static double getSinc4(double x)
     return (sinc * sinc) * (sinc * sinc);
 }
 
+void swFillSplineResponse(int resolution, float* response)
+{
+    for (int q = 0; q <= resolution / 4; ++q)
+    {
+        response[q] = (float)getSinc4((double)q / resolution);
+    }
+}
+
+double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef* def, double k)
+{
+    double depth = swGetCompiledDispersion(spectrum).depth;
+    double ratio = (double)def->chop;
+    return isinf(depth) ? ratio : ratio / swTanh(k * depth);
+}
+
 // Amplitude of the wave at q: real and imaginary part.
 static void getAmplitude(const Builder* builder, int band, const Ring* ring, int qx, int qz, double* re, double* im)
 {
@@ -221,12 +235,13 @@ static swMode makeMode(const Builder* builder, const swBandModes* band, const Ri
     double ar, ai, br, bi;
     getAmplitude(builder, band->band, ring, qx, qz, &ar, &ai);
     getAmplitude(builder, band->band, ring, -qx, -qz, &br, &bi);
-    uint64_t frequency = getFrequency(swGetOmega(&builder->dispersion, k), band->loopTicks);
+    uint64_t frequency = swGetTurnsPerTick(swGetOmega(&builder->dispersion, k), band->loopTicks);
     swMode mode;
     mode.qx = (int16_t)qx;
     mode.qz = (int16_t)qz;
-    mode.dx = (float)((double)builder->def->chop * ring->dk * qx / k);
-    mode.dz = (float)((double)builder->def->chop * ring->dk * qz / k);
+    double ratio = swGetOrbitRatio(builder->spectrum, builder->def, k);
+    mode.dx = (float)(ratio * ring->dk * qx / k);
+    mode.dz = (float)(ratio * ring->dk * qz / k);
     mode.pr = (float)(scale * (ar + br));
     mode.pi = (float)(scale * (ai - bi));
     mode.qr = (float)(scale * (ar - br));
@@ -258,9 +273,10 @@ static int listModes(const Builder* builder, const swBandModes* band, const Ring
     return count;
 }
 
-static void measureVariances(swBandModes* band, const Ring* ring)
+static void measureVariances(const Builder* builder, swBandModes* band, const Ring* ring)
 {
     double variance = 0.0;
+    double strain = 0.0;
     double slopeX = 0.0;
     double slopeZ = 0.0;
     for (int qz = -ring->maxBin; qz <= ring->maxBin; ++qz)
@@ -271,11 +287,18 @@ static void measureVariances(swBandModes* band, const Ring* ring)
             variance += energy;
             slopeX += energy * (ring->dk * qx) * (ring->dk * qx);
             slopeZ += energy * (ring->dk * qz) * (ring->dk * qz);
+            double square = ring->dk * ring->dk * (qx * qx + qz * qz);
+            if (energy > 0.0)
+            {
+                double ratio = swGetOrbitRatio(builder->spectrum, builder->def, sqrt(square));
+                strain += energy * square * ratio * ratio;
+            }
         }
     }
     band->variance = (float)variance;
     band->slopeVarianceX = (float)slopeX;
     band->slopeVarianceZ = (float)slopeZ;
+    band->strainVariance = (float)strain;
 }
 
 static int findMaxBin(const swBandModes* band)
@@ -304,7 +327,7 @@ static swResult fillModes(const Builder* builder, swBandModes* band, const Ring*
     band->modes = modes;
     band->modeCount = listModes(builder, band, ring, least, modes);
     band->maxBin = findMaxBin(band);
-    measureVariances(band, ring);
+    measureVariances(builder, band, ring);
     return SW_SUCCESS;
 }
 
@@ -370,7 +393,8 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
     for (int band = 0; band < SW_MAX_BANDS; ++band)
     {
         bands[band].band = band;
-        bands[band].loopTicks = getLoopTicks(def);
+        bands[band].loopTicks = swGetLoopTicks(def);
+        bands[band].depth = (float)builder.dispersion.depth;
     }
     host->parallelFor(host->taskContext, buildBands, &builder, SW_MAX_BANDS, 1);
     swFreeCompiledSpectrum(host, spectrum);
@@ -438,13 +462,18 @@ size_t swGetTileScratchSize(int resolution)
 }
 
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
-                      int64_t ticks, void* scratch)
+                      int64_t ticks, int order, void* scratch)
 {
-    kernels->transformTiles(a, texelsA, b, texelsB, ticks, scratch);
+    kernels->transformTiles(a, texelsA, b, texelsB, ticks, order, scratch);
 }
 
 void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,
                    float* out, float* gradients)
 {
     kernels->sampleTiles(tileCount, tiles, count, points, out, gradients);
+}
+
+void swSumWaves(const swWaveKernels* kernels, const swWaveSumJob* job)
+{
+    kernels->sumWaves(job);
 }

@@ -16,6 +16,8 @@ typedef struct swBandModes
     int64_t loopTicks; // for swTile
     float minWavelength, maxWavelength;
     float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
+    float strainVariance;
+    float depth; // m, of the dispersion
     int modeCount;
     swMode* modes;
 } swBandModes;
@@ -24,6 +26,22 @@ typedef struct swBandModes
 swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
                       swBandModes* bands);
 void swFreeModes(const swHost* host, swBandModes* bands);
+
+// What a cubic B-spline over N samples leaves of bin q along an axis: sinc^4(q / N) for q = 0 .. N / 4.
+void swFillSplineResponse(int resolution, float* response);
+
+// The free waves of a system with method SW_WAVES_GERSTNER, at weight 1, longest first; `waves` needs
+// swFree(host, *waves, *waveCount * sizeof(swFreeWave)).
+swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
+                          swFreeWave** waves, int* waveCount);
+
+// Turns per tick as Q0.64, and whole turns a loop if there is one (0 ticks: none).
+uint64_t swGetTurnsPerTick(double omega, int64_t loopTicks);
+int64_t swGetLoopTicks(const swWaveSystemDef* def);
+
+// Sideways displacement of a wave relative to its height: chop, times coth(k depth), which makes the particles' orbits
+// the ellipses of shallow water.
+double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef* def, double k);
 
 // The side of band b's tile, m: tileWaves * shortest wavelength * a factor in (0.85, 1] that is different for each
 // band.
@@ -39,9 +57,10 @@ size_t swGetTileScratchSize(int resolution);
 
 // Transform one tile, or two of the same resolution at once (b may be NULL; two are cheaper than one and one), at
 // `ticks` into texels ((N + 3)^2 * 4 floats each, 64-byte aligned), times the tile's weight. A tile's bits depend on
-// its partner, so the world pairs the tiles of a system in a fixed order.
+// its partner, so the world pairs the tiles of a system in a fixed order. `order` 1 and 2 make the first and second
+// derivative by time instead: velocity and acceleration.
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
-                      int64_t ticks, void* scratch);
+                      int64_t ticks, int order, void* scratch);
 
 // Evaluate the spline sum of tiles at `count` rest points (double, metres), out[count][4] = x, y, z displacement, 0;
 // gradients (may be NULL) [count][8] = dDx/dx, dDx/dz, dDz/dx, dDz/dz, dh/dx, dh/dz, 0, 0.

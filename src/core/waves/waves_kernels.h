@@ -4,14 +4,16 @@
 // What waves_kernels.inl makes of each instruction set.
 
 #include "core/waves/waves_fft.h"
+#include "core/waves/waves_sum.h"
 
 struct swWaveKernels
 {
     swIsa isa;
-    void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks,
+    void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
                            void* scratch);
     void (*sampleTiles)(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
                         float* gradients);
+    void (*sumWaves)(const swWaveSumJob* job);
 };
 
 extern const swWaveKernels swWaveKernelsScalar;

@@ -71,19 +71,33 @@ static int countUsedPanels(const swTile* tile)
     return tile->maxBin / 8 + 1;
 }
 
+// rad/s of turns per tick.
+static inline float getModeOmega(uint64_t frequency)
+{
+    return (float)((double)frequency * (SW_TICKS_PER_SECOND * 6.283185307179586 * 0x1p-64));
+}
+
 // Spectra of up to MODE_CHUNK modes: real and imaginary parts of X, Z and H.
 typedef struct ModeSpectra
 {
     float parts[6][MODE_CHUNK];
 } ModeSpectra;
 
-static void computeSpectra(const swMode* modes, int count, int64_t ticks, float weight, ModeSpectra* spectra)
+// `order` times derived by time: with dH/dt of the form that H has, p' = omega (q_im, -q_re) and q' = omega (p_im, -p_re)
+// as (re, im) pairs, and the second derivative is -omega^2 H.
+static void computeSpectra(const swMode* modes, int count, int64_t ticks, float weight, int order, ModeSpectra* spectra)
 {
     uint32_t phases[MODE_CHUNK];
+    float factors[MODE_CHUNK];
     for (int i = 0; i < count; ++i)
     {
         uint64_t frequency = ((uint64_t)modes[i].frequencyHigh << 32) | modes[i].frequencyLow;
         phases[i] = (uint32_t)((frequency * (uint64_t)ticks) >> 32);
+        if (order > 0)
+        {
+            float omega = getModeOmega(frequency);
+            factors[i] = order == 1 ? omega : -omega * omega;
+        }
     }
     const int stride = (int)(sizeof(swMode) / sizeof(float));
     swWide scale = swSplatW(weight);
@@ -95,8 +109,23 @@ static void computeSpectra(const swMode* modes, int count, int64_t ticks, float 
         swLoadColumns4(&modes[i].pr, stride, amplitude);
         swWide dx = direction[0];
         swWide dz = direction[1];
-        swWide re = swAddW(swMulW(amplitude[0], cosine), swMulW(amplitude[3], sine));
-        swWide im = swSubW(swMulW(amplitude[1], cosine), swMulW(amplitude[2], sine));
+        swWide re, im;
+        if (order == 1)
+        {
+            re = swSubW(swMulW(amplitude[3], cosine), swMulW(amplitude[0], sine));
+            im = swSubW(swSplatW(0.0f), swAddW(swMulW(amplitude[1], sine), swMulW(amplitude[2], cosine)));
+        }
+        else
+        {
+            re = swAddW(swMulW(amplitude[0], cosine), swMulW(amplitude[3], sine));
+            im = swSubW(swMulW(amplitude[1], cosine), swMulW(amplitude[2], sine));
+        }
+        if (order > 0)
+        {
+            swWide factor = swLoadW(factors + i);
+            re = swMulW(re, factor);
+            im = swMulW(im, factor);
+        }
         re = swMulW(re, scale);
         im = swMulW(im, scale);
         swWide minus = swSplatW(-1.0f);
@@ -146,7 +175,7 @@ static void placeSpectra(const Scratch* s, int firstField, const swMode* modes, 
 }
 
 // First axis of a tile's three fields: spectra at `ticks`, and their transforms along x.
-static void transformRows(const Scratch* s, int firstField, const swTile* tile, int64_t ticks)
+static void transformRows(const Scratch* s, int firstField, const swTile* tile, int64_t ticks, int order)
 {
     int usedPanels = countUsedPanels(tile);
     for (int field = firstField; field < firstField + 3; ++field)
@@ -169,7 +198,7 @@ static void transformRows(const Scratch* s, int firstField, const swTile* tile, 
             modes = padded;
         }
         ModeSpectra spectra;
-        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight, &spectra);
+        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight, order, &spectra);
         placeSpectra(s, firstField, modes, count, &spectra);
     }
     for (int field = firstField; field < firstField + 3; ++field)
@@ -283,14 +312,14 @@ static void padTexels(int size, float* texels)
     memcpy(texels + (size + 1) * pitch * 4, texels + pitch * 4, 2 * (size_t)pitch * texel);
 }
 
-static void transformTiles(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks,
+static void transformTiles(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
                            void* scratch)
 {
     Scratch s = layOutScratch(a->resolution, scratch);
-    transformRows(&s, FIELD_AX, a, ticks);
+    transformRows(&s, FIELD_AX, a, ticks, order);
     if (b != NULL)
     {
-        transformRows(&s, FIELD_BX, b, ticks);
+        transformRows(&s, FIELD_BX, b, ticks, order);
     }
     // Bins that no mode reaches stay zero throughout.
     memset(s.columns, 0, (size_t)(FIELD_COUNT * getColumnRows(s.size)) * ROW_BYTES);

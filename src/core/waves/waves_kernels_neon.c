@@ -6,5 +6,6 @@
 #include "core/math/wide.h"
 
 #include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON, transformTiles, sampleTiles};
+const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON, transformTiles, sampleTiles, sumWaves};

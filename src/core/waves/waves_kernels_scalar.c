@@ -6,5 +6,6 @@
 #include "core/math/wide.h"
 
 #include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles};
+const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles, sumWaves};

@@ -3,5 +3,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/digest.c
     ${CMAKE_CURRENT_LIST_DIR}/step.c
     ${CMAKE_CURRENT_LIST_DIR}/system.c
+    ${CMAKE_CURRENT_LIST_DIR}/tile_list.c
     ${CMAKE_CURRENT_LIST_DIR}/view.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_set.c
     ${CMAKE_CURRENT_LIST_DIR}/world.c)

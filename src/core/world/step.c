@@ -6,7 +6,7 @@
 #include "core/base/host.h"
 #include "core/world/world.h"
 
-// Time and the list of tiles, then the views, which need to know what waves there are.
+// Time, systems and the list of tiles, then the views, which need to know what waves there are.
 static void beginFrame(swWorld* world, double dt)
 {
     int64_t before = world->frame.ticks;
@@ -14,21 +14,34 @@ static void beginFrame(swWorld* world, double dt)
     world->frame.time = world->time;
     world->frame.ticks = (int64_t)floor(world->time * SW_TICKS_PER_SECOND + 0.5);
     world->frame.dt = dt;
+    swAdvanceSystems(world);
     swListTiles(world);
     swPlaceViews(world, world->frame.ticks - before);
 }
 
+static float* getTexels(const swWorld* world, int tile, int field)
+{
+    const swWaveSource* source = &world->tileSources[tile];
+    return source->set->texels[field][source->index];
+}
+
+// Item i is field i % SW_TEXELS_COUNT of a pair: displacement, velocity, acceleration.
 static void transformPairs(void* context, int begin, int end, int worker)
 {
     swWorld* world = context;
     char* scratch = (char*)world->scratch + (size_t)worker * world->scratchSize;
     for (int i = begin; i < end; ++i)
     {
-        int first = world->pairs[i].first;
-        int second = world->pairs[i].second;
-        swTransformTiles(world->kernels, &world->tiles[first], world->tileTexels[first],
-                         second >= 0 ? &world->tiles[second] : NULL, second >= 0 ? world->tileTexels[second] : NULL,
-                         world->frame.ticks, scratch);
+        const swTilePair* pair = &world->pairs[i / SW_TEXELS_COUNT];
+        int field = i % SW_TEXELS_COUNT;
+        float* first = getTexels(world, pair->first, field);
+        if (first == NULL)
+        {
+            continue;
+        }
+        bool isPair = pair->second >= 0;
+        swTransformTiles(world->kernels, &world->tiles[pair->first], first, isPair ? &world->tiles[pair->second] : NULL,
+                         isPair ? getTexels(world, pair->second, field) : NULL, world->frame.ticks, field, scratch);
     }
 }
 
@@ -36,7 +49,7 @@ static void stepSystems(swWorld* world)
 {
     if (world->def.enableQueries)
     {
-        swParallelFor(&world->host, transformPairs, world, world->pairCount, 1);
+        swParallelFor(&world->host, transformPairs, world, world->pairCount * SW_TEXELS_COUNT, 1);
     }
 }
 

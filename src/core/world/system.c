@@ -1,125 +1,117 @@
 // SPDX-License-Identifier: MIT
-// Wave systems and their tiles. The list of tiles is made anew, in the order of the systems' slots, by the step that
-// follows a change. Tiles of one system are paired in order of their bands: a tile's bits depend on its partner, so the
-// pairing depends on nothing but the spectrum.
+// Wave systems, and how they change. A system's layers add up to its sea: one, unless a cross-fade is under way. What a
+// layer weighs and how far its mix has come are functions of time, so that steps of any length give the same sea.
 
-#include "core/world/world.h"
+#include <math.h>
+#include <string.h>
 
 #include "core/base/host.h"
+#include "core/math/scalar.h"
+#include "core/world/world.h"
 
-static size_t getTexelBytes(int resolution)
+static swRamp makeConstant(float value)
 {
-    size_t pitch = (size_t)resolution + 3;
-    return pitch * pitch * 4 * sizeof(float);
+    return (swRamp){.from = value, .to = value};
 }
 
-static void freeBandSet(swWorld* world, swBandSet* set)
+static swRamp makeRamp(const swWorld* world, float from, float to, double seconds)
 {
-    if (set == NULL)
-    {
-        return;
-    }
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
-    {
-        swFree(&world->countedHost, set->texels[band], getTexelBytes(set->resolution));
-    }
-    swFreeModes(&world->countedHost, set->bands);
-    swFree(&world->countedHost, set, sizeof *set);
+    return (swRamp){
+        .from = from,
+        .to = to,
+        .begin = world->frame.ticks,
+        .length = (int64_t)floor(seconds * SW_TICKS_PER_SECOND + 0.5),
+    };
 }
 
-static swResult allocateTexels(swWorld* world, swBandSet* set)
+// How far a ramp has come, 0 to 1.
+static double getProgress(const swRamp* ramp, int64_t ticks)
 {
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    int64_t passed = ticks - ramp->begin;
+    if (ramp->length <= 0 || passed >= ramp->length)
     {
-        if (set->bands[band].modes == NULL || set->bands[band].modeCount == 0)
-        {
-            continue;
-        }
-        set->tileCount += 1;
-        if (!world->def.enableQueries)
-        {
-            continue;
-        }
-        set->texels[band] = swAllocateZero(&world->countedHost, getTexelBytes(set->resolution));
-        if (set->texels[band] == NULL)
-        {
-            return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for a tile of %d x %d samples", set->resolution,
-                          set->resolution);
-        }
+        return 1.0;
     }
-    return SW_SUCCESS;
+    return passed > 0 ? (double)passed / (double)ramp->length : 0.0;
 }
 
-// `replaced` is the set that the new one stands in for, NULL for a new system.
-static swResult makeBandSet(swWorld* world, const swWaveSystemDef* def, const swBandSet* replaced, swBandSet** setOut)
+float swGetRamp(const swRamp* ramp, int64_t ticks)
 {
-    swBandSet* set = swAllocateZero(&world->countedHost, sizeof *set);
-    if (set == NULL)
+    float part = (float)getProgress(ramp, ticks);
+    return ramp->from + (ramp->to - ramp->from) * part;
+}
+
+// Weights of cross-fades: what comes and what goes have squares that add up to one.
+static float getFade(const swRamp* fade, int64_t ticks)
+{
+    double part = getProgress(fade, ticks);
+    if (part >= 1.0)
     {
-        return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for a wave system");
+        return fade->to;
     }
-    set->resolution = def->resolution;
-    swResult result = swBuildModes(&world->countedHost, def, world->def.gravity, world->def.surfaceTension, set->bands);
-    if (result == SW_ERROR_NO_MEMORY)
+    float sine, cosine;
+    swSinCosTurns((uint32_t)(part * 0x1p30), &sine, &cosine);
+    return fade->from * cosine + fade->to * sine;
+}
+
+// ---- limits ----
+
+// Tiles and free waves of a system that are not also those of an earlier system or layer.
+static void countWaves(const swWorld* world, const swWaveSystem* systems, int* tiles, int* waves)
+{
+    const swWaveSet* seen[SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS];
+    int seenCount = 0;
+    *tiles = 0;
+    *waves = 0;
+    (void)world;
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        swFail(&world->host, result, "no memory for the waves of a system with tiles of %d x %d samples",
-               def->resolution, def->resolution);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = allocateTexels(world, set);
-    }
-    if (result == SW_SUCCESS)
-    {
-        int total = set->tileCount - (replaced != NULL ? replaced->tileCount : 0);
-        for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+        for (int i = 0; i < systems[slot].layerCount; ++i)
         {
-            total += world->systems[slot].set != NULL ? world->systems[slot].set->tileCount : 0;
+            const swWaveSet* set = systems[slot].layers[i].set;
+            bool isNew = true;
+            for (int k = 0; k < seenCount; ++k)
+            {
+                isNew = isNew && seen[k] != set;
+            }
+            if (isNew)
+            {
+                seen[seenCount++] = set;
+                *tiles += set->tileCount;
+                *waves += set->waveCount;
+            }
         }
-        if (total > SW_MAX_TILES)
-        {
-            result = swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d tiles; %d are possible", total,
-                            SW_MAX_TILES);
-        }
+    }
+}
+
+// Put a system into a slot if the world then keeps to its limits.
+static swResult placeSystem(swWorld* world, int slot, const swWaveSystem* system)
+{
+    swWaveSystem before = world->systems[slot];
+    world->systems[slot] = *system;
+    int tiles, waves;
+    countWaves(world, world->systems, &tiles, &waves);
+    swResult result = SW_SUCCESS;
+    if (tiles > SW_MAX_TILES)
+    {
+        result =
+            swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d tiles; %d are possible", tiles, SW_MAX_TILES);
+    }
+    else if (waves > SW_MAX_FREE_WAVES)
+    {
+        result = swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d free waves; %d are possible", waves,
+                        SW_MAX_FREE_WAVES);
     }
     if (result != SW_SUCCESS)
     {
-        freeBandSet(world, set);
+        world->systems[slot] = before;
         return result;
     }
-    world->version += 1;
-    set->version = world->version;
-    *setOut = set;
-    return SW_SUCCESS;
-}
-
-// One part of the scratch for each worker, large enough for tiles of that resolution.
-static swResult growScratch(swWorld* world, int resolution)
-{
-    size_t needed = (swGetTileScratchSize(resolution) + 63) & ~(size_t)63;
-    if (needed <= world->scratchSize || !world->def.enableQueries)
-    {
-        return SW_SUCCESS;
-    }
-    size_t workers = (size_t)world->host.workerCount;
-    void* scratch = swAllocate(&world->countedHost, needed * workers);
-    if (scratch == NULL)
-    {
-        return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory to transform tiles of %d x %d samples", resolution,
-                      resolution);
-    }
-    swFree(&world->countedHost, world->scratch, world->scratchSize * workers);
-    world->scratch = scratch;
-    world->scratchSize = needed;
-    return SW_SUCCESS;
-}
-
-static void retireSet(swWorld* world, swBandSet* set)
-{
-    set->nextRetired = world->retired;
-    world->retired = set;
     world->isTileListStale = true;
+    return SW_SUCCESS;
 }
+
+// ---- create, remove ----
 
 swResult swAddSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
 {
@@ -128,142 +120,241 @@ swResult swAddSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
         return swFail(&world->host, SW_ERROR_LIMIT, "the world has %d wave systems, which is the most",
                       SW_MAX_WAVE_SYSTEMS);
     }
-    swResult result = growScratch(world, def->resolution);
-    swBandSet* set = NULL;
-    if (result == SW_SUCCESS)
-    {
-        result = makeBandSet(world, def, NULL, &set);
-    }
+    swWaveSet* set = NULL;
+    swResult result = swAcquireSet(world, def, &set);
     if (result != SW_SUCCESS)
     {
         return result;
     }
     *id = swAllocId(&world->systemIds);
-    swWaveSystem* system = &world->systems[id->index1 - 1];
-    *system = (swWaveSystem){.def = *def, .set = set};
-    system->def.spectrum.table = NULL;
-    world->isTileListStale = true;
-    return SW_SUCCESS;
+    swWaveSystem system = {.layerCount = 1, .weight = makeConstant(def->weight)};
+    system.layers[0] = (swWaveLayer){.set = set, .fade = makeConstant(1.0f)};
+    result = placeSystem(world, id->index1 - 1, &system);
+    if (result != SW_SUCCESS)
+    {
+        swReleaseSet(world, set);
+        swFreeId(&world->systemIds, *id);
+    }
+    return result;
+}
+
+static void releaseLayers(swWorld* world, swWaveSystem* system, int count)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        swReleaseSet(world, system->layers[i].set);
+    }
+    system->layerCount -= count;
+    memmove(system->layers, system->layers + count, (size_t)system->layerCount * sizeof system->layers[0]);
 }
 
 void swRemoveSystem(swWorld* world, swId id)
 {
     swWaveSystem* system = &world->systems[id.index1 - 1];
-    retireSet(world, system->set);
+    releaseLayers(world, system, system->layerCount);
     *system = (swWaveSystem){0};
+    world->isTileListStale = true;
     swFreeId(&world->systemIds, id);
-}
-
-swResult swReplaceSpectrum(swWorld* world, swWaveSystem* system, const swSpectrumDef* spectrum)
-{
-    swWaveSystemDef def = system->def;
-    def.spectrum = *spectrum;
-    swBandSet* set = NULL;
-    swResult result = makeBandSet(world, &def, system->set, &set);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    retireSet(world, system->set);
-    system->set = set;
-    system->def.spectrum = *spectrum;
-    system->def.spectrum.table = NULL;
-    return SW_SUCCESS;
-}
-
-void swFreeRetiredSets(swWorld* world)
-{
-    while (world->retired != NULL)
-    {
-        swBandSet* set = world->retired;
-        world->retired = set->nextRetired;
-        freeBandSet(world, set);
-    }
 }
 
 void swFreeAllSystems(swWorld* world)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        freeBandSet(world, world->systems[slot].set);
-        world->systems[slot].set = NULL;
+        releaseLayers(world, &world->systems[slot], world->systems[slot].layerCount);
     }
     swFreeRetiredSets(world);
 }
 
-static void addTile(swWorld* world, int slot, int bandIndex)
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system)
 {
-    const swBandSet* set = world->systems[slot].set;
-    const swBandModes* band = &set->bands[bandIndex];
-    int index = world->frame.tileCount;
-    world->tileTexels[index] = set->texels[bandIndex];
-    world->tiles[index] = (swTile){
-        .system = slot,
-        .band = band->band,
-        .resolution = set->resolution,
-        .maxBin = band->maxBin,
-        .side = band->side,
-        .loopTicks = band->loopTicks,
-        .minWavelength = band->minWavelength,
-        .maxWavelength = band->maxWavelength,
-        .modeCount = band->modeCount,
-        .modes = band->modes,
-        .spectrumVersion = set->version,
-        .texels = set->texels[bandIndex],
-    };
-    world->frame.tileCount = index + 1;
+    const swWaveSet* set = system->layers[system->layerCount - 1].set;
+    return set->mix != NULL ? &set->to->def : &set->def;
 }
 
-static void listSystem(swWorld* world, int slot)
+// ---- change ----
+
+// The newest layer turns into `set` wave by wave. SW_ERROR_UNSUPPORTED if their phases differ.
+static swResult mixLayer(swWorld* world, int slot, swWaveSet* set, double seconds)
 {
-    int first = world->frame.tileCount;
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    swWaveSystem changed = world->systems[slot];
+    swWaveLayer* layer = &changed.layers[changed.layerCount - 1];
+    swWaveSet* before = layer->set;
+    swWaveSet* mix = NULL;
+    swResult result = swMixSets(world, before, set, &mix);
+    if (result != SW_SUCCESS)
     {
-        if (world->systems[slot].set->bands[band].modeCount > 0)
+        return result;
+    }
+    layer->set = mix;
+    layer->share = makeRamp(world, 0.0f, 1.0f, seconds);
+    layer->isMixing = true;
+    result = placeSystem(world, slot, &changed);
+    swReleaseSet(world, result == SW_SUCCESS ? before : mix);
+    return result;
+}
+
+// All layers of now fade out, a new one fades in.
+static swResult addLayer(swWorld* world, int slot, swWaveSet* set, double seconds)
+{
+    swWaveSystem changed = world->systems[slot];
+    if (changed.layerCount == SW_MAX_WAVE_LAYERS)
+    {
+        return swFail(&world->host, SW_ERROR_LIMIT,
+                      "a wave system has %d cross-fades under way, which is the most; wait for one to end",
+                      SW_MAX_WAVE_LAYERS - 1);
+    }
+    for (int i = 0; i < changed.layerCount; ++i)
+    {
+        swWaveLayer* layer = &changed.layers[i];
+        layer->fade = makeRamp(world, getFade(&layer->fade, world->frame.ticks), 0.0f, seconds);
+    }
+    set->useCount += 1;
+    changed.layers[changed.layerCount++] = (swWaveLayer){.set = set, .fade = makeRamp(world, 0.0f, 1.0f, seconds)};
+    swResult result = placeSystem(world, slot, &changed);
+    if (result != SW_SUCCESS)
+    {
+        set->useCount -= 1;
+    }
+    return result;
+}
+
+static swResult replaceLayers(swWorld* world, int slot, swWaveSet* set)
+{
+    swWaveSystem before = world->systems[slot];
+    swWaveSystem changed = before;
+    set->useCount += 1;
+    changed.layerCount = 1;
+    changed.layers[0] = (swWaveLayer){.set = set, .fade = makeConstant(1.0f)};
+    swResult result = placeSystem(world, slot, &changed);
+    if (result != SW_SUCCESS)
+    {
+        set->useCount -= 1;
+        return result;
+    }
+    for (int i = 0; i < before.layerCount; ++i)
+    {
+        swReleaseSet(world, before.layers[i].set);
+    }
+    return SW_SUCCESS;
+}
+
+static swResult changeWaves(swWorld* world, int slot, swWaveSet* set, double seconds)
+{
+    if (seconds == 0.0)
+    {
+        return replaceLayers(world, slot, set);
+    }
+    swResult result = mixLayer(world, slot, set, seconds);
+    return result == SW_ERROR_UNSUPPORTED ? addLayer(world, slot, set, seconds) : result;
+}
+
+swResult swChangeSystem(swWorld* world, swWaveSystem* system, const swWaveSystemDef* def, double seconds)
+{
+    int slot = (int)(system - world->systems);
+    swWaveSet* set = NULL;
+    swResult result = swAcquireSet(world, def, &set);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    const swWaveSet* newest = system->layers[system->layerCount - 1].set;
+    if (set != newest && set != newest->to)
+    {
+        result = changeWaves(world, slot, set, seconds);
+    }
+    else if (seconds == 0.0 && (set != newest || system->layerCount > 1))
+    {
+        result = replaceLayers(world, slot, set); // where it was going anyway, but now
+    }
+    swReleaseSet(world, set);
+    if (result == SW_SUCCESS)
+    {
+        swRampWeight(world, system, def->weight, seconds);
+    }
+    return result;
+}
+
+void swRampWeight(swWorld* world, swWaveSystem* system, float weight, double seconds)
+{
+    float before = swGetRamp(&system->weight, world->frame.ticks);
+    system->weight = seconds == 0.0 ? makeConstant(weight) : makeRamp(world, before, weight, seconds);
+}
+
+// ---- as time goes on ----
+
+static void finishMix(swWorld* world, swWaveLayer* layer)
+{
+    swWaveSet* mix = layer->set;
+    layer->set = mix->to;
+    layer->set->useCount += 1;
+    layer->isMixing = false;
+    swReleaseSet(world, mix);
+}
+
+static void advanceMix(swWorld* world, swWaveLayer* layer)
+{
+    int64_t ticks = world->frame.ticks;
+    if (getProgress(&layer->share, ticks) >= 1.0)
+    {
+        finishMix(world, layer);
+        return;
+    }
+    swShareMix(layer->set, swGetRamp(&layer->share, ticks));
+    world->version += 1;
+    layer->set->version = world->version;
+}
+
+static void advanceSystem(swWorld* world, swWaveSystem* system)
+{
+    int64_t ticks = world->frame.ticks;
+    int gone = 0;
+    for (int i = 0; i < system->layerCount; ++i)
+    {
+        swWaveLayer* layer = &system->layers[i];
+        if (layer->isMixing)
         {
-            addTile(world, slot, band);
+            advanceMix(world, layer);
+        }
+        bool isGone = i == gone && i + 1 < system->layerCount && layer->fade.to == 0.0f &&
+                      getProgress(&layer->fade, ticks) >= 1.0;
+        gone += isGone ? 1 : 0;
+    }
+    if (gone > 0)
+    {
+        releaseLayers(world, system, gone);
+        world->isTileListStale = true;
+    }
+}
+
+static void weighSystem(swWorld* world, int slot)
+{
+    const swWaveSystem* system = &world->systems[slot];
+    float weight = swGetRamp(&system->weight, world->frame.ticks);
+    for (int i = 0; i < system->layerCount; ++i)
+    {
+        swWaveSet* set = system->layers[i].set;
+        float share = weight * getFade(&system->layers[i].fade, world->frame.ticks);
+        set->system = share > 0.0f && set->weight == 0.0f ? slot : set->system;
+        set->weight += share;
+    }
+}
+
+void swAdvanceSystems(swWorld* world)
+{
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        advanceSystem(world, &world->systems[slot]);
+    }
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < world->systems[slot].layerCount; ++i)
+        {
+            world->systems[slot].layers[i].set->weight = 0.0f;
         }
     }
-    for (int tile = first; tile < world->frame.tileCount; tile += 2)
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        int second = tile + 1 < world->frame.tileCount ? tile + 1 : -1;
-        world->pairs[world->pairCount++] = (swTilePair){tile, second};
+        weighSystem(world, slot);
     }
-}
-
-// Weights may change with every step, without a new list.
-static void weighTiles(swWorld* world)
-{
-    for (int i = 0; i < world->frame.tileCount; ++i)
-    {
-        swTile* tile = &world->tiles[i];
-        const swWaveSystem* system = &world->systems[tile->system];
-        const swBandModes* band = &system->set->bands[tile->band];
-        float weight = system->def.weight;
-        tile->weight = weight;
-        tile->variance = band->variance * weight * weight;
-        tile->slopeVarianceX = band->slopeVarianceX * weight * weight;
-        tile->slopeVarianceZ = band->slopeVarianceZ * weight * weight;
-    }
-}
-
-void swListTiles(swWorld* world)
-{
-    if (world->isTileListStale)
-    {
-        swFreeRetiredSets(world);
-        world->frame.tileCount = 0;
-        world->pairCount = 0;
-        for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
-        {
-            if (world->systems[slot].set != NULL)
-            {
-                listSystem(world, slot);
-            }
-        }
-        world->version += 1;
-        world->frame.tilesVersion = world->version;
-        world->isTileListStale = false;
-    }
-    weighTiles(world);
 }

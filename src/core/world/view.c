@@ -98,7 +98,7 @@ swViewFrame* swFindViewFrame(const swView* view)
     return NULL;
 }
 
-static void placeView(swWorld* world, const float* chops, int64_t elapsedTicks, swView* view, swViewFrame* frame)
+static void placeView(swWorld* world, int64_t elapsedTicks, swView* view, swViewFrame* frame)
 {
     bool isFirst = !view->stack.isPlaced;
     swSlice previous[SW_MAX_SLICES];
@@ -122,21 +122,16 @@ static void placeView(swWorld* world, const float* chops, int64_t elapsedTicks, 
     {
         swFindFoamSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->previousSlices,
                           frame->foamSources[i]);
-        frame->foamDeviation[i] = swGetFoamDeviation(&world->frame, chops, frame->slices[i].minWavelength);
+        frame->foamDeviation[i] = swGetFoamDeviation(&world->frame, frame->slices[i].minWavelength);
     }
-    frame->foamAtRest = swGetFoamAtRest(&world->frame, chops);
+    frame->foamAtRest = swGetFoamAtRest(&world->frame);
 }
 
 void swPlaceViews(swWorld* world, int64_t elapsedTicks)
 {
-    float chops[SW_MAX_WAVE_SYSTEMS];
-    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
-    {
-        chops[slot] = world->systems[slot].def.chop;
-    }
     for (int i = 0; i < world->viewCount; ++i)
     {
-        placeView(world, chops, elapsedTicks, world->views[i], &world->viewFrames[i]);
+        placeView(world, elapsedTicks, world->views[i], &world->viewFrames[i]);
     }
     world->frame.viewCount = world->viewCount;
 }

@@ -39,6 +39,7 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
         .gravity = def->gravity,
         .foam = def->foam,
         .tiles = world->tiles,
+        .waves = world->waves,
         .views = world->viewFrames,
     };
     *worldOut = world;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Owns everything and orders it. Memory is allocated when something is created, never in a step: a new wave system brings
-// its tiles, a new view its layers. What a step leaves (the frame) stays valid until the next one, so a wave system that
-// is destroyed or gets another spectrum keeps its old bands alive in a list of retired ones until then.
+// Owns everything and orders it. Memory is allocated when something is created or changed, never in a step: a new wave
+// system brings its tiles, a new view its layers. What a step leaves (the frame) stays valid until the next one, so waves
+// that are replaced or removed stay alive in a list of retired ones until then.
 
 #include <stdatomic.h>
 
@@ -11,23 +11,70 @@
 #include "core/frame/frame.h"
 #include "core/lod/stack.h"
 #include "core/sim/foam.h"
+#include "core/waves/mode_mix.h"
 #include "core/waves/waves_fft.h"
+#include "shared/limits.h"
 
-// The bands of one spectrum, and their tiles.
-typedef struct swBandSet
+// Fields of a tile on the CPU: displacement and its derivatives by time.
+enum
 {
-    struct swBandSet* nextRetired;
+    SW_TEXELS_DISPLACEMENT,
+    SW_TEXELS_VELOCITY,
+    SW_TEXELS_ACCELERATION,
+    SW_TEXELS_COUNT
+};
+
+// The waves of one def: bands with their tiles, or free waves. All systems that ask for the same share one.
+typedef struct swWaveSet
+{
+    struct swWaveSet* nextRetired;
+    int useCount; // layers, and mixes made of it
     uint32_t version;
-    int resolution;
+    swWaveSystemDef def; // its table and components are in `copies`
+    void* copies;
+    size_t copiesSize;
+
     int tileCount;
+    float response[SW_LIMIT_RESOLUTION / 4 + 1];
     swBandModes bands[SW_MAX_BANDS];
-    float* texels[SW_MAX_BANDS]; // NULL where a band has no energy, and without queries
-} swBandSet;
+    float* texels[SW_TEXELS_COUNT][SW_MAX_BANDS]; // NULL where a band has no energy, or the world no such field
+
+    int waveCount;
+    swFreeWave* waves; // at weight 1, longest first
+
+    // Of a set that turns from one sea into another: what it is to be, and what its modes are mixed from.
+    struct swWaveSet* to;
+    swModeMix* mix;
+
+    float weight; // of all systems and layers together, in this step
+    int system;   // slot of the first of them
+    bool isListed;
+} swWaveSet;
+
+// A value that runs from one number to another over a time.
+typedef struct swRamp
+{
+    float from, to;
+    int64_t begin, length; // ticks
+} swRamp;
+
+// A system is a stack of layers: the sea that was asked for on top, below it those that fade out. Waves that share their
+// phases never need a second layer: their set is a mix, whose share runs from 0 to 1.
+typedef struct swWaveLayer
+{
+    swWaveSet* set;
+    swRamp fade;  // weight, along a quarter of a sine so that energy stays
+    swRamp share; // of a mix
+    bool isMixing;
+} swWaveLayer;
+
+#define SW_MAX_WAVE_LAYERS 4
 
 typedef struct swWaveSystem
 {
-    swWaveSystemDef def; // its table is not kept
-    swBandSet* set;
+    int layerCount;
+    swWaveLayer layers[SW_MAX_WAVE_LAYERS]; // newest last
+    swRamp weight;
 } swWaveSystem;
 
 struct swView
@@ -35,7 +82,7 @@ struct swView
     swWorld* world;
     swViewDef def;
     uint32_t version;
-    swPos viewpoint;
+    swPos viewpoint; // in the sea: the host's place plus the world's origin
     swStack stack;
     swFoamState foamState;
     float* displacement; // NULL without CPU layers
@@ -50,6 +97,13 @@ typedef struct swTilePair
     int first, second;
 } swTilePair;
 
+// Where a tile or a free wave of the frame comes from.
+typedef struct swWaveSource
+{
+    swWaveSet* set;
+    int index; // band, or wave
+} swWaveSource;
+
 struct swWorld
 {
     swHost host;          // the caller's
@@ -59,21 +113,23 @@ struct swWorld
     const swWaveKernels* kernels;
 
     double time;
-    bool hasStepped;
+    swPosXZ origin; // of the host's coordinates, in the sea
 
     swIdPool systemIds;
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
-    swBandSet* retired;
+    swWaveSet* retired;
     bool isTileListStale;
-    uint32_t version; // grows with every band set, list of tiles and view
+    uint32_t version; // grows with every wave set, list of tiles and view
 
     void* scratch; // one part a worker
     size_t scratchSize;
 
     swTile tiles[SW_MAX_TILES];
-    float* tileTexels[SW_MAX_TILES];
+    swWaveSource tileSources[SW_MAX_TILES];
     swTilePair pairs[SW_MAX_TILES];
     int pairCount;
+    swFreeWave waves[SW_MAX_FREE_WAVES];
+    swWaveSource waveSources[SW_MAX_FREE_WAVES];
 
     swView* views[SW_MAX_VIEWS];
     int viewCount;
@@ -86,13 +142,26 @@ struct swWorld
 swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKernels* kernels, swWorld** world);
 void swFreeWorld(swWorld* world);
 
+// wave_set.c
+swResult swAcquireSet(swWorld* world, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one
+swResult swMixSets(swWorld* world, swWaveSet* from, swWaveSet* to,
+                   swWaveSet** mix); // SW_ERROR_UNSUPPORTED: phases differ
+void swShareMix(swWaveSet* set, float share);
+void swReleaseSet(swWorld* world, swWaveSet* set); // once unused, it goes with the next step
+void swFreeRetiredSets(swWorld* world);
+
 // system.c
 swResult swAddSystem(swWorld* world, const swWaveSystemDef* def, swId* id);
 void swRemoveSystem(swWorld* world, swId id);
-swResult swReplaceSpectrum(swWorld* world, swWaveSystem* system, const swSpectrumDef* spectrum);
-void swFreeRetiredSets(swWorld* world);
+swResult swChangeSystem(swWorld* world, swWaveSystem* system, const swWaveSystemDef* def, double seconds);
+void swAdvanceSystems(swWorld* world); // layers and mixes to the frame's time, weights to sets
 void swFreeAllSystems(swWorld* world);
-void swListTiles(swWorld* world); // systems and weights to the frame's tiles
+void swRampWeight(swWorld* world, swWaveSystem* system, float weight, double seconds);
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
+float swGetRamp(const swRamp* ramp, int64_t ticks);
+
+// tile_list.c
+void swListTiles(swWorld* world); // systems and weights to the frame's tiles and free waves
 
 // view.c
 swResult swAddView(swWorld* world, const swViewDef* def, swView** view);

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Rays against the surface. Along a ray the gap to the water below is a function of distance; its first change of sign is
+// looked for by marching, then closed in on by bisection with secants [Dowell and Jarratt 1971]. A step is as long as the
+// gap allows where slopes stay below one, but at least a quarter of the shortest wave that counts.
+//
+// Far above or below there is nothing to meet: the march is confined to heights that six standard deviations of the sea
+// can reach. Rays march together, so that each look at the surface is one batch.
+//
+// A sphere's gap is its centre's distance from the plane that touches the surface below it, less the radius.
+
+#include "core/query/raycast.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MAX_STEPS 100000
+#define MAX_REFINEMENTS 60
+
+typedef struct March
+{
+    const swRay* ray;
+    double length; // of the direction
+    double x, y, z; // unit direction
+    double end;    // distance where it leaves the heights that count
+    double at;     // distance of the next look
+    double before, after; // around the sign change
+    float gapBefore, gapAfter;
+    float side; // +1: began above, -1: below
+    bool hasLooked, isRefining, isDone, isHit;
+    int refinements;
+} March;
+
+typedef struct Look
+{
+    float gap;
+    swVec3 normal;
+    double height; // of the water, above still water
+} Look;
+
+static float findReach(const swQuery* query)
+{
+    float variance = 0.0f;
+    float sum = 0.0f;
+    for (int i = 0; i < query->tileCount; ++i)
+    {
+        variance += query->tiles[i].variance;
+    }
+    for (int i = 0; i < query->waveCount; ++i)
+    {
+        sum += query->waves[i].amplitude;
+    }
+    return 6.0f * sqrtf(variance) + sum;
+}
+
+static double findShortest(const swQuery* query)
+{
+    float shortest = INFINITY;
+    for (int i = 0; i < query->tileCount; ++i)
+    {
+        shortest = fminf(shortest, query->tiles[i].minWavelength);
+    }
+    if (query->waveCount > 0)
+    {
+        shortest = fminf(shortest, query->waves[query->waveCount - 1].wavelength);
+    }
+    return isinf(shortest) ? 1000.0 : (double)shortest;
+}
+
+// The part of the ray within `reach` of still water; false if there is none.
+static bool clipRay(const swQuery* query, double reach, March* march)
+{
+    double y = march->ray->origin.y - query->seaLevel;
+    double begin = 0.0;
+    double end = (double)march->ray->maxDistance;
+    if (march->y != 0.0)
+    {
+        double a = (-reach - y) / march->y;
+        double b = (reach - y) / march->y;
+        begin = fmax(begin, fmin(a, b));
+        end = fmin(end, fmax(a, b));
+    }
+    else if (fabs(y) > reach)
+    {
+        return false;
+    }
+    march->at = begin;
+    march->end = end;
+    return begin <= end;
+}
+
+static void beginMarch(const swQuery* query, const swRay* ray, float reach, March* march)
+{
+    memset(march, 0, sizeof *march);
+    march->ray = ray;
+    double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
+    double length = sqrt(x * x + y * y + z * z);
+    march->x = x / length;
+    march->y = y / length;
+    march->z = z / length;
+    // A hair more, so that a ray that ends on flat water meets it.
+    march->isDone = !clipRay(query, (double)reach + (double)ray->radius + 0.001, march);
+}
+
+static swPosXZ getPlace(const swQuery* query, const March* march)
+{
+    return (swPosXZ){march->ray->origin.x + march->x * march->at + query->origin.x,
+                     march->ray->origin.z + march->z * march->at + query->origin.z};
+}
+
+static float makeGap(const swQuery* query, const March* march, const Look* look)
+{
+    double y = march->ray->origin.y + march->y * march->at - query->seaLevel;
+    return (float)((y - look->height) * (double)look->normal.y);
+}
+
+// The surface below each march's next look.
+static void lookAtOnce(const swQuery* query, int count, March* const* marches, Look* looks)
+{
+    swPosXZ places[SW_QUERY_BLOCK];
+    bool needsNormals = false;
+    for (int i = 0; i < count; ++i)
+    {
+        places[i] = getPlace(query, marches[i]);
+        needsNormals = needsNormals || marches[i]->ray->radius > 0.0f || marches[i]->refinements > 0;
+    }
+    swFound found;
+    swFindParticles(query, count, places, NULL, &found);
+    float gradients[SW_QUERY_BLOCK][8];
+    if (needsNormals)
+    {
+        float again[SW_QUERY_BLOCK][4];
+        const swEvaluation evaluation = {.displacement = again, .gradients = gradients};
+        swEvaluate(query, count, found.rest, &evaluation);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        float jacobian;
+        looks[i].height = (double)found.displacement[i][1];
+        looks[i].normal = needsNormals ? swMakeNormal(gradients[i], &jacobian) : (swVec3){0.0f, 1.0f, 0.0f};
+        if (marches[i]->ray->radius == 0.0f)
+        {
+            looks[i].gap = (float)(marches[i]->ray->origin.y + marches[i]->y * marches[i]->at - query->seaLevel -
+                                   looks[i].height);
+        }
+        else
+        {
+            looks[i].gap = makeGap(query, marches[i], &looks[i]);
+        }
+    }
+}
+
+// Rays whose way takes time look at different moments, one by one.
+static void look(const swQuery* query, int count, March* const* marches, Look* looks)
+{
+    bool isStill = true;
+    for (int i = 0; i < count; ++i)
+    {
+        isStill = isStill && marches[i]->ray->duration == 0.0f;
+    }
+    if (isStill)
+    {
+        lookAtOnce(query, count, marches, looks);
+        return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        const swRay* ray = marches[i]->ray;
+        swQuery then = *query;
+        double part = ray->maxDistance > 0.0f ? marches[i]->at / (double)ray->maxDistance : 0.0;
+        then.ticks += (int64_t)floor(part * (double)ray->duration * SW_TICKS_PER_SECOND + 0.5);
+        then.isNow = query->isNow && then.ticks == query->ticks;
+        lookAtOnce(&then, 1, &marches[i], &looks[i]);
+    }
+}
+
+static void finishMarch(const swQuery* query, March* march, const Look* look, swRayHit* hit)
+{
+    const swRay* ray = march->ray;
+    march->isDone = true;
+    hit->isHit = true;
+    hit->distance = (float)march->at;
+    hit->position.x = ray->origin.x + march->x * march->at;
+    hit->position.y = ray->origin.y + march->y * march->at;
+    hit->position.z = ray->origin.z + march->z * march->at;
+    hit->normal = look->normal;
+    hit->fromBelow = march->side < 0.0f;
+    double back = (double)look->gap;
+    hit->point.x = hit->position.x - back * (double)look->normal.x;
+    hit->point.y = ray->radius > 0.0f ? hit->position.y - back * (double)look->normal.y : query->seaLevel + look->height;
+    hit->point.z = hit->position.z - back * (double)look->normal.z;
+    if (ray->radius == 0.0f)
+    {
+        hit->point.x = hit->position.x;
+        hit->point.z = hit->position.z;
+    }
+}
+
+// The next look of a march that has a change of sign between two distances.
+static void refine(March* march)
+{
+    double a = march->before, b = march->after;
+    double fa = (double)march->gapBefore, fb = (double)march->gapAfter;
+    double secant = fa - fb != 0.0 ? a + (b - a) * fa / (fa - fb) : 0.5 * (a + b);
+    bool isInside = secant > a && secant < b;
+    march->at = isInside && march->refinements % 3 != 2 ? secant : 0.5 * (a + b);
+    march->refinements += 1;
+}
+
+// Take in a look. `gap` is how far the sphere is from touching, positive on the side where it began.
+static void advanceMarch(const swQuery* query, double shortest, March* march, const Look* look, swRayHit* hit)
+{
+    float radius = march->ray->radius;
+    if (!march->hasLooked)
+    {
+        march->side = look->gap >= 0.0f ? 1.0f : -1.0f;
+    }
+    float gap = march->side * look->gap - radius;
+    if (march->isRefining)
+    {
+        double width = march->after - march->before;
+        if (fabsf(gap) <= query->def->tolerance || width < 1e-9 || march->refinements >= MAX_REFINEMENTS)
+        {
+            finishMarch(query, march, look, hit);
+            return;
+        }
+        *(gap > 0.0f ? &march->before : &march->after) = march->at;
+        *(gap > 0.0f ? &march->gapBefore : &march->gapAfter) = gap;
+        refine(march);
+        return;
+    }
+    if (gap <= 0.0f)
+    {
+        march->after = march->at;
+        march->gapAfter = gap;
+        march->isRefining = true;
+        if (!march->hasLooked) // it began there; look again for the normal
+        {
+            march->before = march->at;
+            march->gapBefore = gap;
+            march->refinements = MAX_REFINEMENTS;
+            return;
+        }
+        refine(march);
+        return;
+    }
+    march->hasLooked = true;
+    march->before = march->at;
+    march->gapBefore = gap;
+    double sideways = sqrt(march->x * march->x + march->z * march->z);
+    double step = 0.7 * (double)gap / (fabs(march->y) + sideways);
+    double least = 0.25 * shortest / (sideways > 0.25 ? sideways : 0.25);
+    step = step > least ? step : least;
+    if (march->at >= march->end)
+    {
+        march->isDone = true;
+        return;
+    }
+    march->at = fmin(march->at + step, march->end);
+}
+
+static void castBlock(const swQuery* query, float reach, double shortest, int count, const swRay* rays, swRayHit* hits)
+{
+    March marches[SW_QUERY_BLOCK];
+    for (int i = 0; i < count; ++i)
+    {
+        hits[i] = (swRayHit){.distance = rays[i].maxDistance};
+        beginMarch(query, &rays[i], reach, &marches[i]);
+    }
+    for (int step = 0; step < MAX_STEPS; ++step)
+    {
+        March* active[SW_QUERY_BLOCK];
+        int activeCount = 0;
+        for (int i = 0; i < count; ++i)
+        {
+            active[activeCount] = &marches[i];
+            activeCount += marches[i].isDone ? 0 : 1;
+        }
+        if (activeCount == 0)
+        {
+            return;
+        }
+        Look looks[SW_QUERY_BLOCK];
+        look(query, activeCount, active, looks);
+        for (int i = 0; i < activeCount; ++i)
+        {
+            advanceMarch(query, shortest, active[i], &looks[i], &hits[active[i] - marches]);
+        }
+    }
+}
+
+void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hits)
+{
+    float reach = findReach(query);
+    double shortest = findShortest(query);
+    for (int first = 0; first < count; first += SW_QUERY_BLOCK)
+    {
+        int blockCount = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK;
+        castBlock(query, reach, shortest, blockCount, rays + first, hits + first);
+    }
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The motion of the water below its surface. See volume.c.
+
+#include "core/query/sample.h"
+
+void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples);
+
+// Along x and z, at a depth below still water.
+swVec2 swFindStokesDrift(const swQuery* query, double depthBelow);

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+
+// Amplitudes are mixed linearly, A = c ((1 - s) A0 + s A1). Where both seas have energy at a wave, its phase is the same
+// in both, so that the mixture has it too. Where only one has, energies would add up to less on the way ((1 - s)^2 + s^2);
+// the factor c makes up for that for each band as a whole: with V0, V1 the band's variances and C their covariance,
+//   c^2 = ((1 - s) V0 + s V1) / ((1 - s)^2 V0 + s^2 V1 + 2 s (1 - s) C).
+
+#include "core/waves/mode_mix.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/host.h"
+
+// What is mixed of a mode: dx dz pr pi qr qi.
+#define MIXED 6
+
+typedef struct Pair
+{
+    float from[MIXED], to[MIXED];
+} Pair;
+
+typedef struct BandMix
+{
+    int count;
+    Pair* pairs; // beside the band's modes
+    swBandModes from, to; // without modes: variances
+    double variance0, variance1, covariance;
+} BandMix;
+
+struct swModeMix
+{
+    BandMix bands[SW_MAX_BANDS];
+};
+
+static int compareModes(const swMode* a, const swMode* b)
+{
+    if (a->qz != b->qz)
+    {
+        return a->qz < b->qz ? -1 : 1;
+    }
+    return a->qx == b->qx ? 0 : a->qx < b->qx ? -1 : 1;
+}
+
+// The next mode of either list, in order; the other is NULL where only one has it.
+static void takeNext(const swBandModes* from, const swBandModes* to, int* i, int* j, const swMode** a, const swMode** b)
+{
+    *a = *i < from->modeCount ? from->modes + *i : NULL;
+    *b = *j < to->modeCount ? to->modes + *j : NULL;
+    if (*a != NULL && *b != NULL)
+    {
+        int order = compareModes(*a, *b);
+        *a = order <= 0 ? *a : NULL;
+        *b = order >= 0 ? *b : NULL;
+    }
+    *i += *a != NULL ? 1 : 0;
+    *j += *b != NULL ? 1 : 0;
+}
+
+// The number of modes of both together; -1 if they cannot be mixed.
+static int countModes(const swBandModes* from, const swBandModes* to)
+{
+    int count = 0;
+    for (int i = 0, j = 0; i < from->modeCount || j < to->modeCount; ++count)
+    {
+        const swMode *a, *b;
+        takeNext(from, to, &i, &j, &a, &b);
+        if (a != NULL && b != NULL &&
+            (a->frequencyLow != b->frequencyLow || a->frequencyHigh != b->frequencyHigh))
+        {
+            return -1;
+        }
+    }
+    return count;
+}
+
+static void copyMixed(const swMode* mode, const swMode* other, float mixed[MIXED])
+{
+    const swMode* direction = mode != NULL ? mode : other;
+    memset(mixed, 0, MIXED * sizeof(float));
+    mixed[0] = direction->dx;
+    mixed[1] = direction->dz;
+    if (mode != NULL)
+    {
+        memcpy(mixed + 2, &mode->pr, 4 * sizeof(float));
+    }
+}
+
+static void addCovariances(BandMix* band, const Pair* pair, double square)
+{
+    for (int c = 2; c < MIXED; ++c)
+    {
+        band->variance0 += square * (double)pair->from[c] * (double)pair->from[c];
+        band->variance1 += square * (double)pair->to[c] * (double)pair->to[c];
+        band->covariance += square * (double)pair->from[c] * (double)pair->to[c];
+    }
+}
+
+static void fillPairs(const swBandModes* from, const swBandModes* to, const float* response, BandMix* band,
+                      swBandModes* out)
+{
+    for (int i = 0, j = 0, n = 0; n < band->count; ++n)
+    {
+        const swMode *a, *b;
+        takeNext(from, to, &i, &j, &a, &b);
+        out->modes[n] = a != NULL ? *a : *b;
+        copyMixed(a, b, band->pairs[n].from);
+        copyMixed(b, a, band->pairs[n].to);
+        int qx = out->modes[n].qx < 0 ? -out->modes[n].qx : out->modes[n].qx;
+        double damping = (double)response[qx] * (double)response[out->modes[n].qz];
+        addCovariances(band, &band->pairs[n], damping * damping);
+    }
+}
+
+static swResult mixBand(const swHost* host, const swBandModes* from, const swBandModes* to, const float* response,
+                        BandMix* band, swBandModes* out)
+{
+    *out = from->modeCount > 0 ? *from : *to;
+    out->modes = NULL;
+    out->modeCount = 0;
+    if (from->modeCount > 0 && to->modeCount > 0)
+    {
+        if (from->side != to->side || from->loopTicks != to->loopTicks || from->depth != to->depth)
+        {
+            return SW_ERROR_UNSUPPORTED;
+        }
+        out->minWavelength = fminf(from->minWavelength, to->minWavelength);
+        out->maxWavelength = fmaxf(from->maxWavelength, to->maxWavelength);
+        out->maxBin = from->maxBin > to->maxBin ? from->maxBin : to->maxBin;
+    }
+    band->from = *from;
+    band->to = *to;
+    int count = countModes(from, to);
+    if (count <= 0)
+    {
+        return count < 0 ? SW_ERROR_UNSUPPORTED : SW_SUCCESS;
+    }
+    out->modes = swAllocate(host, (size_t)count * sizeof(swMode));
+    out->modeCount = out->modes != NULL ? count : 0;
+    band->pairs = swAllocate(host, (size_t)count * sizeof(Pair));
+    if (out->modes == NULL || band->pairs == NULL)
+    {
+        band->count = band->pairs != NULL ? count : 0;
+        return SW_ERROR_NO_MEMORY;
+    }
+    band->count = count;
+    fillPairs(from, to, response, band, out);
+    return SW_SUCCESS;
+}
+
+swResult swMakeModeMix(const swHost* host, const swBandModes* from, const swBandModes* to, const float* response,
+                       swBandModes* bands, swModeMix** mixOut)
+{
+    *mixOut = NULL;
+    memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
+    swModeMix* mix = swAllocateZero(host, sizeof *mix);
+    if (mix == NULL)
+    {
+        return SW_ERROR_NO_MEMORY;
+    }
+    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    {
+        swResult result = mixBand(host, &from[i], &to[i], response, &mix->bands[i], &bands[i]);
+        if (result != SW_SUCCESS)
+        {
+            swFreeModes(host, bands);
+            swFreeModeMix(host, mix);
+            return result;
+        }
+    }
+    swApplyModeMix(mix, 0.0f, bands);
+    *mixOut = mix;
+    return SW_SUCCESS;
+}
+
+void swFreeModeMix(const swHost* host, swModeMix* mix)
+{
+    if (mix == NULL)
+    {
+        return;
+    }
+    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    {
+        swFree(host, mix->bands[i].pairs, (size_t)mix->bands[i].count * sizeof(Pair));
+    }
+    swFree(host, mix, sizeof *mix);
+}
+
+// The factor that keeps the band's energy.
+static float getEnergyFactor(const BandMix* band, double s)
+{
+    double wanted = (1.0 - s) * band->variance0 + s * band->variance1;
+    double mixed = (1.0 - s) * (1.0 - s) * band->variance0 + s * s * band->variance1 +
+                   2.0 * s * (1.0 - s) * band->covariance;
+    return mixed > 0.0 ? (float)sqrt(wanted / mixed) : 1.0f;
+}
+
+static void applyBand(const BandMix* band, float share, swBandModes* out)
+{
+    float keep = 1.0f - share;
+    float factor = getEnergyFactor(band, (double)share);
+    float keepFactor = keep * factor;
+    float shareFactor = share * factor;
+    for (int i = 0; i < band->count; ++i)
+    {
+        const Pair* pair = &band->pairs[i];
+        swMode* mode = &out->modes[i];
+        mode->dx = keep * pair->from[0] + share * pair->to[0];
+        mode->dz = keep * pair->from[1] + share * pair->to[1];
+        mode->pr = keepFactor * pair->from[2] + shareFactor * pair->to[2];
+        mode->pi = keepFactor * pair->from[3] + shareFactor * pair->to[3];
+        mode->qr = keepFactor * pair->from[4] + shareFactor * pair->to[4];
+        mode->qi = keepFactor * pair->from[5] + shareFactor * pair->to[5];
+    }
+    out->variance = keep * band->from.variance + share * band->to.variance;
+    out->slopeVarianceX = keep * band->from.slopeVarianceX + share * band->to.slopeVarianceX;
+    out->slopeVarianceZ = keep * band->from.slopeVarianceZ + share * band->to.slopeVarianceZ;
+    out->strainVariance = keep * band->from.strainVariance + share * band->to.strainVariance;
+}
+
+void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands)
+{
+    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    {
+        applyBand(&mix->bands[i], share, &bands[i]);
+    }
+}

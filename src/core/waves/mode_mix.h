@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A sea that turns into another one, wave by wave. Both have the same waves with the same phases, so that any mixture of
+// amplitudes is a sea: nothing jumps, whatever the spectra.
+
+#include "core/waves/waves_fft.h"
+
+typedef struct swModeMix swModeMix;
+
+// The waves of both seas, `bands` filled with memory for them (swFreeModes() as usual) and set to share 0. The two must
+// outlive neither call: amplitudes are copied.
+// SW_ERROR_UNSUPPORTED if a wave of both has different frequencies, or a band different tiles: they cannot be mixed.
+swResult swMakeModeMix(const swHost* host, const swBandModes* from, const swBandModes* to, const float* response,
+                       swBandModes* bands, swModeMix** mix);
+void swFreeModeMix(const swHost* host, swModeMix* mix);
+
+// Set the bands' amplitudes and variances: 0 is the first sea, 1 the second. The energy of a band runs linearly between
+// its energies in both.
+void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands);

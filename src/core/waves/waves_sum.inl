@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: MIT
+
+// Direct sums of waves at points, see waves_sum.h. Written on the wide float and compiled per instruction set; included
+// after core/math/wide.h.
+//
+// Waves come in chunks. A chunk holds, for one time, each wave's complex height 2 H and its rate; at a point with phase
+// theta = k x the wave is
+//   C = re cos theta - im sin theta,  S = re sin theta + im cos theta,
+// height C, displacement -d S along k, and so on by derivatives. Lanes are waves: eight sums for each output, whatever
+// the width, which are added in a fixed order at the end, so that every instruction set gives the same bits.
+//
+// Phases are turns in 32-bit integers. On a lattice they are bins times the place within the tile, exact; a free wave's
+// are worked out in double and reduced.
+
+#include "core/waves/waves_sum.h"
+
+#define SUM_LANES 8
+#define SUM_CHUNK 64
+#define SUM_POINTS 64
+
+// Outputs that a point collects.
+enum
+{
+    SUM_DISPLACEMENT, // 3
+    SUM_GRADIENTS = 3, // 6
+    SUM_VELOCITY = 9,  // 3
+    SUM_ACCELERATION = 12, // 3
+    SUM_COUNT = 15,
+    SUM_HEAD = SUM_DISPLACEMENT // of the water below
+};
+
+typedef enum SumKind
+{
+    SUM_SURFACE,
+    SUM_SURFACE_GRADIENTS,
+    SUM_SURFACE_ALL,
+    SUM_BELOW,
+    SUM_BELOW_FINITE
+} SumKind;
+
+typedef struct WaveChunk
+{
+    int count; // rounded up to SUM_LANES with waves of no height
+    float re[SUM_CHUNK], im[SUM_CHUNK];
+    float rateRe[SUM_CHUNK], rateIm[SUM_CHUNK];
+    float kx[SUM_CHUNK], kz[SUM_CHUNK]; // rad/m
+    float dx[SUM_CHUNK], dz[SUM_CHUNK]; // chop
+    float square[SUM_CHUNK];            // omega^2
+    float overSinh[SUM_CHUNK], overCosh[SUM_CHUNK]; // 1 / (1 -+ exp(-2 k depth))
+    float k[SUM_CHUNK];
+    float unitX[SUM_CHUNK], unitZ[SUM_CHUNK];                 // of k
+    uint32_t binX[SUM_CHUNK], binZ[SUM_CHUNK];    // of a lattice
+    double turnsX[SUM_CHUNK], turnsZ[SUM_CHUNK];  // of free waves, turns per metre
+} WaveChunk;
+
+typedef struct PointSum
+{
+    float lanes[SUM_COUNT][SUM_LANES];
+} PointSum;
+
+static void clearTail(WaveChunk* chunk, int count)
+{
+    chunk->count = (count + SUM_LANES - 1) / SUM_LANES * SUM_LANES;
+    for (int i = count; i < chunk->count; ++i)
+    {
+        chunk->re[i] = chunk->im[i] = chunk->rateRe[i] = chunk->rateIm[i] = 0.0f;
+        chunk->kx[i] = chunk->kz[i] = chunk->dx[i] = chunk->dz[i] = chunk->square[i] = chunk->k[i] = 0.0f;
+        chunk->unitX[i] = chunk->unitZ[i] = 0.0f;
+        chunk->binX[i] = chunk->binZ[i] = 0;
+        chunk->turnsX[i] = chunk->turnsZ[i] = 0.0;
+    }
+}
+
+// How a wave of k fades with depth.
+static void fillDepth(WaveChunk* chunk, float depth)
+{
+    for (int i = 0; i < chunk->count; i += SW_WIDTH)
+    {
+        swWide one = swSplatW(1.0f);
+        swWide fade = swSplatW(0.0f);
+        if (depth < 1e9f)
+        {
+            fade = swExpW(swMulW(swLoadW(chunk->k + i), swSplatW(-2.0f * depth)));
+        }
+        float down[SW_WIDTH];
+        swStoreW(down, swSubW(one, fade));
+        float up[SW_WIDTH];
+        swStoreW(up, swAddW(one, fade));
+        for (int lane = 0; lane < SW_WIDTH; ++lane)
+        {
+            chunk->overSinh[i + lane] = down[lane] > 0.0f ? 1.0f / down[lane] : 0.0f;
+            chunk->overCosh[i + lane] = 1.0f / up[lane];
+        }
+    }
+}
+
+static void fillTileChunk(const swTile* tile, const swMode* modes, int count, int64_t ticks, WaveChunk* chunk)
+{
+    float dk = (float)(6.283185307179586 / tile->side);
+    for (int i = 0; i < count; ++i)
+    {
+        const swMode* m = modes + i;
+        uint64_t frequency = ((uint64_t)m->frequencyHigh << 32) | m->frequencyLow;
+        float s, c;
+        swSinCosTurns((uint32_t)((frequency * (uint64_t)ticks) >> 32), &s, &c);
+        int qx = m->qx < 0 ? -m->qx : m->qx;
+        float scale = 2.0f * tile->weight * (tile->response[qx] * tile->response[m->qz]);
+        float omega = getModeOmega(frequency);
+        chunk->re[i] = scale * (m->pr * c + m->qi * s);
+        chunk->im[i] = scale * (m->pi * c - m->qr * s);
+        chunk->rateRe[i] = scale * omega * (m->qi * c - m->pr * s);
+        chunk->rateIm[i] = -scale * omega * (m->pi * s + m->qr * c);
+        chunk->square[i] = omega * omega;
+        chunk->kx[i] = dk * (float)m->qx;
+        chunk->kz[i] = dk * (float)m->qz;
+        chunk->k[i] = dk * sqrtf((float)(m->qx * m->qx + m->qz * m->qz));
+        chunk->unitX[i] = chunk->kx[i] / chunk->k[i];
+        chunk->unitZ[i] = chunk->kz[i] / chunk->k[i];
+        chunk->dx[i] = m->dx;
+        chunk->dz[i] = m->dz;
+        chunk->binX[i] = (uint32_t)(int32_t)m->qx;
+        chunk->binZ[i] = (uint32_t)(int32_t)m->qz;
+    }
+    clearTail(chunk, count);
+    fillDepth(chunk, tile->depth);
+}
+
+static void fillFreeChunk(const swFreeWave* waves, int count, int64_t ticks, WaveChunk* chunk)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        const swFreeWave* w = waves + i;
+        int64_t waveTicks = swGetFreeWaveTicks(w, ticks);
+        float s, c;
+        swSinCosTurns(w->phase - (uint32_t)((w->frequency * (uint64_t)waveTicks) >> 32), &s, &c);
+        float omega = getModeOmega(w->frequency);
+        chunk->re[i] = w->amplitude * c;
+        chunk->im[i] = w->amplitude * s;
+        chunk->rateRe[i] = omega * chunk->im[i];
+        chunk->rateIm[i] = -omega * chunk->re[i];
+        chunk->square[i] = omega * omega;
+        chunk->kx[i] = (float)(6.283185307179586 * w->turnsX);
+        chunk->kz[i] = (float)(6.283185307179586 * w->turnsZ);
+        chunk->k[i] = sqrtf(chunk->kx[i] * chunk->kx[i] + chunk->kz[i] * chunk->kz[i]);
+        chunk->unitX[i] = chunk->kx[i] / chunk->k[i];
+        chunk->unitZ[i] = chunk->kz[i] / chunk->k[i];
+        chunk->dx[i] = w->dx;
+        chunk->dz[i] = w->dz;
+        chunk->turnsX[i] = w->turnsX;
+        chunk->turnsZ[i] = w->turnsZ;
+    }
+    clearTail(chunk, count);
+    fillDepth(chunk, waves->depth);
+}
+
+// Turns of theta at a place within a tile, given as fractions of its side.
+static inline void fillLatticePhases(const WaveChunk* chunk, uint32_t placeX, uint32_t placeZ, uint32_t* phases)
+{
+    swWideI x = swSplatI(placeX);
+    swWideI z = swSplatI(placeZ);
+    for (int i = 0; i < chunk->count; i += SW_WIDTH)
+    {
+        swWideI turns = swAddI(swMulI(swLoadI(chunk->binX + i), x), swMulI(swLoadI(chunk->binZ + i), z));
+        swStoreI(phases + i, turns);
+    }
+}
+
+// The fraction of t in turns as 32 bits. Adding 3 * 2^51 leaves the nearest integer, adding 3 * 2^19 moves 2^-32 to the
+// last bit.
+static inline uint32_t fractionOf(double t)
+{
+    const double whole = 6755399441055744.0;
+    double fraction = t - ((t + whole) - whole);
+    double shifted = fraction + 1572864.0;
+    uint64_t bits;
+    memcpy(&bits, &shifted, sizeof bits);
+    return (uint32_t)bits;
+}
+
+static inline void fillFreePhases(const WaveChunk* chunk, double x, double z, uint32_t* phases)
+{
+    for (int i = 0; i < chunk->count; ++i)
+    {
+        phases[i] = fractionOf(chunk->turnsX[i] * x + chunk->turnsZ[i] * z);
+    }
+}
+
+// One point's sums in lanes [lane, lane + SW_WIDTH) over the chunk. `kind` is a constant where this is inlined.
+static inline void addLanes(const WaveChunk* w, SumKind kind, const uint32_t* phases, float height, float twiceDepth,
+                            int lane, PointSum* sum)
+{
+    swWide acc[SUM_COUNT];
+    for (int o = 0; o < SUM_COUNT; ++o)
+    {
+        acc[o] = swLoadW(sum->lanes[o] + lane);
+    }
+    for (int i = lane; i < w->count; i += SUM_LANES)
+    {
+        swWide sine, cosine;
+        swSinCosTurnsW(swLoadI(phases + i), &sine, &cosine);
+        swWide re = swLoadW(w->re + i), im = swLoadW(w->im + i);
+        swWide c = swSubW(swMulW(re, cosine), swMulW(im, sine));
+        swWide s = swAddW(swMulW(re, sine), swMulW(im, cosine));
+        swWide dx = swLoadW(w->dx + i), dz = swLoadW(w->dz + i);
+        if (kind <= SUM_SURFACE_ALL)
+        {
+            acc[0] = swSubW(acc[0], swMulW(dx, s));
+            acc[1] = swAddW(acc[1], c);
+            acc[2] = swSubW(acc[2], swMulW(dz, s));
+        }
+        if (kind == SUM_SURFACE_GRADIENTS || kind == SUM_SURFACE_ALL)
+        {
+            swWide kx = swLoadW(w->kx + i), kz = swLoadW(w->kz + i);
+            swWide alongX = swMulW(kx, c), alongZ = swMulW(kz, c);
+            acc[3] = swSubW(acc[3], swMulW(dx, alongX));
+            acc[4] = swSubW(acc[4], swMulW(dx, alongZ));
+            acc[5] = swSubW(acc[5], swMulW(dz, alongX));
+            acc[6] = swSubW(acc[6], swMulW(dz, alongZ));
+            acc[7] = swSubW(acc[7], swMulW(kx, s));
+            acc[8] = swSubW(acc[8], swMulW(kz, s));
+        }
+        if (kind >= SUM_SURFACE_ALL)
+        {
+            swWide rateRe = swLoadW(w->rateRe + i), rateIm = swLoadW(w->rateIm + i);
+            swWide square = swLoadW(w->square + i);
+            swWide rateC = swSubW(swMulW(rateRe, cosine), swMulW(rateIm, sine));
+            swWide rateS = swAddW(swMulW(rateRe, sine), swMulW(rateIm, cosine));
+            swWide vertical = swSplatW(1.0f);
+            if (kind >= SUM_BELOW)
+            {
+                swWide k = swLoadW(w->k + i);
+                swWide down = swExpW(swMulW(k, swSplatW(height)));
+                swWide up = swSplatW(0.0f);
+                swWide horizontal = down;
+                vertical = down;
+                if (kind == SUM_BELOW_FINITE)
+                {
+                    up = swExpW(swMulW(k, swSplatW(-height - twiceDepth)));
+                    swWide overSinh = swLoadW(w->overSinh + i);
+                    horizontal = swMulW(swAddW(down, up), overSinh);
+                    vertical = swMulW(swSubW(down, up), overSinh);
+                }
+                swWide pressure = swMulW(swAddW(down, up), swLoadW(w->overCosh + i));
+                acc[SUM_HEAD] = swAddW(acc[SUM_HEAD], swMulW(pressure, c));
+                dx = swMulW(swLoadW(w->unitX + i), horizontal); // linear theory knows no chop
+                dz = swMulW(swLoadW(w->unitZ + i), horizontal);
+            }
+            swWide squareS = swMulW(square, s), squareC = swMulW(square, c);
+            acc[9] = swSubW(acc[9], swMulW(dx, rateS));
+            acc[10] = swAddW(acc[10], swMulW(vertical, rateC));
+            acc[11] = swSubW(acc[11], swMulW(dz, rateS));
+            acc[12] = swAddW(acc[12], swMulW(dx, squareS));
+            acc[13] = swSubW(acc[13], swMulW(vertical, squareC));
+            acc[14] = swAddW(acc[14], swMulW(dz, squareS));
+        }
+    }
+    for (int o = 0; o < SUM_COUNT; ++o)
+    {
+        swStoreW(sum->lanes[o] + lane, acc[o]);
+    }
+}
+
+static void addChunk(const WaveChunk* chunk, SumKind kind, const uint32_t* phases, float height, float depth,
+                     PointSum* sum)
+{
+    for (int lane = 0; lane < SUM_LANES; lane += SW_WIDTH)
+    {
+        switch (kind)
+        {
+        case SUM_SURFACE:
+            addLanes(chunk, SUM_SURFACE, phases, 0.0f, 0.0f, lane, sum);
+            break;
+        case SUM_SURFACE_GRADIENTS:
+            addLanes(chunk, SUM_SURFACE_GRADIENTS, phases, 0.0f, 0.0f, lane, sum);
+            break;
+        case SUM_SURFACE_ALL:
+            addLanes(chunk, SUM_SURFACE_ALL, phases, 0.0f, 0.0f, lane, sum);
+            break;
+        case SUM_BELOW:
+            addLanes(chunk, SUM_BELOW, phases, height, 0.0f, lane, sum);
+            break;
+        case SUM_BELOW_FINITE:
+            addLanes(chunk, SUM_BELOW_FINITE, phases, height, 2.0f * depth, lane, sum);
+            break;
+        }
+    }
+}
+
+static float addUpLanes(const float* lanes)
+{
+    return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
+}
+
+static void addVector(const PointSum* sum, int first, float* to)
+{
+    for (int c = 0; c < 3; ++c)
+    {
+        to[c] += addUpLanes(sum->lanes[first + c]);
+    }
+}
+
+static void addSurface(const PointSum* sum, const swSurfaceSums* to, int point)
+{
+    addVector(sum, SUM_DISPLACEMENT, to->displacement[point]);
+    if (to->gradients != NULL)
+    {
+        addVector(sum, SUM_GRADIENTS, to->gradients[point]);
+        addVector(sum, SUM_GRADIENTS + 3, to->gradients[point] + 3);
+    }
+    if (to->velocity != NULL)
+    {
+        addVector(sum, SUM_VELOCITY, to->velocity[point]);
+        addVector(sum, SUM_ACCELERATION, to->acceleration[point]);
+    }
+}
+
+static void addBelow(const PointSum* sum, const swDepthSums* to, int point)
+{
+    to->head[point] += addUpLanes(sum->lanes[SUM_HEAD]);
+    addVector(sum, SUM_VELOCITY, to->velocity[point]);
+    addVector(sum, SUM_ACCELERATION, to->acceleration[point]);
+}
+
+static SumKind chooseSurface(const swSurfaceSums* sums)
+{
+    if (sums->velocity != NULL)
+    {
+        return SUM_SURFACE_ALL;
+    }
+    return sums->gradients != NULL ? SUM_SURFACE_GRADIENTS : SUM_SURFACE;
+}
+
+// What a block of points needs of one tile.
+typedef struct BlockPlaces
+{
+    uint32_t x[SUM_POINTS], z[SUM_POINTS];
+} BlockPlaces;
+
+static void addTileToBlock(const swTile* tile, SumKind kind, int64_t ticks, int count, const swPosXZ* points,
+                           const float* heights, PointSum* sums)
+{
+    BlockPlaces places;
+    double perMetre = 1.0 / tile->side;
+    for (int i = 0; i < count; ++i)
+    {
+        places.x[i] = fractionOf(points[i].x * perMetre);
+        places.z[i] = fractionOf(points[i].z * perMetre);
+    }
+    int64_t tileTicks = swGetTileTicks(tile, ticks);
+    bool isFinite = tile->depth < 1e9f;
+    kind = kind == SUM_BELOW && isFinite ? SUM_BELOW_FINITE : kind;
+    for (int first = 0; first < tile->modeCount; first += SUM_CHUNK)
+    {
+        int left = tile->modeCount - first;
+        WaveChunk chunk;
+        fillTileChunk(tile, tile->modes + first, left < SUM_CHUNK ? left : SUM_CHUNK, tileTicks, &chunk);
+        for (int i = 0; i < count; ++i)
+        {
+            uint32_t phases[SUM_CHUNK];
+            fillLatticePhases(&chunk, places.x[i], places.z[i], phases);
+            float height = heights != NULL ? swClampHeight(heights[i], tile->depth) : 0.0f;
+            addChunk(&chunk, kind, phases, height, tile->depth, &sums[i]);
+        }
+    }
+}
+
+static void addFreeToBlock(int waveCount, const swFreeWave* waves, SumKind kind, int64_t ticks, int count,
+                           const swPosXZ* points, const float* heights, PointSum* sums)
+{
+    for (int first = 0; first < waveCount;)
+    {
+        // A chunk has one depth.
+        int end = first + 1;
+        while (end < waveCount && end - first < SUM_CHUNK && waves[end].depth == waves[first].depth)
+        {
+            end += 1;
+        }
+        float depth = waves[first].depth;
+        WaveChunk chunk;
+        fillFreeChunk(waves + first, end - first, ticks, &chunk);
+        SumKind chunkKind = kind == SUM_BELOW && depth < 1e9f ? SUM_BELOW_FINITE : kind;
+        for (int i = 0; i < count; ++i)
+        {
+            uint32_t phases[SUM_CHUNK];
+            fillFreePhases(&chunk, points[i].x, points[i].z, phases);
+            float height = heights != NULL ? swClampHeight(heights[i], depth) : 0.0f;
+            addChunk(&chunk, chunkKind, phases, height, depth, &sums[i]);
+        }
+        first = end;
+    }
+}
+
+// Tiles, or free waves where there are none; the surface, or the water below.
+static void sumWaves(const swWaveSumJob* job)
+{
+    SumKind kind = job->surface != NULL ? chooseSurface(job->surface) : SUM_BELOW;
+    for (int first = 0; first < job->count; first += SUM_POINTS)
+    {
+        int count = job->count - first < SUM_POINTS ? job->count - first : SUM_POINTS;
+        const swPosXZ* points = job->points + first;
+        const float* heights = job->heights != NULL ? job->heights + first : NULL;
+        PointSum sums[SUM_POINTS];
+        memset(sums, 0, (size_t)count * sizeof sums[0]);
+        for (int tile = 0; tile < job->tileCount; ++tile)
+        {
+            addTileToBlock(job->tiles + tile, kind, job->ticks, count, points, heights, sums);
+        }
+        addFreeToBlock(job->waveCount, job->waves, kind, job->ticks, count, points, heights, sums);
+        for (int i = 0; i < count; ++i)
+        {
+            if (job->surface != NULL)
+            {
+                addSurface(&sums[i], job->surface, first + i);
+            }
+            else
+            {
+                addBelow(&sums[i], job->below, first + i);
+            }
+        }
+    }
+}
