@@ -156,7 +156,7 @@ typedef struct swSpectrumDef
     swOctaves octaves;
 
     /// Depth of the water, m: for the waves' lengths and speeds, omega^2 = (g k + sigma k^3) tanh(k depth), with the
-    /// world's gravity and surface tension. Range (0, inf]. Default infinite.
+    /// world's gravity and surface tension. Range [0.001, inf]. Default infinite.
     float depth;
 
     /// For SW_SPECTRUM_TABLE. Read only during the call that takes the def. Default NULL.

@@ -80,8 +80,9 @@ static swResult readOctave(swYaml* yaml, yaml_node_t* node, swOctavesText* text)
     int index = nodes.nodes[WAVELENGTH] != NULL ? findOctave(read.wavelength) : -1;
     if (index < 0)
     {
-        return swFailYaml(yaml, nodes.nodes[WAVELENGTH] != NULL ? nodes.nodes[WAVELENGTH] : node,
-                          "an octave needs a wavelength_m that is a power of two from 0.0625 to 512, its shortest wave.");
+        return swFailYaml(
+            yaml, nodes.nodes[WAVELENGTH] != NULL ? nodes.nodes[WAVELENGTH] : node,
+            "an octave needs a wavelength_m that is a power of two from 0.0625 to 512, its shortest wave.");
     }
     if (text->hasPower[index] || text->hasEnabled[index] || text->hasChop[index] || text->hasGravity[index])
     {

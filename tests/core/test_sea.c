@@ -33,8 +33,7 @@ static void BeaufortsNumbersHaveTheirHeights(void** state)
     (void)state;
     // Probable heights in the open sea, and the winds between which the numbers lie.
     static const double heights[13] = {0.0, 0.1, 0.2, 0.6, 1.0, 2.0, 3.0, 4.0, 5.5, 7.0, 9.0, 11.5, 14.0};
-    static const double winds[14] = {0.0,  0.3,  1.6,  3.4,  5.5,  8.0,  10.8,
-                                     13.9, 17.2, 20.8, 24.5, 28.5, 32.7, 40.0};
+    static const double winds[14] = {0.0, 0.3, 1.6, 3.4, 5.5, 8.0, 10.8, 13.9, 17.2, 20.8, 24.5, 28.5, 32.7, 40.0};
     for (int i = 1; i <= 12; ++i)
     {
         swSpectrumDef def = swMakeBeaufortSpectrum((float)i, 1.5f);
@@ -219,6 +218,38 @@ static void ASeaHasTheEnergyOfAllItsSystems(void** state)
     swDestroyWorld(world);
 }
 
+static void EverySpectrumAndSpreadingMakesItsEnergy(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.enableQueries = false;
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    double worst = 0.0;
+    for (int i = 0; i < SW_SPECTRUM_TABLE * SW_SPREADING_KIND_COUNT; ++i)
+    {
+        swWaveSystemDef def = swDefaultWaveSystemDef();
+        def.resolution = 32;
+        def.tileWaves = 8;
+        def.spectrum.kind = (swSpectrumKind)(i / SW_SPREADING_KIND_COUNT);
+        def.spectrum.spreading = (swSpreadingKind)(i % SW_SPREADING_KIND_COUNT);
+        def.spectrum.turbulence = 0.1f;
+        def.spectrum.swell = 0.3f;
+        def.spectrum.depth = 25.0f;
+        def.spectrum.significantHeight = 2.0f;
+        swWaveSystemId id;
+        assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+        swSeaState sea;
+        assert_int_equal(swSpectrum_GetSeaState(&def.spectrum, 0.0f, 5.18f, &sea), SW_SUCCESS); // 0.0625 m
+        worst = fmax(worst, fabs(4.0 * sqrt(GetVariance(world, id)) / (double)sea.significantHeight - 1.0));
+        swDestroyWaveSystem(world, id);
+    }
+    print_message("36 systems: worst height off by %.1e\n", worst);
+    assert_true(worst < 1e-3);
+    swDestroyWorld(world);
+}
+
 static void ACalmIsNoError(void** state)
 {
     (void)state;
@@ -285,9 +316,13 @@ static void AFailureLeavesNothingBehind(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(BeaufortsNumbersHaveTheirHeights), cmocka_unit_test(StatesOfTheSeaLieInTheirRanges),
-        cmocka_unit_test(WindSeasGrowAndStop),              cmocka_unit_test(SwellsAreAsAsked),
-        cmocka_unit_test(ASeaHasTheEnergyOfAllItsSystems),  cmocka_unit_test(ACalmIsNoError),
+        cmocka_unit_test(BeaufortsNumbersHaveTheirHeights),
+        cmocka_unit_test(StatesOfTheSeaLieInTheirRanges),
+        cmocka_unit_test(WindSeasGrowAndStop),
+        cmocka_unit_test(SwellsAreAsAsked),
+        cmocka_unit_test(ASeaHasTheEnergyOfAllItsSystems),
+        cmocka_unit_test(EverySpectrumAndSpreadingMakesItsEnergy),
+        cmocka_unit_test(ACalmIsNoError),
         cmocka_unit_test(AFailureLeavesNothingBehind),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -60,10 +60,10 @@ static void ExponentsAreThePublishedOnes(void** state)
 {
     (void)state;
     // 10 m/s over 100 km, omega_p = 1.03912: w, s of Mitsuyasu, s of Hasselmann, beta and D(0) of Donelan and Banner.
-    static const double rows[][5] = {
-        {0.5, 0.311, 0.418, 1.0600, 0.5314}, {0.8, 3.263, 2.817, 1.9528, 0.9764}, {0.95, 7.706, 5.660, 2.4372, 1.2186},
-        {1.0, 9.959, 6.970, 2.2800, 1.1400}, {1.2, 6.313, 6.578, 1.7989, 0.8995}, {1.6, 3.075, 3.524, 1.2375, 0.6193},
-        {2.0, 1.760, 2.172, 0.9603, 0.4825}, {3.0, 0.639, 0.901, 0.6942, 0.3561}};
+    static const double rows[][5] = {{0.5, 0.311, 0.418, 1.0600, 0.5314},  {0.8, 3.263, 2.817, 1.9528, 0.9764},
+                                     {0.95, 7.706, 5.660, 2.4372, 1.2186}, {1.0, 9.959, 6.970, 2.2800, 1.1400},
+                                     {1.2, 6.313, 6.578, 1.7989, 0.8995},  {1.6, 3.075, 3.524, 1.2375, 0.6193},
+                                     {2.0, 1.760, 2.172, 0.9603, 0.4825},  {3.0, 0.639, 0.901, 0.6942, 0.3561}};
     for (int i = 0; i < 8; ++i)
     {
         double ratio = rows[i][0], omega = 1.03912 * ratio;
@@ -96,7 +96,7 @@ static void CosinesAreThePublishedOnes(void** state)
         assert_true(fabs((double)sea.spread * 180.0 / SW_PI - rows[i][2]) < 1e-3);
     }
     // s = 10 at multiples of 18 degrees.
-    static const double shape[] = {0.903278127,  0.705050192,  0.331091480,   0.0898336768,  0.0130308992,
+    static const double shape[] = {0.903278127,   0.705050192,   0.331091480,   0.0898336768,  0.0130308992,
                                    8.82107546e-4, 2.18874516e-5, 1.24955907e-7, 5.69467280e-11};
     double scale = swGetCosineSpreadScale(10.0);
     for (int i = 0; i < 9; ++i)
@@ -142,8 +142,8 @@ static void EveryDistributionIntegratesToOneAndHasItsMoments(void** state)
     int count = 0;
     for (int i = 0; i < 9 * SW_SPREADING_KIND_COUNT * SW_SPECTRUM_TABLE; ++i)
     {
-        swSpectrumDef def = MakeDef((swSpreadingKind)(i / 9 % SW_SPREADING_KIND_COUNT), turbulences[i % 3],
-                                    swells[i / 3 % 3]);
+        swSpectrumDef def =
+            MakeDef((swSpreadingKind)(i / 9 % SW_SPREADING_KIND_COUNT), turbulences[i % 3], swells[i / 3 % 3]);
         def.kind = (swSpectrumKind)(i / (9 * SW_SPREADING_KIND_COUNT));
         swCompiledSpectrum* spectrum = Compile(&def);
         for (double f = 0.03; f < 8.0; f *= 1.7)

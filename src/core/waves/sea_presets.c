@@ -76,7 +76,7 @@ static swSpectrumDef makeSeaOfHeight(double wind, double height, double directio
 
 // Probable heights in the open sea, m, by Beaufort's number [WMO 2019]; one more so that the state of the sea can go on.
 #define BEAUFORT_COUNT 14
-static const double beaufortHeights[BEAUFORT_COUNT] = {0.0, 0.1, 0.2, 0.6, 1.0, 2.0, 3.0,
+static const double beaufortHeights[BEAUFORT_COUNT] = {0.0, 0.1, 0.2, 0.6, 1.0,  2.0,  3.0,
                                                        4.0, 5.5, 7.0, 9.0, 11.5, 14.0, 17.0};
 
 static double getBeaufortWind(double number)

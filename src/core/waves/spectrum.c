@@ -80,13 +80,6 @@ void swAddSpectrumMoments(swSpectrumMoments* moments, const swCompiledSpectrum* 
         double k = swGetWaveNumber(&spectrum->dispersion, omega);
         moments->slope += variance * k * k;
     }
-    if (moments->isFull && spectrum->kind != SW_SPECTRUM_TABLE)
-    {
-        double r1, r2;
-        swSpread spread = swFindSpread(&spectrum->spreading, omega);
-        swGetSpreadMoments(&spread, &r1, &r2);
-        moments->r1 += variance * r1;
-    }
 }
 
 void swAddSpectrumPanel(swSpectrumMoments* moments, swSpectrumDensityFcn density, const swCompiledSpectrum* spectrum,
@@ -94,12 +87,22 @@ void swAddSpectrumPanel(swSpectrumMoments* moments, swSpectrumDensityFcn density
 {
     double middle = 0.5 * (omega0 + omega1);
     double half = 0.5 * (omega1 - omega0);
+    double zero = moments->zero, one = moments->one;
     for (int i = 0; i < 4; ++i)
     {
         double low = middle - half * gaussNodes[i];
         double high = middle + half * gaussNodes[i];
         swAddSpectrumMoments(moments, spectrum, low, half * gaussWeights[i] * density(spectrum, low));
         swAddSpectrumMoments(moments, spectrum, high, half * gaussWeights[i] * density(spectrum, high));
+    }
+    double variance = moments->zero - zero;
+    if (moments->isFull && spectrum->kind != SW_SPECTRUM_TABLE && variance > 0.0)
+    {
+        // Directions change slowly: one look at the panel's mean frequency.
+        double r1, r2;
+        swSpread spread = swFindSpread(&spectrum->spreading, (moments->one - one) / variance);
+        swGetSpreadMoments(&spread, &r1, &r2);
+        moments->r1 += variance * r1;
     }
 }
 

@@ -134,7 +134,7 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
     }
     if (!checkRange(complaint, "significantHeight", def->significantHeight, 0.0, 40.0, false) ||
         !checkRange(complaint, "direction", def->direction, -1000.0, 1000.0, false) ||
-        !checkRange(complaint, "depth", def->depth, 0.0, (double)INFINITY, true))
+        !checkRange(complaint, "depth", def->depth, 0.001, (double)INFINITY, false))
     {
         return false;
     }

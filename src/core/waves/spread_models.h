@@ -16,10 +16,10 @@ typedef struct swSpreadModel
     double turbulence; // part that goes everywhere
     double swell;
     double peakOmega;
-    double windRatio;    // wind over the phase speed of the peak: how young the sea is
-    double friction;     // ELFOUHAILY: friction velocity, m/s
-    swDispersion deep;   // ELFOUHAILY: of deep water
-    bool hasScales;      // swTabulateSpreadScales() was called
+    double windRatio;                  // wind over the phase speed of the peak: how young the sea is
+    double friction;                   // ELFOUHAILY: friction velocity, m/s
+    swDispersion deep;                 // ELFOUHAILY: of deep water
+    bool hasScales;                    // swTabulateSpreadScales() was called
     double scales[3][SW_SPREAD_NODES]; // DONELAN_BANNER with swell: normalisers below, at and above the peak
 } swSpreadModel;
 
