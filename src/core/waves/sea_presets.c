@@ -120,6 +120,7 @@ swSpectrumDef swMakeSwellSpectrum(float significantHeight, float peakPeriod, flo
     double width = limitTo((double)spread, 0.1, 1.41);
     swSpectrumDef def = swDefaultSpectrumDef();
     def.kind = SW_SPECTRUM_JONSWAP;
+    def.windSpeed = 1.0f; // it has left its wind behind
     def.significantHeight = (float)limitTo((double)significantHeight, LEAST_HEIGHT, 40.0);
     def.peakPeriod = (float)limitTo((double)peakPeriod, 0.1, 60.0);
     def.gamma = 7.0f; // dispersion has sorted it; coastal engineers take 3 to 10 [Goda 1985]
