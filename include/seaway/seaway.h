@@ -8,6 +8,7 @@
 #include "id.h"
 #include "math.h"
 #include "query.h"
+#include "sea.h"
 #include "spectrum.h"
 #include "view.h"
 #include "waves.h"

@@ -2,11 +2,13 @@
 // Scene files. Keys are snake case and carry their unit; docs/scenes.md lists them. What a file leaves out keeps the
 // default of the def that it fills.
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/base/host.h"
 #include "scene/scene_file.h"
+#include "scene/scene_octaves.h"
 #include "scene/yaml_read.h"
 #include "seaway/scene.h"
 
@@ -173,17 +175,39 @@ static swResult readWater(swYaml* yaml, yaml_node_t* node, void* target)
 
 // ---- wave systems ----
 
-// Words in the order of swSpectrumKind.
-static const char* const spectrumWords[] = {"jonswap", "pierson_moskowitz", "file", NULL};
+// In the order of swSpectrumKind, then what the one-knob functions make. The last two are not words of `spectrum` but
+// keys of their own.
+static const char* const spectrumWords[] = {
+    "jonswap", "pierson_moskowitz", "tma", "elfouhaily", "phillips", "octaves", "file", "wind_sea", "swell", NULL};
+static const char* const knobWords[] = {"beaufort", "sea_state"};
+
+enum
+{
+    WIND_SEA_KIND = SW_SPECTRUM_KIND_COUNT,
+    SWELL_KIND,
+    BEAUFORT_KIND,
+    SEA_STATE_KIND
+};
+
+// In the order of swSpreadingKind.
+static const char* const spreadingWords[] = {"cosine", "mitsuyasu",  "hasselmann", "donelan_banner",
+                                             "flat",   "elfouhaily", NULL};
 
 typedef struct WavesText
 {
     swSceneWaves* waves;
     int kind;
+    float beaufort, seaState;
+    float durationHours;
+    float spread;
+    int spreading;
+    swOctavesText octaves;
     char file[512];
     char at[32];
     swWaveSystemDef def;
 } WavesText;
+
+#define TEXT(member) offsetof(WavesText, member)
 
 #define SPECTRUM(member)                                                                                               \
     (offsetof(WavesText, def) + offsetof(swWaveSystemDef, spectrum) + offsetof(swSpectrumDef, member))
@@ -192,15 +216,27 @@ typedef struct WavesText
 enum
 {
     KIND,
+    BEAUFORT,
+    SEA_STATE,
     FILE_NAME,
     AT,
     WIND_SPEED,
     FETCH,
+    DURATION,
     GAMMA,
     HEIGHT,
     PEAK_PERIOD,
     DIRECTION,
+    SPREADING,
     SPREAD_EXPONENT,
+    SPREAD,
+    TURBULENCE,
+    ELONGATION,
+    OCTAVES,
+    OCTAVES_START,
+    MULTIPLIER,
+    GRAVITY_SCALE,
+    LIMIT_BY_WIND,
     TURN,
     EXTEND_TAIL,
     RESOLUTION,
@@ -215,8 +251,32 @@ enum
     WAVES_FIELD_COUNT
 };
 
+static swResult readOctavesKey(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    return swReadOctaves(yaml, node, &((WavesText*)target)->octaves);
+}
+
 static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [KIND] = {.key = "spectrum", .type = SW_YAML_CHOICE, .offset = offsetof(WavesText, kind), .words = spectrumWords},
+    [BEAUFORT] = {.key = "beaufort", .type = SW_YAML_FLOAT, .offset = TEXT(beaufort), .low = 0.0, .high = 12.0},
+    [SEA_STATE] = {.key = "sea_state", .type = SW_YAML_FLOAT, .offset = TEXT(seaState), .low = 0.0, .high = 9.0},
+    [DURATION] =
+        {.key = "duration_h", .type = SW_YAML_FLOAT, .offset = TEXT(durationHours), .low = 0.1, .high = 1000.0},
+    [SPREADING] = {.key = "spreading", .type = SW_YAML_CHOICE, .offset = TEXT(spreading), .words = spreadingWords},
+    [SPREAD] = {.key = "spread_deg", .type = SW_YAML_DEGREES, .offset = TEXT(spread), .low = 6.0, .high = 80.0},
+    [TURBULENCE] =
+        {.key = "turbulence", .type = SW_YAML_FLOAT, .offset = SPECTRUM(turbulence), .low = 0.0, .high = 1.0},
+    [ELONGATION] = {.key = "swell", .type = SW_YAML_FLOAT, .offset = SPECTRUM(swell), .low = 0.0, .high = 1.0},
+    [OCTAVES] = {.key = "octaves", .type = SW_YAML_CUSTOM, .read = readOctavesKey},
+    [OCTAVES_START] = {.key = "octaves_from",
+                       .type = SW_YAML_CHOICE,
+                       .offset = TEXT(octaves.start),
+                       .words = swOctaveStartWords},
+    [MULTIPLIER] =
+        {.key = "multiplier", .type = SW_YAML_FLOAT, .offset = TEXT(octaves.multiplier), .low = 0.0, .high = 10.0},
+    [GRAVITY_SCALE] =
+        {.key = "gravity_scale", .type = SW_YAML_FLOAT, .offset = TEXT(octaves.gravityScale), .low = 0.0, .high = 25.0},
+    [LIMIT_BY_WIND] = {.key = "limit_by_wind", .type = SW_YAML_BOOL, .offset = TEXT(octaves.limitByWind)},
     [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, file), .size = 512},
     [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, at), .size = 32},
     [WIND_SPEED] =
@@ -256,28 +316,148 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [SEED] = {.key = "seed", .type = SW_YAML_UINT, .offset = SYSTEM(seed), .low = 0.0, .high = 4294967295.0},
 };
 
+static const char* getKindWord(int kind)
+{
+    return kind >= BEAUFORT_KIND ? knobWords[kind - BEAUFORT_KIND] : spectrumWords[kind];
+}
+
+// `spectrum`, `beaufort` or `sea_state`: one of them, which is the kind.
+static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
+{
+    static const int fields[] = {KIND, BEAUFORT, SEA_STATE};
+    const yaml_node_t* second = NULL;
+    int count = 0;
+    for (int i = 0; i < COUNT(fields); ++i)
+    {
+        second = nodes->nodes[fields[i]] != NULL ? nodes->nodes[fields[i]] : second;
+        count += nodes->nodes[fields[i]] != NULL;
+    }
+    if (count == 0)
+    {
+        return swFailYaml(yaml, node,
+                          "the key spectrum is missing; it is jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
+                          "octaves, file, wind_sea or swell. Or give a number of beaufort or sea_state.");
+    }
+    if (count > 1)
+    {
+        return swFailYaml(yaml, second, "spectrum, beaufort and sea_state each make the waves; keep one of them.");
+    }
+    text->kind = nodes->nodes[BEAUFORT] != NULL    ? BEAUFORT_KIND
+                 : nodes->nodes[SEA_STATE] != NULL ? SEA_STATE_KIND
+                                                   : text->kind;
+    return SW_SUCCESS;
+}
+
+// Sets of kinds.
+#define ONE(kind) (1u << (kind))
+#define FILES ONE(SW_SPECTRUM_TABLE)
+#define FORMULAS (FILES - 1u) // all before it
+#define NUMBERS (ONE(BEAUFORT_KIND) | ONE(SEA_STATE_KIND))
+#define WIND_SEAS (ONE(WIND_SEA_KIND) | NUMBERS)
+#define GROWING (ONE(SW_SPECTRUM_JONSWAP) | ONE(SW_SPECTRUM_TMA))
+#define EQUALISERS ONE(SW_SPECTRUM_OCTAVES)
+
 // Keys that do not go with a kind of spectrum would have no effect: refused, so that nobody turns a dead knob.
 static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes* nodes)
 {
     static const struct
     {
         int field;
-        bool goesWith[SW_SPECTRUM_KIND_COUNT];
+        unsigned kinds;
     } rules[] = {
-        {FILE_NAME, {false, false, true}}, {AT, {false, false, true}},
-        {WIND_SPEED, {true, true, false}}, {FETCH, {true, false, false}},
-        {GAMMA, {true, false, false}},     {PEAK_PERIOD, {true, true, false}},
-        {DIRECTION, {true, true, false}},  {SPREAD_EXPONENT, {true, true, false}},
-        {TURN, {false, false, true}},      {EXTEND_TAIL, {false, false, true}},
+        {FILE_NAME, FILES},
+        {AT, FILES},
+        {TURN, FILES},
+        {EXTEND_TAIL, FILES},
+        {WIND_SPEED, FORMULAS | ONE(WIND_SEA_KIND)},
+        {FETCH, GROWING | ONE(SW_SPECTRUM_ELFOUHAILY) | ONE(WIND_SEA_KIND)},
+        {DURATION, ONE(WIND_SEA_KIND)},
+        {GAMMA, GROWING},
+        {HEIGHT, FORMULAS | FILES | ONE(SWELL_KIND)},
+        {PEAK_PERIOD, FORMULAS | ONE(SWELL_KIND)},
+        {DIRECTION, FORMULAS | WIND_SEAS | ONE(SWELL_KIND)},
+        {SPREADING, FORMULAS | WIND_SEAS},
+        {SPREAD_EXPONENT, FORMULAS | WIND_SEAS},
+        {SPREAD, ONE(SWELL_KIND)},
+        {TURBULENCE, FORMULAS | WIND_SEAS | ONE(SWELL_KIND)},
+        {ELONGATION, FORMULAS | WIND_SEAS | ONE(SWELL_KIND)},
+        {OCTAVES, EQUALISERS},
+        {OCTAVES_START, EQUALISERS},
+        {MULTIPLIER, EQUALISERS},
+        {GRAVITY_SCALE, EQUALISERS},
+        {LIMIT_BY_WIND, EQUALISERS},
     };
     for (int i = 0; i < COUNT(rules); ++i)
     {
         const yaml_node_t* node = nodes->nodes[rules[i].field];
-        if (node != NULL && !rules[i].goesWith[text->kind])
+        if (node != NULL && (rules[i].kinds & ONE(text->kind)) == 0)
         {
             return swFailYaml(yaml, node, "%s has no effect on the spectrum '%s'; remove it%s.",
-                              wavesFields[rules[i].field].key, spectrumWords[text->kind],
+                              wavesFields[rules[i].field].key, getKindWord(text->kind),
                               rules[i].field == DIRECTION ? ", or turn the measured sea with turn_deg" : "");
+        }
+    }
+    // Wind seas by one knob have a spreading of their own.
+    bool isCosine = nodes->nodes[SPREADING] != NULL ? text->spreading == SW_SPREADING_COSINE_2S
+                                                    : (WIND_SEAS & ONE(text->kind)) == 0;
+    if (nodes->nodes[SPREAD_EXPONENT] != NULL && !isCosine)
+    {
+        return swFailYaml(yaml, nodes->nodes[SPREAD_EXPONENT],
+                          "spread_exponent has an effect with spreading: cosine only; remove it, or say so.");
+    }
+    return SW_SUCCESS;
+}
+
+// What the one-knob functions make of these keys.
+static swSpectrumDef makeKnobSpectrum(const WavesText* text, const swYamlNodes* nodes)
+{
+    const swSpectrumDef* given = &text->def.spectrum;
+    switch (text->kind)
+    {
+    case BEAUFORT_KIND:
+        return swMakeBeaufortSpectrum(text->beaufort, given->direction);
+    case SEA_STATE_KIND:
+        return swMakeSeaStateSpectrum(text->seaState, given->direction);
+    case SWELL_KIND:
+        return swMakeSwellSpectrum(given->significantHeight, given->peakPeriod, given->direction, text->spread);
+    default:
+        return swMakeWindSeaSpectrum(given->windSpeed, nodes->nodes[FETCH] != NULL ? given->fetch : INFINITY,
+                                     nodes->nodes[DURATION] != NULL ? 3600.0f * text->durationHours : INFINITY,
+                                     given->direction);
+    }
+}
+
+static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
+{
+    swSpectrumDef* spectrum = &text->def.spectrum;
+    if (text->kind == SWELL_KIND && (nodes->nodes[HEIGHT] == NULL || nodes->nodes[PEAK_PERIOD] == NULL))
+    {
+        return swFailYaml(yaml, node, "a swell needs significant_height_m and peak_period_s.");
+    }
+    if (text->kind < SW_SPECTRUM_KIND_COUNT)
+    {
+        spectrum->kind = (swSpectrumKind)text->kind;
+        spectrum->spreading = (swSpreadingKind)text->spreading;
+    }
+    else
+    {
+        swSpectrumDef made = makeKnobSpectrum(text, nodes);
+        made.spreading = nodes->nodes[SPREADING] != NULL ? (swSpreadingKind)text->spreading : made.spreading;
+        made.spreadExponent = nodes->nodes[SPREAD_EXPONENT] != NULL ? spectrum->spreadExponent : made.spreadExponent;
+        made.turbulence = spectrum->turbulence;
+        made.swell = spectrum->swell;
+        made.depth = spectrum->depth;
+        *spectrum = made;
+    }
+    if (text->kind == SW_SPECTRUM_OCTAVES)
+    {
+        text->octaves.hasLimit = nodes->nodes[LIMIT_BY_WIND] != NULL;
+        swBuildOctaves(&text->octaves, spectrum);
+        swSeaState seaState;
+        if (swSpectrum_GetSeaState(spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
+        {
+            return swFailYaml(yaml, nodes->nodes[OCTAVES] != NULL ? nodes->nodes[OCTAVES] : node,
+                              "the octaves have no energy; enable one, or raise its power.");
         }
     }
     return SW_SUCCESS;
@@ -365,25 +545,19 @@ static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
     memset(&text, 0, sizeof(text));
     text.waves = waves;
     text.def = swDefaultWaveSystemDef();
+    text.spread = 0.157f; // 9 degrees
+    text.octaves.multiplier = 1.0f;
+    text.octaves.gravityScale = 1.0f;
     swYamlNodes nodes;
     swResult result = swReadYamlMapping(yaml, node, "waves", wavesFields, WAVES_FIELD_COUNT, &text, &nodes);
-    if (result == SW_SUCCESS && nodes.nodes[KIND] == NULL)
-    {
-        result = swFailYaml(yaml, node, "the key spectrum is missing; it is jonswap, pierson_moskowitz or file.");
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = checkKeys(yaml, &text, &nodes);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = checkSystem(yaml, node, &text.def, &nodes);
-    }
+    result = result == SW_SUCCESS ? chooseKind(yaml, node, &text, &nodes) : result;
+    result = result == SW_SUCCESS ? checkKeys(yaml, &text, &nodes) : result;
+    result = result == SW_SUCCESS ? checkSystem(yaml, node, &text.def, &nodes) : result;
+    result = result == SW_SUCCESS ? buildSpectrum(yaml, node, &text, &nodes) : result;
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    text.def.spectrum.kind = (swSpectrumKind)text.kind;
     waves->def = text.def;
     return text.kind == SW_SPECTRUM_TABLE ? readFileSpectrum(yaml, node, &text, &nodes) : SW_SUCCESS;
 }

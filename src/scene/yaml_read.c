@@ -200,7 +200,7 @@ static swResult readChoice(swYaml* yaml, yaml_node_t* node, const swYamlField* f
 {
     int size = 0;
     const char* text = getScalar(node, &size);
-    char known[400] = "";
+    char known[700] = "";
     for (int i = 0; field->words[i] != NULL; ++i)
     {
         if (text != NULL && isWord(text, size, field->words[i]))
@@ -298,7 +298,7 @@ static swResult failKey(const swYaml* yaml, const yaml_node_t* key, const char* 
 {
     int size = 0;
     const char* text = getScalar(key, &size);
-    char known[400] = "";
+    char known[700] = "";
     for (int i = 0; i < fieldCount; ++i)
     {
         listWord(known, sizeof(known), fields[i].key);

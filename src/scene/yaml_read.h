@@ -45,7 +45,7 @@ typedef struct swYamlField
     swResult (*read)(swYaml* yaml, yaml_node_t* node, void* target);
 } swYamlField;
 
-#define SW_YAML_MAX_FIELDS 32
+#define SW_YAML_MAX_FIELDS 64
 
 // Which node set each field; NULL where the file says nothing.
 typedef struct swYamlNodes

@@ -177,9 +177,29 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"view: {resolution: 100}\n", "a.yaml:1: resolution is 100; it must be a multiple of 64."},
         {"view: {finest_texel_m: 0.1}\n", "it must be a power of two"},
         {"view: {slice_count: 2.5}\n", "slice_count is 2.5; it must be a whole number"},
-        {"waves:\n  - spectrum: tma\n",
-         "a.yaml:2: spectrum is 'tma'; it must be one of: jonswap, pierson_moskowitz, file."},
+        {"waves:\n  - spectrum: tsunami\n",
+         "a.yaml:2: spectrum is 'tsunami'; it must be one of: jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
+         "octaves, file, wind_sea, swell."},
         {"waves:\n  - seed: 1\n", "a.yaml:2: the key spectrum is missing"},
+        {"waves:\n  - spectrum: tma\n    beaufort: 5\n", "a.yaml:3: spectrum, beaufort and sea_state each make"},
+        {"waves:\n  - beaufort: 13\n", "a.yaml:2: beaufort is 13; its range is 0 to 12."},
+        {"waves:\n  - sea_state: 3\n    wind_speed_mps: 4\n",
+         "a.yaml:3: wind_speed_mps has no effect on the spectrum 'sea_state'"},
+        {"waves:\n  - spectrum: jonswap\n    duration_h: 4\n", "a.yaml:3: duration_h has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    spreading: wide\n",
+         "a.yaml:3: spreading is 'wide'; it must be one of: cosine, mitsuyasu, hasselmann, donelan_banner, flat, "
+         "elfouhaily."},
+        {"waves:\n  - spectrum: jonswap\n    spreading: flat\n    spread_exponent: 4\n",
+         "a.yaml:4: spread_exponent has an effect with spreading: cosine only"},
+        {"waves:\n  - beaufort: 5\n    spread_exponent: 4\n", "a.yaml:3: spread_exponent has an effect"},
+        {"waves:\n  - spectrum: swell\n    peak_period_s: 12\n", "a.yaml:2: a swell needs significant_height_m"},
+        {"waves:\n  - spectrum: octaves\n    octaves:\n      - {power: 1}\n",
+         "a.yaml:4: an octave needs a wavelength_m"},
+        {"waves:\n  - spectrum: octaves\n    octaves:\n      - {wavelength_m: 3}\n", "a.yaml:4: an octave needs"},
+        {"waves:\n  - spectrum: octaves\n    octaves:\n      - {wavelength_m: 4, chop: 1}\n      - {wavelength_m: 4}\n",
+         "a.yaml:5: the octave of 4 m stands twice"},
+        {"waves:\n  - spectrum: octaves\n    multiplier: 0\n", "a.yaml:2: the octaves have no energy"},
+        {"waves:\n  - spectrum: phillips\n    octaves: []\n", "a.yaml:3: octaves has no effect"},
         {"waves:\n  - spectrum: pierson_moskowitz\n    fetch_m: 1e5\n", "a.yaml:3: fetch_m has no effect"},
         {"waves:\n  - spectrum: jonswap\n    wind_speed_mps: 0\n",
          "a.yaml:3: wind_speed_mps is 0; its range is 0.1 to 100"},
@@ -221,11 +241,70 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
     }
 }
 
+static void EverySpectrumCanBeWritten(void** state)
+{
+    (void)state;
+    static const char text[] = "waves:\n"
+                               "  - {spectrum: tma, depth_m: 8, gamma: 2.5, spreading: hasselmann, turbulence: 0.25}\n"
+                               "  - {spectrum: elfouhaily, fetch_m: 1e6, spreading: elfouhaily, swell: 0.5}\n"
+                               "  - {spectrum: phillips, wind_speed_mps: 9, spreading: donelan_banner}\n"
+                               "  - {spectrum: wind_sea, wind_speed_mps: 15, fetch_m: 2e5, duration_h: 6}\n"
+                               "  - {spectrum: swell, significant_height_m: 1.5, peak_period_s: 14, spread_deg: 10}\n"
+                               "  - {beaufort: 6.5, spreading: cosine, spread_exponent: 4, depth_m: 20}\n"
+                               "  - {sea_state: 4, direction_from_deg: 270}\n"
+                               "  - spectrum: octaves\n"
+                               "    octaves_from: swell\n"
+                               "    octaves:\n"
+                               "      - {wavelength_m: 64, power: -0.5, chop: 1.25, gravity_scale: 0.5}\n"
+                               "      - {wavelength_m: 128, enabled: false}\n"
+                               "      - {wavelength_m: 0.0625, power: -7}\n"
+                               "    multiplier: 1.5\n"
+                               "    gravity_scale: 2\n"
+                               "    limit_by_wind: false\n"
+                               "  - {spectrum: octaves, octaves_from: pierson_moskowitz, wind_speed_mps: 12}\n";
+    swScene* scene = NULL;
+    if (ReadText(text, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    const swSpectrumDef* tma = &scene->waves[0].def.spectrum;
+    assert_true(tma->kind == SW_SPECTRUM_TMA && tma->depth == 8.0f && tma->gamma == 2.5f &&
+                tma->spreading == SW_SPREADING_HASSELMANN && tma->turbulence == 0.25f);
+    const swSpectrumDef* unified = &scene->waves[1].def.spectrum;
+    assert_true(unified->kind == SW_SPECTRUM_ELFOUHAILY && unified->fetch == 1e6f && unified->swell == 0.5f &&
+                unified->spreading == SW_SPREADING_ELFOUHAILY);
+    const swSpectrumDef* phillips = &scene->waves[2].def.spectrum;
+    assert_true(phillips->kind == SW_SPECTRUM_PHILLIPS && phillips->spreading == SW_SPREADING_DONELAN_BANNER);
+    const swSpectrumDef* wind = &scene->waves[3].def.spectrum;
+    swSpectrumDef wanted = swMakeWindSeaSpectrum(15.0f, 2e5f, 6.0f * 3600.0f, 0.0f);
+    assert_true(wind->significantHeight == wanted.significantHeight && wind->peakPeriod == wanted.peakPeriod &&
+                wind->spreading == SW_SPREADING_HASSELMANN);
+    const swSpectrumDef* swell = &scene->waves[4].def.spectrum;
+    assert_true(swell->significantHeight == 1.5f && swell->peakPeriod == 14.0f && swell->gamma == 7.0f);
+    double width = 10.0 * SW_PI / 180.0;
+    assert_true(fabs((double)swell->spreadExponent - (2.0 / (width * width) - 1.0)) < 1e-3);
+    const swSpectrumDef* beaufort = &scene->waves[5].def.spectrum;
+    assert_true(beaufort->significantHeight == 3.5f && beaufort->spreading == SW_SPREADING_COSINE_2S &&
+                beaufort->spreadExponent == 4.0f && beaufort->depth == 20.0f);
+    const swSpectrumDef* slight = &scene->waves[6].def.spectrum;
+    assert_true(slight->significantHeight == 1.875f && IsNear(cos((double)slight->direction), 1.0));
+    const swOctaves* octaves = &scene->waves[7].def.spectrum.octaves;
+    assert_true(octaves->octaves[10].power == -0.5f && octaves->octaves[10].chop == 1.25f &&
+                octaves->octaves[10].gravityScale == 0.5f && octaves->octaves[10].isEnabled);
+    assert_true(!octaves->octaves[11].isEnabled && octaves->octaves[11].power == swDefaultOctaves().octaves[11].power);
+    assert_true(octaves->octaves[0].isEnabled && !octaves->octaves[1].isEnabled);
+    assert_true(octaves->multiplier == 1.5f && octaves->gravityScale == 2.0f && !octaves->limitByWind);
+    swSeaState made;
+    assert_int_equal(swSpectrum_GetSeaState(&scene->waves[8].def.spectrum, 0.0f, 0.0f, &made), SW_SUCCESS);
+    assert_true(fabs((double)made.significantHeight / (0.22027 * 144.0 / 9.81) - 1.0) < 0.01);
+    swDestroyScene(scene);
+}
+
 static void ShippedScenesMakeSeas(void** state)
 {
     (void)state;
-    static const char* const names[] = {"open_sea", "buoy", "gale"};
-    for (int i = 0; i < 3; ++i)
+    static const char* const names[] = {"open_sea", "buoy", "gale", "two_swells", "shallow_tma"};
+    for (int i = 0; i < 5; ++i)
     {
         swHost host = MakeHost();
         char path[512];
@@ -373,9 +452,13 @@ static void FailingMemoryLeavesNothingBehind(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(EveryKeyReachesItsField),          cmocka_unit_test(WhatIsLeftOutKeepsItsDefault),
-        cmocka_unit_test(WrongScenesAreNamedWithTheirLine), cmocka_unit_test(ShippedScenesMakeSeas),
-        cmocka_unit_test(PackedSetsAreFoundByTheirNames),   cmocka_unit_test(SummariesAreSeasToo),
+        cmocka_unit_test(EveryKeyReachesItsField),
+        cmocka_unit_test(WhatIsLeftOutKeepsItsDefault),
+        cmocka_unit_test(WrongScenesAreNamedWithTheirLine),
+        cmocka_unit_test(ShippedScenesMakeSeas),
+        cmocka_unit_test(EverySpectrumCanBeWritten),
+        cmocka_unit_test(PackedSetsAreFoundByTheirNames),
+        cmocka_unit_test(SummariesAreSeasToo),
         cmocka_unit_test(FailingMemoryLeavesNothingBehind),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

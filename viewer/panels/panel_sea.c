@@ -9,7 +9,8 @@
 static const char* GetKindName(void* context, int index)
 {
     (void)context;
-    return index == SW_SPECTRUM_PIERSON_MOSKOWITZ ? "Pierson-Moskowitz" : "JONSWAP";
+    static const char* const names[] = {"JONSWAP", "Pierson-Moskowitz", "TMA", "Elfouhaily", "Phillips", "octaves"};
+    return names[index];
 }
 
 static const char* GetRecordTime(void* context, int index)
@@ -27,6 +28,30 @@ static float ToBearing(float direction)
     return degrees < 0.0f ? degrees + 360.0f : degrees;
 }
 
+static const char* GetSpreadingName(void* context, int index)
+{
+    (void)context;
+    static const char* const names[] = {"cos^2s", "Mitsuyasu", "Hasselmann", "Donelan-Banner", "flat", "Elfouhaily"};
+    return names[index];
+}
+
+static bool DrawSpreading(swSpectrumDef* spectrum)
+{
+    int spreading = (int)spectrum->spreading;
+    bool hasChanged = UiChoice("spreading", &spreading, SW_SPREADING_KIND_COUNT, GetSpreadingName, NULL);
+    spectrum->spreading = (swSpreadingKind)spreading;
+    if (spreading == SW_SPREADING_COSINE_2S)
+    {
+        hasChanged |= UiSlider("spreading s", &spectrum->spreadExponent, 0.0f, 75.0f, "%.0f");
+        UiTip("cos^2s of half the angle: 0 is from all sides, 8 a wind sea, 75 a swell");
+    }
+    hasChanged |= UiSlider("turbulence", &spectrum->turbulence, 0.0f, 1.0f, "%.2f");
+    UiTip("Part of the energy that goes in all directions alike");
+    hasChanged |= UiSlider("swell", &spectrum->swell, 0.0f, 1.0f, "%.2f");
+    UiTip("Draws the longest waves out into parallel crests");
+    return hasChanged;
+}
+
 static bool DrawFormula(swSpectrumDef* spectrum)
 {
     int kind = (int)spectrum->kind;
@@ -34,9 +59,13 @@ static bool DrawFormula(swSpectrumDef* spectrum)
     float bearing = ToBearing(spectrum->direction);
     bool hasChanged = UiChoice("spectrum", &kind, SW_SPECTRUM_TABLE, GetKindName, NULL);
     hasChanged |= UiSlider("wind", &spectrum->windSpeed, 1.0f, 40.0f, "%.1f m/s");
-    if (kind == SW_SPECTRUM_JONSWAP)
+    bool hasGamma = kind == SW_SPECTRUM_JONSWAP || kind == SW_SPECTRUM_TMA;
+    if (hasGamma || kind == SW_SPECTRUM_ELFOUHAILY)
     {
         hasChanged |= UiLogSlider("fetch", &fetch, 1.0f, 2000.0f, "%.0f km");
+    }
+    if (hasGamma)
+    {
         hasChanged |= UiSlider("peak enhancement", &spectrum->gamma, 1.0f, 10.0f, "%.2f");
     }
     hasChanged |= UiSlider("height Hs", &spectrum->significantHeight, 0.0f, 20.0f,
@@ -48,8 +77,7 @@ static bool DrawFormula(swSpectrumDef* spectrum)
         spectrum->direction = SW_DIRECTION_FROM_BEARING((double)bearing);
         hasChanged = true;
     }
-    hasChanged |= UiSlider("spreading s", &spectrum->spreadExponent, 0.0f, 75.0f, "%.0f");
-    UiTip("cos^2s of half the angle: 0 is from all sides, 8 a wind sea, 75 a swell");
+    hasChanged |= DrawSpreading(spectrum);
     spectrum->kind = (swSpectrumKind)kind;
     spectrum->fetch = fetch * 1e3f;
     return hasChanged;

@@ -19,10 +19,10 @@
 typedef struct March
 {
     const swRay* ray;
-    double length; // of the direction
-    double x, y, z; // unit direction
-    double end;    // distance where it leaves the heights that count
-    double at;     // distance of the next look
+    double length;        // of the direction
+    double x, y, z;       // unit direction
+    double end;           // distance where it leaves the heights that count
+    double at;            // distance of the next look
     double before, after; // around the sign change
     float gapBefore, gapAfter;
     float side; // +1: began above, -1: below
@@ -139,8 +139,8 @@ static void lookAtOnce(const swQuery* query, int count, March* const* marches, L
         looks[i].normal = needsNormals ? swMakeNormal(gradients[i], &jacobian) : (swVec3){0.0f, 1.0f, 0.0f};
         if (marches[i]->ray->radius == 0.0f)
         {
-            looks[i].gap = (float)(marches[i]->ray->origin.y + marches[i]->y * marches[i]->at - query->seaLevel -
-                                   looks[i].height);
+            looks[i].gap =
+                (float)(marches[i]->ray->origin.y + marches[i]->y * marches[i]->at - query->seaLevel - looks[i].height);
         }
         else
         {
@@ -186,7 +186,8 @@ static void finishMarch(const swQuery* query, March* march, const Look* look, sw
     hit->fromBelow = march->side < 0.0f;
     double back = (double)look->gap;
     hit->point.x = hit->position.x - back * (double)look->normal.x;
-    hit->point.y = ray->radius > 0.0f ? hit->position.y - back * (double)look->normal.y : query->seaLevel + look->height;
+    hit->point.y =
+        ray->radius > 0.0f ? hit->position.y - back * (double)look->normal.y : query->seaLevel + look->height;
     hit->point.z = hit->position.z - back * (double)look->normal.z;
     if (ray->radius == 0.0f)
     {

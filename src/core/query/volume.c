@@ -206,8 +206,8 @@ swVec2 swFindStokesDrift(const swQuery* query, double depthBelow)
         const swFreeWave* wave = &query->waves[i];
         double turns = sqrt(wave->turnsX * wave->turnsX + wave->turnsZ * wave->turnsZ);
         double square = (double)wave->amplitude * (double)wave->amplitude;
-        double speed = square * getDrift(2.0 * SW_PI * turns, getOmegaOf(wave->frequency), (double)wave->depth,
-                                         depthBelow);
+        double speed =
+            square * getDrift(2.0 * SW_PI * turns, getOmegaOf(wave->frequency), (double)wave->depth, depthBelow);
         drift[0] += speed * wave->turnsX / turns;
         drift[1] += speed * wave->turnsZ / turns;
     }

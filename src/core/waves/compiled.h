@@ -8,6 +8,7 @@
 
 #include "core/base/host.h"
 #include "core/waves/spectrum.h"
+#include "core/waves/spread_models.h"
 #include "seaway/math.h"
 
 #define SW_TURN (2.0 * SW_PI)
@@ -21,6 +22,35 @@
 #define SW_STANDARD_GRAVITY 9.81
 #define SW_STANDARD_SURFACE_TENSION 7.4e-5
 
+#define SW_MAX_BREAKS (SW_OCTAVE_COUNT + 4)
+
+// [Elfouhaily 1997] by wave number.
+typedef struct swElfouhaily
+{
+    double gravity;
+    double peakNumber; // rad/m
+    double peakSpeed;  // m/s
+    double age;        // wind over the peak's phase speed
+    double longLevel;  // alpha_p
+    double shortLevel; // alpha_m
+    double gammaLn;
+    double sigma;
+} swElfouhaily;
+
+// The equaliser by frequency: ln S runs linearly over ln omega between edges, which descend as wavelengths grow.
+typedef struct swOctaveShape
+{
+    double omega[SW_OCTAVE_COUNT + 1];
+    double logOmega[SW_OCTAVE_COUNT + 1];
+    double logDensity[SW_OCTAVE_COUNT + 1];
+    bool isEnabled[SW_OCTAVE_COUNT];
+    bool isLimited;
+    double chop[SW_OCTAVE_COUNT];
+    double gravityScale[SW_OCTAVE_COUNT];
+    double wholeChop;
+    double wholeGravityScale;
+} swOctaveShape;
+
 struct swCompiledSpectrum
 {
     swSpectrumKind kind;
@@ -28,11 +58,14 @@ struct swCompiledSpectrum
     double direction; // mean direction of a formula; what a table turns by
 
     // Formulas.
-    double level; // alpha g^2, rescaled to the significant height
-    double peakOmega;
+    double level;     // alpha g^2, or a factor on the density; rescaled to the significant height
+    double peakOmega; // of the peak over deep water, or where the wind cuts the octaves off
     double gamma;
-    double spreadExponent;
-    double spreadScale;
+    swSpreadModel spreading;
+    double breaks[SW_MAX_BREAKS]; // ascending: where the density or the directions jump or have a kink
+    int breakCount;
+    swElfouhaily elfouhaily;
+    swOctaveShape octaves;
 
     // Tables; frequencies in Hz.
     swSpectrumTable table;
@@ -61,11 +94,11 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def);
 bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, double surfaceTension,
                        swComplaint* complaint);
 
-// What is integrated together over omega: S times 1 / omega, 1, omega, omega^2, and k^2.
+// What is integrated together over omega: S times 1 / omega, 1, omega, omega^2, k^2, and, of a formula, r1.
 typedef struct swSpectrumMoments
 {
-    double minusOne, zero, one, two, slope;
-    bool wantsSlope; // else k, which costs more than all the rest, is not looked for and `slope` stays 0
+    double minusOne, zero, one, two, slope, r1;
+    bool isFull; // else k and r1, which cost more than all the rest, are not looked for and the last two stay 0
 } swSpectrumMoments;
 
 void swAddSpectrumMoments(swSpectrumMoments* moments, const swCompiledSpectrum* spectrum, double omega,
@@ -82,9 +115,29 @@ void swIntegrateMoments(const swCompiledSpectrum* spectrum, double omega0, doubl
 
 // ---- formulas ----
 
-void swPrepareFormula(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity);
+bool swPrepareFormula(swCompiledSpectrum* spectrum, const swSpectrumDef* def, swComplaint* complaint);
 double swGetFormulaDensity(const swCompiledSpectrum* spectrum, double omega);
 void swIntegrateFormula(const swCompiledSpectrum* spectrum, double omega0, double omega1, swSpectrumMoments* moments);
+
+// Frequency in [omega0, omega1] with the largest density.
+double swFindFormulaPeak(const swCompiledSpectrum* spectrum, double omega0, double omega1);
+
+// What limits waves longer than a wind can make: exp(-5/4 (peakOmega / omega)^4).
+double swGetWindLimit(double peakOmega, double omega);
+
+// The peak of the fully developed sea under a wind, rad/s.
+double swGetDevelopedOmega(double gravity, double windSpeed);
+
+// Kitaigorodskii's depth factor.
+double swGetDepthFactor(double gravity, double depth, double omega);
+
+// `age` in [0.84, 5], `drag` coefficient of the wind at 10 m. Density by k over all directions, m^3.
+swElfouhaily swMakeElfouhaily(double gravity, double windSpeed, double age, double drag);
+double swGetElfouhailyDensity(const swElfouhaily* shape, double k);
+
+swOctaveShape swMakeOctaveShape(const swOctaves* octaves, const swDispersion* dispersion);
+double swGetOctaveDensity(const swOctaveShape* shape, double omega); // before the wind's limit
+int swFindOctave(double k);                                          // SW_OCTAVE_COUNT - 1 or 0 for waves outside
 
 // ---- tables ----
 

@@ -23,7 +23,7 @@ typedef struct Pair
 typedef struct BandMix
 {
     int count;
-    Pair* pairs; // beside the band's modes
+    Pair* pairs;          // beside the band's modes
     swBandModes from, to; // without modes: variances
     double variance0, variance1, covariance;
 } BandMix;
@@ -65,8 +65,7 @@ static int countModes(const swBandModes* from, const swBandModes* to)
     {
         const swMode *a, *b;
         takeNext(from, to, &i, &j, &a, &b);
-        if (a != NULL && b != NULL &&
-            (a->frequencyLow != b->frequencyLow || a->frequencyHigh != b->frequencyHigh))
+        if (a != NULL && b != NULL && (a->frequencyLow != b->frequencyLow || a->frequencyHigh != b->frequencyHigh))
         {
             return -1;
         }
@@ -190,8 +189,8 @@ void swFreeModeMix(const swHost* host, swModeMix* mix)
 static float getEnergyFactor(const BandMix* band, double s)
 {
     double wanted = (1.0 - s) * band->variance0 + s * band->variance1;
-    double mixed = (1.0 - s) * (1.0 - s) * band->variance0 + s * s * band->variance1 +
-                   2.0 * s * (1.0 - s) * band->covariance;
+    double mixed =
+        (1.0 - s) * (1.0 - s) * band->variance0 + s * s * band->variance1 + 2.0 * s * (1.0 - s) * band->covariance;
     return mixed > 0.0 ? (float)sqrt(wanted / mixed) : 1.0f;
 }
 

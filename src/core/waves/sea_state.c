@@ -6,7 +6,6 @@
 
 #include "core/math/scalar.h"
 #include "core/waves/compiled.h"
-#include "core/waves/spreading.h"
 
 // Formulas are integrated up to this where no limit is asked for: waves of 6 cm, the shortest band.
 #define MAX_FORMULA_FREQUENCY 5.0
@@ -83,10 +82,15 @@ static Vector integrateVector(const swCompiledSpectrum* spectrum, double frequen
     return total;
 }
 
-// Where in [frequency0, frequency1] the density is largest. Formulas have one peak; a table is linear between its bins
-// and falls beyond them. Bins that are equal but for rounding tie, and the lowest frequency wins.
+// Where in [frequency0, frequency1] the density is largest. Most formulas have one peak that is known; a table is linear
+// between its bins and falls beyond them. Bins that are equal but for rounding tie, and the lowest frequency wins.
 static double findPeak(const swCompiledSpectrum* spectrum, double frequency0, double frequency1)
 {
+    if (spectrum->kind == SW_SPECTRUM_TMA || spectrum->kind == SW_SPECTRUM_ELFOUHAILY ||
+        spectrum->kind == SW_SPECTRUM_OCTAVES)
+    {
+        return swFindFormulaPeak(spectrum, SW_TURN * frequency0, SW_TURN * frequency1) / SW_TURN;
+    }
     if (spectrum->kind != SW_SPECTRUM_TABLE)
     {
         double peak = spectrum->peakOmega / SW_TURN;
@@ -144,7 +148,7 @@ swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, fl
     bool isWhole = maxFrequency == 0.0f;
     double low = (double)minFrequency;
     double high = isWhole ? (isTable ? spectrum.highEdge : MAX_FORMULA_FREQUENCY) : (double)maxFrequency;
-    swSpectrumMoments moments = {.wantsSlope = true};
+    swSpectrumMoments moments = {.isFull = true};
     Vector vector = {0.0, 0.0};
     if (isTable && isWhole)
     {
@@ -161,9 +165,7 @@ swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, fl
         return SW_ERROR_INVALID;
     }
 
-    double r1 = 0.0;
-    double r2 = 0.0;
-    swGetCosineMoments(spectrum.spreadExponent, &r1, &r2);
+    double r1 = moments.r1 / m0;
     double peak = findPeak(&spectrum, low, high);
     double meanDirection = spectrum.direction;
     double peakDirection = spectrum.direction;

@@ -7,6 +7,13 @@
 // Pierson-Moskowitz [Pierson 1964]:
 //   S = 0.0081 g^2 omega^-5 exp(-0.74 (g / (U19.5 omega))^4), with the wind at 19.5 m taken as 1.026 U10: the same shape
 //   with gamma = 1 and omega_p = (0.8 * 0.74)^(1/4) g / U19.5.
+// Phillips [Phillips 1958], with the cut-off of [Tessendorf 2001] at waves longer than L = U^2 / g, exp(-1 / (k L)^2):
+//   S = 0.0081 g^2 omega^-5 exp(-(g / (U omega))^4), so omega_p = 0.8^(1/4) g / U.
+// TMA [Bouws 1985]: JONSWAP times [Kitaigorodskii 1975]
+//   Phi = tanh^2(k d) / (1 + 2 k d / sinh(2 k d)), k of gravity waves of that omega at depth d.
+// Elfouhaily: by wave number, in spectrum_elfouhaily.c; S(omega) = S(k) / c_g over deep water.
+// Octaves: in spectrum_octaves.c.
+// All formulas are over the frequency that a wave keeps when it comes over a sea floor.
 // Table: runs linearly between the centres of its frequency bins and between its directions, is constant in the outer
 // halves of the first and last bin, and is scaled so that its variance is exactly the sum of density times bandwidth.
 // Above the last bin it may go on as f^-5 [Phillips 1958], at the level and with the directions of the last few bins.
@@ -26,7 +33,9 @@ swSpectrumDef swDefaultSpectrumDef(void)
     def.windSpeed = 10.0f;
     def.fetch = 300e3f;
     def.gamma = 3.3f;
+    def.spreading = SW_SPREADING_COSINE_2S;
     def.spreadExponent = 8.0f;
+    def.octaves = swDefaultOctaves();
     def.depth = INFINITY;
     def.extendTail = true;
     def.internalValue = SW_SPECTRUM_COOKIE;
@@ -53,8 +62,7 @@ bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, d
     {
         return swPrepareTable(spectrum, def, complaint);
     }
-    swPrepareFormula(spectrum, def, gravity);
-    return true;
+    return swPrepareFormula(spectrum, def, complaint);
 }
 
 // Nodes and weights of Gauss-Legendre on [-1, 1], order 8, the positive half.
@@ -67,7 +75,7 @@ void swAddSpectrumMoments(swSpectrumMoments* moments, const swCompiledSpectrum* 
     moments->zero += variance;
     moments->one += variance * omega;
     moments->two += variance * omega * omega;
-    if (moments->wantsSlope)
+    if (moments->isFull)
     {
         double k = swGetWaveNumber(&spectrum->dispersion, omega);
         moments->slope += variance * k * k;
@@ -79,12 +87,22 @@ void swAddSpectrumPanel(swSpectrumMoments* moments, swSpectrumDensityFcn density
 {
     double middle = 0.5 * (omega0 + omega1);
     double half = 0.5 * (omega1 - omega0);
+    double zero = moments->zero, one = moments->one;
     for (int i = 0; i < 4; ++i)
     {
         double low = middle - half * gaussNodes[i];
         double high = middle + half * gaussNodes[i];
         swAddSpectrumMoments(moments, spectrum, low, half * gaussWeights[i] * density(spectrum, low));
         swAddSpectrumMoments(moments, spectrum, high, half * gaussWeights[i] * density(spectrum, high));
+    }
+    double variance = moments->zero - zero;
+    if (moments->isFull && spectrum->kind != SW_SPECTRUM_TABLE && variance > 0.0)
+    {
+        // Directions change slowly: one look at the panel's mean frequency.
+        double r1, r2;
+        swSpread spread = swFindSpread(&spectrum->spreading, (moments->one - one) / variance);
+        swGetSpreadMoments(&spread, &r1, &r2);
+        moments->r1 += variance * r1;
     }
 }
 
@@ -128,6 +146,10 @@ swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double 
     {
         result = copyTable(host, compiled);
     }
+    else
+    {
+        swTabulateSpreadScales(&compiled->spreading);
+    }
     if (result != SW_SUCCESS)
     {
         swFree(host, compiled, sizeof(*compiled));
@@ -160,19 +182,20 @@ double swGetCompiledDensity(const swCompiledSpectrum* spectrum, double omega)
     return swGetFormulaDensity(spectrum, omega);
 }
 
-static double getSpreading(const swCompiledSpectrum* spectrum, double frequency, double theta)
+static double getSpreading(const swCompiledSpectrum* spectrum, double omega, double theta)
 {
     if (spectrum->kind == SW_SPECTRUM_TABLE)
     {
-        return swGetTableSpreading(spectrum, frequency, theta);
+        return swGetTableSpreading(spectrum, omega / SW_TURN, theta);
     }
-    return swGetCosineSpread(spectrum->spreadScale, spectrum->spreadExponent, theta - spectrum->direction);
+    swSpread spread = swFindSpread(&spectrum->spreading, omega);
+    return swGetSpread(&spread, theta - spectrum->direction);
 }
 
 double swGetCompiledDensity2(const swCompiledSpectrum* spectrum, double omega, double theta)
 {
     double density = swGetCompiledDensity(spectrum, omega);
-    return density > 0.0 ? density * getSpreading(spectrum, omega / SW_TURN, theta) : 0.0;
+    return density > 0.0 ? density * getSpreading(spectrum, omega, theta) : 0.0;
 }
 
 void swIntegrateMoments(const swCompiledSpectrum* spectrum, double omega0, double omega1, swSpectrumMoments* moments)
@@ -213,5 +236,5 @@ float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float d
     {
         return 0.0f;
     }
-    return (float)getSpreading(&spectrum, (double)frequency, (double)direction);
+    return (float)getSpreading(&spectrum, SW_TURN * (double)frequency, (double)direction);
 }

@@ -28,6 +28,11 @@ double swGetCompiledDensity2(const swCompiledSpectrum* spectrum, double omega, d
 // Integral of S(omega) over [omega0, omega1], m^2; accurate to 1e-5 relative however narrow the peak.
 double swIntegrateCompiled(const swCompiledSpectrum* spectrum, double omega0, double omega1);
 
+// Factors that an equaliser has by wave number: on the waves' horizontal displacement, and on gravity for their speed.
+// Energy is where the true dispersion puts it, so that neither changes heights. 1 for every other kind.
+double swGetCompiledChop(const swCompiledSpectrum* spectrum, double k);
+double swGetCompiledGravityScale(const swCompiledSpectrum* spectrum, double k);
+
 // SW_ERROR_INVALID and a sentence in the log if a def is outside of its ranges.
 swResult swCheckSpectrum(const swHost* host, const swSpectrumDef* def);
 

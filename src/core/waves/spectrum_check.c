@@ -90,6 +90,43 @@ static bool checkTable(swComplaint* complaint, const swSpectrumTable* table)
     return true;
 }
 
+static bool checkOctaves(swComplaint* complaint, const swOctaves* octaves)
+{
+    if (!checkRange(complaint, "octaves' multiplier", octaves->multiplier, 0.0, 10.0, false) ||
+        !checkRange(complaint, "octaves' chop", octaves->chop, 0.0, 4.0, false) ||
+        !checkRange(complaint, "octaves' gravityScale", octaves->gravityScale, 0.0, 25.0, false))
+    {
+        return false;
+    }
+    for (int i = 0; i < SW_OCTAVE_COUNT; ++i)
+    {
+        const swOctave* octave = &octaves->octaves[i];
+        char name[40];
+        snprintf(name, sizeof(name), "octave %d, its power,", i);
+        bool isFine = checkRange(complaint, name, octave->power, -10.0, 5.0, false);
+        snprintf(name, sizeof(name), "octave %d, its chop,", i);
+        isFine = isFine && checkRange(complaint, name, octave->chop, 0.0, 4.0, false);
+        snprintf(name, sizeof(name), "octave %d, its gravityScale,", i);
+        if (!isFine || !checkRange(complaint, name, octave->gravityScale, 0.0, 4.0, false))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool checkDirections(swComplaint* complaint, const swSpectrumDef* def)
+{
+    if ((int)def->spreading < 0 || def->spreading >= SW_SPREADING_KIND_COUNT)
+    {
+        return swComplain(complaint, "The spectrum's spreading is %d; its range is [0, %d].", (int)def->spreading,
+                          SW_SPREADING_KIND_COUNT - 1);
+    }
+    return checkRange(complaint, "spreadExponent", def->spreadExponent, 0.0, 200.0, false) &&
+           checkRange(complaint, "turbulence", def->turbulence, 0.0, 1.0, false) &&
+           checkRange(complaint, "swell", def->swell, 0.0, 1.0, false);
+}
+
 bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
 {
     if ((int)def->kind < 0 || def->kind >= SW_SPECTRUM_KIND_COUNT)
@@ -99,7 +136,7 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
     }
     if (!checkRange(complaint, "significantHeight", def->significantHeight, 0.0, 40.0, false) ||
         !checkRange(complaint, "direction", def->direction, -1000.0, 1000.0, false) ||
-        !checkRange(complaint, "depth", def->depth, 0.0, (double)INFINITY, true))
+        !checkRange(complaint, "depth", def->depth, 0.001, (double)INFINITY, false))
     {
         return false;
     }
@@ -108,13 +145,15 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
         return checkTable(complaint, def->table);
     }
     if (!checkRange(complaint, "windSpeed", def->windSpeed, 0.0, 100.0, true) ||
-        !checkRange(complaint, "peakPeriod", def->peakPeriod, 0.0, 60.0, false) ||
-        !checkRange(complaint, "spreadExponent", def->spreadExponent, 0.0, 200.0, false))
+        !checkRange(complaint, "peakPeriod", def->peakPeriod, 0.0, 60.0, false) || !checkDirections(complaint, def))
     {
         return false;
     }
-    return def->kind != SW_SPECTRUM_JONSWAP || (checkRange(complaint, "fetch", def->fetch, 1e3, 1e7, false) &&
-                                                checkRange(complaint, "gamma", def->gamma, 1.0, 10.0, false));
+    bool hasGamma = def->kind == SW_SPECTRUM_JONSWAP || def->kind == SW_SPECTRUM_TMA;
+    bool hasFetch = hasGamma || def->kind == SW_SPECTRUM_ELFOUHAILY;
+    return (!hasFetch || checkRange(complaint, "fetch", def->fetch, 1e3, 1e7, false)) &&
+           (!hasGamma || checkRange(complaint, "gamma", def->gamma, 1.0, 10.0, false)) &&
+           (def->kind != SW_SPECTRUM_OCTAVES || checkOctaves(complaint, &def->octaves));
 }
 
 swResult swCheckSpectrum(const swHost* host, const swSpectrumDef* def)
@@ -137,13 +176,32 @@ static bool isSameTable(const swSpectrumTable* a, const swSpectrumTable* b)
            memcmp(a->density, b->density, densities * sizeof(float)) == 0;
 }
 
+static bool areSameOctaves(const swOctaves* a, const swOctaves* b)
+{
+    bool isSame = a->multiplier == b->multiplier && a->chop == b->chop && a->gravityScale == b->gravityScale &&
+                  a->limitByWind == b->limitByWind;
+    for (int i = 0; i < SW_OCTAVE_COUNT; ++i)
+    {
+        const swOctave* x = &a->octaves[i];
+        const swOctave* y = &b->octaves[i];
+        isSame = isSame && x->power == y->power && x->isEnabled == y->isEnabled && x->chop == y->chop &&
+                 x->gravityScale == y->gravityScale;
+    }
+    return isSame;
+}
+
 bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b)
 {
-    static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 56, "compare what is new in swSpectrumDef");
+    static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 304, "compare what is new in swSpectrumDef");
     if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->fetch != b->fetch || a->gamma != b->gamma ||
         a->significantHeight != b->significantHeight || a->peakPeriod != b->peakPeriod ||
-        a->direction != b->direction || a->spreadExponent != b->spreadExponent || a->depth != b->depth ||
+        a->direction != b->direction || a->spreading != b->spreading || a->spreadExponent != b->spreadExponent ||
+        a->turbulence != b->turbulence || a->swell != b->swell || a->depth != b->depth ||
         a->extendTail != b->extendTail)
+    {
+        return false;
+    }
+    if (a->kind == SW_SPECTRUM_OCTAVES && !areSameOctaves(&a->octaves, &b->octaves))
     {
         return false;
     }

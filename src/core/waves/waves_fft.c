@@ -211,10 +211,17 @@ void swFillSplineResponse(int resolution, float* response)
     }
 }
 
+double swGetWaveOmega(const swCompiledSpectrum* spectrum, double k)
+{
+    swDispersion dispersion = swGetCompiledDispersion(spectrum);
+    dispersion.gravity *= swGetCompiledGravityScale(spectrum, k);
+    return swGetOmega(&dispersion, k);
+}
+
 double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef* def, double k)
 {
     double depth = swGetCompiledDispersion(spectrum).depth;
-    double ratio = (double)def->chop;
+    double ratio = (double)def->chop * swGetCompiledChop(spectrum, k);
     return isinf(depth) ? ratio : ratio / swTanh(k * depth);
 }
 
@@ -235,7 +242,7 @@ static swMode makeMode(const Builder* builder, const swBandModes* band, const Ri
     double ar, ai, br, bi;
     getAmplitude(builder, band->band, ring, qx, qz, &ar, &ai);
     getAmplitude(builder, band->band, ring, -qx, -qz, &br, &bi);
-    uint64_t frequency = swGetTurnsPerTick(swGetOmega(&builder->dispersion, k), band->loopTicks);
+    uint64_t frequency = swGetTurnsPerTick(swGetWaveOmega(builder->spectrum, k), band->loopTicks);
     swMode mode;
     mode.qx = (int16_t)qx;
     mode.qz = (int16_t)qz;

@@ -39,6 +39,9 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
 uint64_t swGetTurnsPerTick(double omega, int64_t loopTicks);
 int64_t swGetLoopTicks(const swWaveSystemDef* def);
 
+// omega of a wave as it runs: that of the dispersion, with an equaliser's factor on gravity.
+double swGetWaveOmega(const swCompiledSpectrum* spectrum, double k);
+
 // Sideways displacement of a wave relative to its height: chop, times coth(k depth), which makes the particles' orbits
 // the ellipses of shallow water.
 double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef* def, double k);

@@ -64,7 +64,7 @@ static void addWave(Builder* builder, double k, double direction, double amplitu
     builder->waves[builder->count++] = (swFreeWave){
         .turnsX = k / TURN * x,
         .turnsZ = k / TURN * z,
-        .frequency = swGetTurnsPerTick(swGetOmega(&builder->dispersion, k), builder->loopTicks),
+        .frequency = swGetTurnsPerTick(swGetWaveOmega(builder->spectrum, k), builder->loopTicks),
         .loopTicks = builder->loopTicks,
         .phase = (uint32_t)(int64_t)floor((turns - floor(turns)) * 0x1p32),
         .amplitude = (float)amplitude,

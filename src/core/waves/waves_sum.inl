@@ -21,9 +21,9 @@
 // Outputs that a point collects.
 enum
 {
-    SUM_DISPLACEMENT, // 3
-    SUM_GRADIENTS = 3, // 6
-    SUM_VELOCITY = 9,  // 3
+    SUM_DISPLACEMENT,      // 3
+    SUM_GRADIENTS = 3,     // 6
+    SUM_VELOCITY = 9,      // 3
     SUM_ACCELERATION = 12, // 3
     SUM_COUNT = 15,
     SUM_HEAD = SUM_DISPLACEMENT // of the water below
@@ -43,14 +43,14 @@ typedef struct WaveChunk
     int count; // rounded up to SUM_LANES with waves of no height
     float re[SUM_CHUNK], im[SUM_CHUNK];
     float rateRe[SUM_CHUNK], rateIm[SUM_CHUNK];
-    float kx[SUM_CHUNK], kz[SUM_CHUNK]; // rad/m
-    float dx[SUM_CHUNK], dz[SUM_CHUNK]; // chop
-    float square[SUM_CHUNK];            // omega^2
+    float kx[SUM_CHUNK], kz[SUM_CHUNK];             // rad/m
+    float dx[SUM_CHUNK], dz[SUM_CHUNK];             // chop
+    float square[SUM_CHUNK];                        // omega^2
     float overSinh[SUM_CHUNK], overCosh[SUM_CHUNK]; // 1 / (1 -+ exp(-2 k depth))
     float k[SUM_CHUNK];
-    float unitX[SUM_CHUNK], unitZ[SUM_CHUNK];                 // of k
-    uint32_t binX[SUM_CHUNK], binZ[SUM_CHUNK];    // of a lattice
-    double turnsX[SUM_CHUNK], turnsZ[SUM_CHUNK];  // of free waves, turns per metre
+    float unitX[SUM_CHUNK], unitZ[SUM_CHUNK];    // of k
+    uint32_t binX[SUM_CHUNK], binZ[SUM_CHUNK];   // of a lattice
+    double turnsX[SUM_CHUNK], turnsZ[SUM_CHUNK]; // of free waves, turns per metre
 } WaveChunk;
 
 typedef struct PointSum

@@ -274,8 +274,7 @@ swResult swMixSets(swWorld* world, swWaveSet* from, swWaveSet* to, swWaveSet** o
     }
     set->def = to->def;
     memcpy(set->response, to->response, sizeof set->response);
-    swResult result =
-        swMakeModeMix(&world->countedHost, from->bands, to->bands, set->response, set->bands, &set->mix);
+    swResult result = swMakeModeMix(&world->countedHost, from->bands, to->bands, set->response, set->bands, &set->mix);
     if (result == SW_SUCCESS && !allocateTexels(world, set))
     {
         result = SW_ERROR_NO_MEMORY;

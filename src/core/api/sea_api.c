@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include <string.h>
+
+#include "core/base/assert.h"
+#include "core/base/host.h"
+#include "core/world/world.h"
+#include "seaway/sea.h"
+
+// Bits of the golden section: multiples of an odd number are all different.
+#define SEED_STEP 0x9e3779b9u
+
+// Part of the peak's wavelength down to which a swell has waves: four times its frequency.
+#define SHORTEST_PART 0.0625f
+
+swSeaDef swDefaultSeaDef(void)
+{
+    swSeaDef def = {.windSea = swDefaultWaveSystemDef(), .enableWindSea = true, .internalValue = SW_DEF_COOKIE};
+    for (int i = 0; i < SW_MAX_SWELLS; ++i)
+    {
+        def.swells[i] = swDefaultSpectrumDef();
+    }
+    return def;
+}
+
+// What a swell shares with the wind sea, and what it does not.
+static swWaveSystemDef makeSwell(const swWorld* world, const swSeaDef* def, int index)
+{
+    swWaveSystemDef swell = def->windSea;
+    swell.spectrum = def->swells[index];
+    swell.seed += SEED_STEP * (uint32_t)(index + 1);
+    swSeaState seaState;
+    if (swell.spectrum.kind != SW_SPECTRUM_TABLE &&
+        swSpectrum_GetSeaState(&swell.spectrum, 0.0f, 0.0f, &seaState) == SW_SUCCESS)
+    {
+        float shortest = SHORTEST_PART * world->def.gravity * seaState.peakPeriod * seaState.peakPeriod / 6.2831853f;
+        bool isShorter = shortest > swell.minWavelength && shortest < swell.maxWavelength;
+        swell.minWavelength = isShorter ? shortest : swell.minWavelength;
+    }
+    return swell;
+}
+
+swResult swCreateSea(swWorld* world, const swSeaDef* def, swSea* sea)
+{
+    bool isValid = world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && sea != NULL;
+    SW_ASSERT(isValid);
+    if (!isValid)
+    {
+        return SW_ERROR_INVALID;
+    }
+    memset(sea, 0, sizeof(*sea));
+    if (def->swellCount < 0 || def->swellCount > SW_MAX_SWELLS)
+    {
+        return swFail(&world->host, SW_ERROR_INVALID, "a sea has %d swells; it must have 0 to %d", def->swellCount,
+                      SW_MAX_SWELLS);
+    }
+    swResult result = SW_SUCCESS;
+    if (def->enableWindSea)
+    {
+        result = swCreateWaveSystem(world, &def->windSea, &sea->windSea);
+    }
+    for (int i = 0; i < def->swellCount && result == SW_SUCCESS; ++i)
+    {
+        swWaveSystemDef swell = makeSwell(world, def, i);
+        result = swCreateWaveSystem(world, &swell, &sea->swells[i]);
+        sea->swellCount = result == SW_SUCCESS ? i + 1 : i;
+    }
+    if (result != SW_SUCCESS)
+    {
+        swDestroySea(world, sea);
+    }
+    return result;
+}
+
+void swDestroySea(swWorld* world, swSea* sea)
+{
+    SW_ASSERT(world != NULL && sea != NULL);
+    if (world == NULL || sea == NULL)
+    {
+        return;
+    }
+    for (int i = 0; i < SW_MAX_SWELLS; ++i)
+    {
+        if (swWaveSystem_IsValid(world, sea->swells[i]))
+        {
+            swDestroyWaveSystem(world, sea->swells[i]);
+        }
+    }
+    if (swWaveSystem_IsValid(world, sea->windSea))
+    {
+        swDestroyWaveSystem(world, sea->windSea);
+    }
+    memset(sea, 0, sizeof(*sea));
+}
