@@ -8,7 +8,8 @@
 // which would take energy away from the longest waves. Frequencies are shared among bins by overlap. Records of all
 // gauges are averaged [Welch 1967].
 // For a wave along (cos, sin), H conj(Hx) = i k cos |H|^2, so with quadrature q and k eliminated [Longuet-Higgins 1963]
-//   a1 = q(h, hx) / sqrt(S(h) (S(hx) + S(hz))),  b1 likewise with hz.
+//   a1 = q(h, hx) / sqrt(S(h) (S(hx) + S(hz))),  b1 likewise with hz,
+//   a2 = (S(hx) - S(hz)) / (S(hx) + S(hz)),  b2 = 2 c(hx, hz) / (S(hx) + S(hz)).
 
 #include "sea_estimate.h"
 
@@ -211,7 +212,30 @@ static double* CreateWorkspace(int count, Workspace* work)
     return memory;
 }
 
-static bool SumRecords(const Records* records, const SeaBins* bins, SeaSums* sums)
+// Spectra of the gauges [begin, end), into the bins.
+static void SumGauges(const Records* records, int begin, int end, double scale, const Workspace* work,
+                      const SeaBins* bins, SeaSums* sums)
+{
+    int count = records->sampleCount;
+    double step = 1.0 / (count * records->dt);
+    memset(work->spectra, 0, 3 * (size_t)count * sizeof(double));
+    for (int gauge = begin; gauge < end; ++gauge)
+    {
+        AddGauge(records, gauge, work->window, work->roots, work->first, work->second, work->spectra);
+    }
+    for (int j = 1; j < count / 2; ++j)
+    {
+        double* values = work->spectra + 6 * (size_t)j;
+        for (int i = 0; i < 6; ++i)
+        {
+            values[i] *= scale;
+        }
+        AddToBins(bins, (j - 0.5) * step, (j + 0.5) * step, values, sums);
+    }
+    sums->weight += end - begin;
+}
+
+static bool SumRecords(const Records* records, const SeaBins* bins, int groupCount, SeaSums* sums)
 {
     int count = records->sampleCount;
     Workspace work;
@@ -225,22 +249,12 @@ static bool SumRecords(const Records* records, const SeaBins* bins, SeaSums* sum
     {
         windowPower += work.window[i] * work.window[i];
     }
-    for (int gauge = 0; gauge < records->gaugeCount; ++gauge)
-    {
-        AddGauge(records, gauge, work.window, work.roots, work.first, work.second, work.spectra);
-    }
-    double step = 1.0 / (count * records->dt);
     double scale = 2.0 / (windowPower * count); // both signs of frequency; Parseval
-    for (int j = 1; j < count / 2; ++j)
+    for (int group = 0; group < groupCount; ++group)
     {
-        double* values = work.spectra + 6 * (size_t)j;
-        for (int i = 0; i < 6; ++i)
-        {
-            values[i] *= scale;
-        }
-        AddToBins(bins, (j - 0.5) * step, (j + 0.5) * step, values, sums);
+        int begin = group * records->gaugeCount / groupCount, end = (group + 1) * records->gaugeCount / groupCount;
+        SumGauges(records, begin, end, scale, &work, bins, sums + group);
     }
-    sums->weight += records->gaugeCount;
     free(memory);
     return true;
 }
@@ -261,7 +275,7 @@ static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* record
     swSurfaceSamples samples = {.displacement = displacement};
     for (int j = 0; j < records->sampleCount && isFine; ++j)
     {
-        swWorld_SetTime(world, records->dt * j);
+        swWorld_SetTime(world, gauges->begin + records->dt * j);
         isFine = swWorld_Step(world, 0.0) == SW_SUCCESS;
         swWorld_QueryParticles(world, &def, records->gaugeCount, points, &samples, slopes);
         for (size_t i = 0; i < count; ++i)
@@ -278,7 +292,7 @@ static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* record
     return isFine;
 }
 
-bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, SeaSums* sums)
+bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, int groupCount, SeaSums* sums)
 {
     // Sampled a fifth faster than the last bin needs; a power of two of samples.
     Records records = {.gaugeCount = gauges->gaugeCount, .dt = 1.0 / (2.4 * bins->high[bins->count - 1])};
@@ -296,7 +310,7 @@ bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, Sea
     records.h = memory;
     records.x = memory + count;
     records.z = memory + 2 * count;
-    bool isFine = FillRecords(world, gauges, &records) && SumRecords(&records, bins, sums);
+    bool isFine = FillRecords(world, gauges, &records) && SumRecords(&records, bins, groupCount, sums);
     free(memory);
     return isFine;
 }
@@ -315,20 +329,42 @@ void AddSums(const SeaSums* from, SeaSums* to)
     }
 }
 
+double FindDensity(const SeaBins* bins, const SeaSums* sums, int bin)
+{
+    double scale = sums->weight > 0.0 ? 1.0 / sums->weight : 0.0;
+    return scale * sums->h[bin] / (bins->high[bin] - bins->low[bin]);
+}
+
 int FindPeakBin(const SeaBins* bins, const SeaSums* sums)
 {
     int peak = 0;
-    double largest = 0.0;
-    for (int i = 0; i < bins->count; ++i)
+    for (int i = 1; i < bins->count; ++i)
     {
-        double density = sums->h[i] / (bins->high[i] - bins->low[i]);
-        if (density > largest)
-        {
-            largest = density;
-            peak = i;
-        }
+        peak = FindDensity(bins, sums, i) > FindDensity(bins, sums, peak) ? i : peak;
     }
     return peak;
+}
+
+SeaMoments FindMoments(const SeaSums* sums, int bin)
+{
+    double slopes = sums->xx[bin] + sums->zz[bin], norm = sqrt(sums->h[bin] * slopes);
+    if (!(norm > 0.0))
+    {
+        return (SeaMoments){0};
+    }
+    return (SeaMoments){sums->hx[bin] / norm, sums->hz[bin] / norm, (sums->xx[bin] - sums->zz[bin]) / slopes,
+                        2.0 * sums->xz[bin] / slopes};
+}
+
+double FindVariance(const SeaBins* bins, const SeaSums* sums, double low, double high)
+{
+    double variance = 0.0;
+    for (int i = 0; i < bins->count; ++i)
+    {
+        double overlap = fmin(high, bins->high[i]) - fmax(low, bins->low[i]);
+        variance += fmax(overlap, 0.0) * FindDensity(bins, sums, i);
+    }
+    return variance;
 }
 
 void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
@@ -340,17 +376,14 @@ void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
     for (int i = 0; i < bins->count; ++i)
     {
         double variance = sums->h[i] * scale, f = bins->center[i];
-        double norm = sqrt(sums->h[i] * (sums->xx[i] + sums->zz[i]));
+        SeaMoments moments = FindMoments(sums, i);
         before += variance / f;
         m0 += variance;
         m1 += variance * f;
         m2 += variance * f * f;
         slope += (sums->xx[i] + sums->zz[i]) * scale;
-        if (norm > 0.0)
-        {
-            a += variance * sums->hx[i] / norm;
-            b += variance * sums->hz[i] / norm;
-        }
+        a += variance * moments.a1;
+        b += variance * moments.b1;
         peakA = i == peak ? sums->hx[i] : peakA;
         peakB = i == peak ? sums->hz[i] : peakB;
     }
@@ -367,6 +400,80 @@ void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
     state->peakDirection = (float)atan2(peakB, peakA);
     state->spread = (float)sqrt(fmax(2.0 * (1.0 - sqrt(a * a + b * b) / m0), 0.0));
     state->meanSquareSlope = (float)slope;
+}
+
+// The state's numbers as an array, to go through them.
+#define STATE_NUMBERS 9
+static void ListState(const swSeaState* state, double numbers[STATE_NUMBERS])
+{
+    const float* fields[STATE_NUMBERS] = {&state->significantHeight, &state->peakPeriod,   &state->periodTm01,
+                                          &state->periodTm02,        &state->energyPeriod, &state->meanDirection,
+                                          &state->peakDirection,     &state->spread,       &state->meanSquareSlope};
+    for (int i = 0; i < STATE_NUMBERS; ++i)
+    {
+        numbers[i] = (double)*fields[i];
+    }
+}
+
+static void LeaveOut(const SeaSums* all, const SeaSums* group, SeaSums* rest)
+{
+    rest->weight = all->weight - group->weight;
+    for (int i = 0; i < SEA_MAX_BINS; ++i)
+    {
+        rest->h[i] = all->h[i] - group->h[i];
+        rest->hx[i] = all->hx[i] - group->hx[i];
+        rest->hz[i] = all->hz[i] - group->hz[i];
+        rest->xx[i] = all->xx[i] - group->xx[i];
+        rest->zz[i] = all->zz[i] - group->zz[i];
+        rest->xz[i] = all->xz[i] - group->xz[i];
+    }
+}
+
+bool FindSeaError(const SeaBins* bins, int groupCount, const SeaSums* groups, swSeaState* error)
+{
+    SeaSums* sums = calloc(2, sizeof(SeaSums)); // of all, and of all but one
+    if (sums == NULL)
+    {
+        return false;
+    }
+    for (int i = 0; i < groupCount; ++i)
+    {
+        AddSums(groups + i, sums);
+    }
+    double whole[STATE_NUMBERS], shift[STATE_NUMBERS] = {0.0}, square[STATE_NUMBERS] = {0.0}, errors[STATE_NUMBERS];
+    swSeaState state;
+    FindSeaState(bins, sums, &state);
+    ListState(&state, whole);
+    for (int i = 0; i < groupCount; ++i)
+    {
+        double numbers[STATE_NUMBERS];
+        LeaveOut(sums, groups + i, sums + 1);
+        FindSeaState(bins, sums + 1, &state);
+        ListState(&state, numbers);
+        for (int j = 0; j < STATE_NUMBERS; ++j)
+        {
+            double change = numbers[j] - whole[j];
+            change = j == 5 || j == 6 ? remainder(change, 2.0 * SW_PI) : change;
+            shift[j] += change / groupCount;
+            square[j] += change * change / groupCount;
+        }
+    }
+    for (int j = 0; j < STATE_NUMBERS; ++j)
+    {
+        double spread = fmax(square[j] - shift[j] * shift[j], 0.0);
+        errors[j] = groupCount > 1 ? sqrt((groupCount - 1) * spread) : (double)NAN;
+    }
+    *error = (swSeaState){.significantHeight = (float)errors[0],
+                          .peakPeriod = (float)errors[1],
+                          .periodTm01 = (float)errors[2],
+                          .periodTm02 = (float)errors[3],
+                          .energyPeriod = (float)errors[4],
+                          .meanDirection = (float)errors[5],
+                          .peakDirection = (float)errors[6],
+                          .spread = (float)errors[7],
+                          .meanSquareSlope = (float)errors[8]};
+    free(sums);
+    return true;
 }
 
 bool LookAtSurface(const swWorld* world, double area, int count, float foamThreshold, SurfaceSums* sums)
