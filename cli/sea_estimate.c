@@ -17,13 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sea_transform.h"
+
 // Over density, m^3/s^2: what swDefaultWorldDef() has.
 #define SURFACE_TENSION 7.4e-5
-
-typedef struct Complex
-{
-    double re, im;
-} Complex;
 
 // Heave and slopes of all gauges, a gauge's record contiguous.
 typedef struct Records
@@ -90,47 +87,12 @@ static swPosXZ PlaceGauge(double area, int index)
     return (swPosXZ){area * (x - floor(x) - 0.5), area * (z - floor(z) - 0.5)};
 }
 
-// In place, `count` a power of two: e^(-2 pi i j n / count).
-static void Transform(Complex* data, int count, const Complex* roots)
-{
-    for (int i = 1, j = 0; i < count; ++i)
-    {
-        int bit = count >> 1;
-        for (; (j & bit) != 0; bit >>= 1)
-        {
-            j ^= bit;
-        }
-        j |= bit;
-        if (i < j)
-        {
-            Complex swap = data[i];
-            data[i] = data[j];
-            data[j] = swap;
-        }
-    }
-    for (int half = 1; half < count; half *= 2)
-    {
-        int stride = count / (2 * half);
-        for (int first = 0; first < count; first += 2 * half)
-        {
-            for (int i = 0; i < half; ++i)
-            {
-                Complex root = roots[i * stride];
-                Complex a = data[first + i], b = data[first + i + half];
-                Complex turned = {b.re * root.re - b.im * root.im, b.re * root.im + b.im * root.re};
-                data[first + i] = (Complex){a.re + turned.re, a.im + turned.im};
-                data[first + i + half] = (Complex){a.re - turned.re, a.im - turned.im};
-            }
-        }
-    }
-}
-
 // Of a transform of a + i b, both real: the transform of a and of b at bin j.
-static void SplitPair(const Complex* data, int count, int j, Complex* a, Complex* b)
+static void SplitPair(const SeaComplex* data, int count, int j, SeaComplex* a, SeaComplex* b)
 {
-    Complex p = data[j], q = data[(count - j) % count];
-    *a = (Complex){0.5 * (p.re + q.re), 0.5 * (p.im - q.im)};
-    *b = (Complex){0.5 * (p.im + q.im), 0.5 * (q.re - p.re)};
+    SeaComplex p = data[j], q = data[(count - j) % count];
+    *a = (SeaComplex){0.5 * (p.re + q.re), 0.5 * (p.im - q.im)};
+    *b = (SeaComplex){0.5 * (p.im + q.im), 0.5 * (q.re - p.re)};
 }
 
 // Share what lies at [low, high] among the bins.
@@ -153,22 +115,22 @@ static void AddToBins(const SeaBins* bins, double low, double high, const double
 }
 
 // Cross spectra of one gauge's record, added up over gauges in spectra[count / 2][6].
-static void AddGauge(const Records* records, int gauge, const double* window, const Complex* roots, Complex* first,
-                     Complex* second, double* spectra)
+static void AddGauge(const Records* records, int gauge, const double* window, const SeaComplex* roots,
+                     SeaComplex* first, SeaComplex* second, double* spectra)
 {
     int count = records->sampleCount;
     size_t begin = (size_t)gauge * (size_t)count;
     for (int i = 0; i < count; ++i)
     {
         size_t at = begin + (size_t)i;
-        first[i] = (Complex){window[i] * (double)records->h[at], window[i] * (double)records->x[at]};
-        second[i] = (Complex){window[i] * (double)records->z[at], 0.0};
+        first[i] = (SeaComplex){window[i] * (double)records->h[at], window[i] * (double)records->x[at]};
+        second[i] = (SeaComplex){window[i] * (double)records->z[at], 0.0};
     }
-    Transform(first, count, roots);
-    Transform(second, count, roots);
+    TransformLine(first, count, roots);
+    TransformLine(second, count, roots);
     for (int j = 1; j < count / 2; ++j)
     {
-        Complex h, x, z = second[j];
+        SeaComplex h, x, z = second[j];
         SplitPair(first, count, j, &h, &x);
         double* sum = spectra + 6 * (size_t)j;
         sum[0] += h.re * h.re + h.im * h.im;
@@ -184,7 +146,7 @@ static void AddGauge(const Records* records, int gauge, const double* window, co
 typedef struct Workspace
 {
     double* window;
-    Complex *roots, *first, *second;
+    SeaComplex *roots, *first, *second;
     double* spectra;
 } Workspace;
 
@@ -197,18 +159,15 @@ static double* CreateWorkspace(int count, Workspace* work)
         return NULL;
     }
     work->window = memory;
-    work->roots = (Complex*)(memory + n);
-    work->first = (Complex*)(memory + 2 * n);
-    work->second = (Complex*)(memory + 4 * n);
+    work->roots = (SeaComplex*)(memory + n);
+    work->first = (SeaComplex*)(memory + 2 * n);
+    work->second = (SeaComplex*)(memory + 4 * n);
     work->spectra = memory + 6 * n;
     for (int i = 0; i < count; ++i)
     {
         work->window[i] = 0.5 - 0.5 * cos(2.0 * SW_PI * i / count);
     }
-    for (int i = 0; i < count / 2; ++i)
-    {
-        work->roots[i] = (Complex){cos(2.0 * SW_PI * i / count), -sin(2.0 * SW_PI * i / count)};
-    }
+    FillRoots(count, work->roots);
     return memory;
 }
 

@@ -14,9 +14,8 @@ static void RunOperations(const float* pa, const float* pb, const uint32_t* pm, 
         swWideI n = swLoadI(pn + i);
         const swWide results[] = {swAddW(a, b), swSubW(a, b),   swMulW(a, b),  swMinW(a, b),
                                   swMaxW(a, b), swSplatW(0.1f), swToFloatI(m), swFlipSignW(a, m)};
-        const swWideI integers[] = {swAddI(m, n),       swSubI(m, n),         swAndI(m, n),
-                                    swShiftLeftI(m, 7), swShiftRightI(m, 30), swSplatI(77),
-                                    swMulI(m, n),       swAsIntW(swAddW(a, b))};
+        const swWideI integers[] = {swAddI(m, n),         swSubI(m, n), swAndI(m, n), swShiftLeftI(m, 7),
+                                    swShiftRightI(m, 30), swSplatI(77), swMulI(m, n), swAsIntW(swAddW(a, b))};
         int row = 0;
         for (int k = 0; k < 8; ++k)
         {

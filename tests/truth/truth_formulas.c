@@ -120,9 +120,9 @@ static void CheckRow(const char* number, const char* source, const Row* row, dou
     FindSeaState(&formula->bins, formula->sums, &state);
     char what[128];
     snprintf(what, sizeof(what), "Hs, %s", name);
-    FindWithin(&(Finding){number, what, source, "m", 2}, row->height, FindHeight(formula, &state), Loosen(0.01));
+    FindWithin(&(Finding){number, what, source, "m", 3}, row->height, FindHeight(formula, &state), Loosen(0.01));
     snprintf(what, sizeof(what), "Tp, %s", name);
-    FindWithin(&(Finding){number, what, source, "s", 2}, row->period, FitPeriod(formula, gamma), Loosen(0.005));
+    FindWithin(&(Finding){number, what, source, "s", 3}, row->period, FitPeriod(formula, gamma), Loosen(0.005));
     free(formula);
 }
 

@@ -129,7 +129,7 @@ static void TilesAreTheDirectSumOfTheirWaves(void** state)
     swBandModes bands[SW_MAX_BANDS];
     assert_int_equal(def.resolution, 128);
     assert_int_equal(def.tileWaves, 32);
-    assert_int_equal(swBuildModes(&host, &def, 9.81f, bands), SW_SUCCESS);
+    assert_int_equal(swBuildModes(&host, &def, 9.81f, 7.4e-5f, bands), SW_SUCCESS);
     size_t side = (size_t)def.resolution + 3, bytes = side * side * 4 * sizeof(float);
     size_t scratchBytes = swGetTileScratchSize(def.resolution);
     float* texels = swAllocateZero(&host, bytes);
