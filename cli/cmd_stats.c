@@ -151,7 +151,7 @@ static void MeasureSeeds(void* context, int begin, int end, int worker)
     {
         SeedResult* seed = stats->seeds + i;
         swWorld* world = CreateSea(stats, i, true);
-        seed->isFine = world != NULL && RecordSea(world, &stats->gauges, &stats->bins, &seed->sums);
+        seed->isFine = world != NULL && RecordSea(world, &stats->gauges, &stats->bins, 1, &seed->sums);
         swDestroyWorld(world);
         seed->isFine = seed->isFine && MeasureSurface(stats, i, &seed->surface);
         swSeaState state;

@@ -8,7 +8,8 @@
 // which would take energy away from the longest waves. Frequencies are shared among bins by overlap. Records of all
 // gauges are averaged [Welch 1967].
 // For a wave along (cos, sin), H conj(Hx) = i k cos |H|^2, so with quadrature q and k eliminated [Longuet-Higgins 1963]
-//   a1 = q(h, hx) / sqrt(S(h) (S(hx) + S(hz))),  b1 likewise with hz.
+//   a1 = q(h, hx) / sqrt(S(h) (S(hx) + S(hz))),  b1 likewise with hz,
+//   a2 = (S(hx) - S(hz)) / (S(hx) + S(hz)),  b2 = 2 c(hx, hz) / (S(hx) + S(hz)).
 
 #include "sea_estimate.h"
 
@@ -16,13 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sea_transform.h"
+
 // Over density, m^3/s^2: what swDefaultWorldDef() has.
 #define SURFACE_TENSION 7.4e-5
-
-typedef struct Complex
-{
-    double re, im;
-} Complex;
 
 // Heave and slopes of all gauges, a gauge's record contiguous.
 typedef struct Records
@@ -89,47 +87,12 @@ static swPosXZ PlaceGauge(double area, int index)
     return (swPosXZ){area * (x - floor(x) - 0.5), area * (z - floor(z) - 0.5)};
 }
 
-// In place, `count` a power of two: e^(-2 pi i j n / count).
-static void Transform(Complex* data, int count, const Complex* roots)
-{
-    for (int i = 1, j = 0; i < count; ++i)
-    {
-        int bit = count >> 1;
-        for (; (j & bit) != 0; bit >>= 1)
-        {
-            j ^= bit;
-        }
-        j |= bit;
-        if (i < j)
-        {
-            Complex swap = data[i];
-            data[i] = data[j];
-            data[j] = swap;
-        }
-    }
-    for (int half = 1; half < count; half *= 2)
-    {
-        int stride = count / (2 * half);
-        for (int first = 0; first < count; first += 2 * half)
-        {
-            for (int i = 0; i < half; ++i)
-            {
-                Complex root = roots[i * stride];
-                Complex a = data[first + i], b = data[first + i + half];
-                Complex turned = {b.re * root.re - b.im * root.im, b.re * root.im + b.im * root.re};
-                data[first + i] = (Complex){a.re + turned.re, a.im + turned.im};
-                data[first + i + half] = (Complex){a.re - turned.re, a.im - turned.im};
-            }
-        }
-    }
-}
-
 // Of a transform of a + i b, both real: the transform of a and of b at bin j.
-static void SplitPair(const Complex* data, int count, int j, Complex* a, Complex* b)
+static void SplitPair(const SeaComplex* data, int count, int j, SeaComplex* a, SeaComplex* b)
 {
-    Complex p = data[j], q = data[(count - j) % count];
-    *a = (Complex){0.5 * (p.re + q.re), 0.5 * (p.im - q.im)};
-    *b = (Complex){0.5 * (p.im + q.im), 0.5 * (q.re - p.re)};
+    SeaComplex p = data[j], q = data[(count - j) % count];
+    *a = (SeaComplex){0.5 * (p.re + q.re), 0.5 * (p.im - q.im)};
+    *b = (SeaComplex){0.5 * (p.im + q.im), 0.5 * (q.re - p.re)};
 }
 
 // Share what lies at [low, high] among the bins.
@@ -152,22 +115,22 @@ static void AddToBins(const SeaBins* bins, double low, double high, const double
 }
 
 // Cross spectra of one gauge's record, added up over gauges in spectra[count / 2][6].
-static void AddGauge(const Records* records, int gauge, const double* window, const Complex* roots, Complex* first,
-                     Complex* second, double* spectra)
+static void AddGauge(const Records* records, int gauge, const double* window, const SeaComplex* roots,
+                     SeaComplex* first, SeaComplex* second, double* spectra)
 {
     int count = records->sampleCount;
     size_t begin = (size_t)gauge * (size_t)count;
     for (int i = 0; i < count; ++i)
     {
         size_t at = begin + (size_t)i;
-        first[i] = (Complex){window[i] * (double)records->h[at], window[i] * (double)records->x[at]};
-        second[i] = (Complex){window[i] * (double)records->z[at], 0.0};
+        first[i] = (SeaComplex){window[i] * (double)records->h[at], window[i] * (double)records->x[at]};
+        second[i] = (SeaComplex){window[i] * (double)records->z[at], 0.0};
     }
-    Transform(first, count, roots);
-    Transform(second, count, roots);
+    TransformLine(first, count, roots);
+    TransformLine(second, count, roots);
     for (int j = 1; j < count / 2; ++j)
     {
-        Complex h, x, z = second[j];
+        SeaComplex h, x, z = second[j];
         SplitPair(first, count, j, &h, &x);
         double* sum = spectra + 6 * (size_t)j;
         sum[0] += h.re * h.re + h.im * h.im;
@@ -183,7 +146,7 @@ static void AddGauge(const Records* records, int gauge, const double* window, co
 typedef struct Workspace
 {
     double* window;
-    Complex *roots, *first, *second;
+    SeaComplex *roots, *first, *second;
     double* spectra;
 } Workspace;
 
@@ -196,22 +159,42 @@ static double* CreateWorkspace(int count, Workspace* work)
         return NULL;
     }
     work->window = memory;
-    work->roots = (Complex*)(memory + n);
-    work->first = (Complex*)(memory + 2 * n);
-    work->second = (Complex*)(memory + 4 * n);
+    work->roots = (SeaComplex*)(memory + n);
+    work->first = (SeaComplex*)(memory + 2 * n);
+    work->second = (SeaComplex*)(memory + 4 * n);
     work->spectra = memory + 6 * n;
     for (int i = 0; i < count; ++i)
     {
         work->window[i] = 0.5 - 0.5 * cos(2.0 * SW_PI * i / count);
     }
-    for (int i = 0; i < count / 2; ++i)
-    {
-        work->roots[i] = (Complex){cos(2.0 * SW_PI * i / count), -sin(2.0 * SW_PI * i / count)};
-    }
+    FillRoots(count, work->roots);
     return memory;
 }
 
-static bool SumRecords(const Records* records, const SeaBins* bins, SeaSums* sums)
+// Spectra of the gauges [begin, end), into the bins.
+static void SumGauges(const Records* records, int begin, int end, double scale, const Workspace* work,
+                      const SeaBins* bins, SeaSums* sums)
+{
+    int count = records->sampleCount;
+    double step = 1.0 / (count * records->dt);
+    memset(work->spectra, 0, 3 * (size_t)count * sizeof(double));
+    for (int gauge = begin; gauge < end; ++gauge)
+    {
+        AddGauge(records, gauge, work->window, work->roots, work->first, work->second, work->spectra);
+    }
+    for (int j = 1; j < count / 2; ++j)
+    {
+        double* values = work->spectra + 6 * (size_t)j;
+        for (int i = 0; i < 6; ++i)
+        {
+            values[i] *= scale;
+        }
+        AddToBins(bins, (j - 0.5) * step, (j + 0.5) * step, values, sums);
+    }
+    sums->weight += end - begin;
+}
+
+static bool SumRecords(const Records* records, const SeaBins* bins, int groupCount, SeaSums* sums)
 {
     int count = records->sampleCount;
     Workspace work;
@@ -225,22 +208,12 @@ static bool SumRecords(const Records* records, const SeaBins* bins, SeaSums* sum
     {
         windowPower += work.window[i] * work.window[i];
     }
-    for (int gauge = 0; gauge < records->gaugeCount; ++gauge)
-    {
-        AddGauge(records, gauge, work.window, work.roots, work.first, work.second, work.spectra);
-    }
-    double step = 1.0 / (count * records->dt);
     double scale = 2.0 / (windowPower * count); // both signs of frequency; Parseval
-    for (int j = 1; j < count / 2; ++j)
+    for (int group = 0; group < groupCount; ++group)
     {
-        double* values = work.spectra + 6 * (size_t)j;
-        for (int i = 0; i < 6; ++i)
-        {
-            values[i] *= scale;
-        }
-        AddToBins(bins, (j - 0.5) * step, (j + 0.5) * step, values, sums);
+        int begin = group * records->gaugeCount / groupCount, end = (group + 1) * records->gaugeCount / groupCount;
+        SumGauges(records, begin, end, scale, &work, bins, sums + group);
     }
-    sums->weight += records->gaugeCount;
     free(memory);
     return true;
 }
@@ -261,7 +234,7 @@ static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* record
     swSurfaceSamples samples = {.displacement = displacement};
     for (int j = 0; j < records->sampleCount && isFine; ++j)
     {
-        swWorld_SetTime(world, records->dt * j);
+        swWorld_SetTime(world, gauges->begin + records->dt * j);
         isFine = swWorld_Step(world, 0.0) == SW_SUCCESS;
         swWorld_QueryParticles(world, &def, records->gaugeCount, points, &samples, slopes);
         for (size_t i = 0; i < count; ++i)
@@ -278,7 +251,7 @@ static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* record
     return isFine;
 }
 
-bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, SeaSums* sums)
+bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, int groupCount, SeaSums* sums)
 {
     // Sampled a fifth faster than the last bin needs; a power of two of samples.
     Records records = {.gaugeCount = gauges->gaugeCount, .dt = 1.0 / (2.4 * bins->high[bins->count - 1])};
@@ -296,7 +269,7 @@ bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, Sea
     records.h = memory;
     records.x = memory + count;
     records.z = memory + 2 * count;
-    bool isFine = FillRecords(world, gauges, &records) && SumRecords(&records, bins, sums);
+    bool isFine = FillRecords(world, gauges, &records) && SumRecords(&records, bins, groupCount, sums);
     free(memory);
     return isFine;
 }
@@ -315,20 +288,42 @@ void AddSums(const SeaSums* from, SeaSums* to)
     }
 }
 
+double FindDensity(const SeaBins* bins, const SeaSums* sums, int bin)
+{
+    double scale = sums->weight > 0.0 ? 1.0 / sums->weight : 0.0;
+    return scale * sums->h[bin] / (bins->high[bin] - bins->low[bin]);
+}
+
 int FindPeakBin(const SeaBins* bins, const SeaSums* sums)
 {
     int peak = 0;
-    double largest = 0.0;
-    for (int i = 0; i < bins->count; ++i)
+    for (int i = 1; i < bins->count; ++i)
     {
-        double density = sums->h[i] / (bins->high[i] - bins->low[i]);
-        if (density > largest)
-        {
-            largest = density;
-            peak = i;
-        }
+        peak = FindDensity(bins, sums, i) > FindDensity(bins, sums, peak) ? i : peak;
     }
     return peak;
+}
+
+SeaMoments FindMoments(const SeaSums* sums, int bin)
+{
+    double slopes = sums->xx[bin] + sums->zz[bin], norm = sqrt(sums->h[bin] * slopes);
+    if (!(norm > 0.0))
+    {
+        return (SeaMoments){0};
+    }
+    return (SeaMoments){sums->hx[bin] / norm, sums->hz[bin] / norm, (sums->xx[bin] - sums->zz[bin]) / slopes,
+                        2.0 * sums->xz[bin] / slopes};
+}
+
+double FindVariance(const SeaBins* bins, const SeaSums* sums, double low, double high)
+{
+    double variance = 0.0;
+    for (int i = 0; i < bins->count; ++i)
+    {
+        double overlap = fmin(high, bins->high[i]) - fmax(low, bins->low[i]);
+        variance += fmax(overlap, 0.0) * FindDensity(bins, sums, i);
+    }
+    return variance;
 }
 
 void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
@@ -340,17 +335,14 @@ void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
     for (int i = 0; i < bins->count; ++i)
     {
         double variance = sums->h[i] * scale, f = bins->center[i];
-        double norm = sqrt(sums->h[i] * (sums->xx[i] + sums->zz[i]));
+        SeaMoments moments = FindMoments(sums, i);
         before += variance / f;
         m0 += variance;
         m1 += variance * f;
         m2 += variance * f * f;
         slope += (sums->xx[i] + sums->zz[i]) * scale;
-        if (norm > 0.0)
-        {
-            a += variance * sums->hx[i] / norm;
-            b += variance * sums->hz[i] / norm;
-        }
+        a += variance * moments.a1;
+        b += variance * moments.b1;
         peakA = i == peak ? sums->hx[i] : peakA;
         peakB = i == peak ? sums->hz[i] : peakB;
     }
@@ -367,6 +359,80 @@ void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state)
     state->peakDirection = (float)atan2(peakB, peakA);
     state->spread = (float)sqrt(fmax(2.0 * (1.0 - sqrt(a * a + b * b) / m0), 0.0));
     state->meanSquareSlope = (float)slope;
+}
+
+// The state's numbers as an array, to go through them.
+#define STATE_NUMBERS 9
+static void ListState(const swSeaState* state, double numbers[STATE_NUMBERS])
+{
+    const float* fields[STATE_NUMBERS] = {&state->significantHeight, &state->peakPeriod,   &state->periodTm01,
+                                          &state->periodTm02,        &state->energyPeriod, &state->meanDirection,
+                                          &state->peakDirection,     &state->spread,       &state->meanSquareSlope};
+    for (int i = 0; i < STATE_NUMBERS; ++i)
+    {
+        numbers[i] = (double)*fields[i];
+    }
+}
+
+static void LeaveOut(const SeaSums* all, const SeaSums* group, SeaSums* rest)
+{
+    rest->weight = all->weight - group->weight;
+    for (int i = 0; i < SEA_MAX_BINS; ++i)
+    {
+        rest->h[i] = all->h[i] - group->h[i];
+        rest->hx[i] = all->hx[i] - group->hx[i];
+        rest->hz[i] = all->hz[i] - group->hz[i];
+        rest->xx[i] = all->xx[i] - group->xx[i];
+        rest->zz[i] = all->zz[i] - group->zz[i];
+        rest->xz[i] = all->xz[i] - group->xz[i];
+    }
+}
+
+bool FindSeaError(const SeaBins* bins, int groupCount, const SeaSums* groups, swSeaState* error)
+{
+    SeaSums* sums = calloc(2, sizeof(SeaSums)); // of all, and of all but one
+    if (sums == NULL)
+    {
+        return false;
+    }
+    for (int i = 0; i < groupCount; ++i)
+    {
+        AddSums(groups + i, sums);
+    }
+    double whole[STATE_NUMBERS], shift[STATE_NUMBERS] = {0.0}, square[STATE_NUMBERS] = {0.0}, errors[STATE_NUMBERS];
+    swSeaState state;
+    FindSeaState(bins, sums, &state);
+    ListState(&state, whole);
+    for (int i = 0; i < groupCount; ++i)
+    {
+        double numbers[STATE_NUMBERS];
+        LeaveOut(sums, groups + i, sums + 1);
+        FindSeaState(bins, sums + 1, &state);
+        ListState(&state, numbers);
+        for (int j = 0; j < STATE_NUMBERS; ++j)
+        {
+            double change = numbers[j] - whole[j];
+            change = j == 5 || j == 6 ? remainder(change, 2.0 * SW_PI) : change;
+            shift[j] += change / groupCount;
+            square[j] += change * change / groupCount;
+        }
+    }
+    for (int j = 0; j < STATE_NUMBERS; ++j)
+    {
+        double spread = fmax(square[j] - shift[j] * shift[j], 0.0);
+        errors[j] = groupCount > 1 ? sqrt((groupCount - 1) * spread) : (double)NAN;
+    }
+    *error = (swSeaState){.significantHeight = (float)errors[0],
+                          .peakPeriod = (float)errors[1],
+                          .periodTm01 = (float)errors[2],
+                          .periodTm02 = (float)errors[3],
+                          .energyPeriod = (float)errors[4],
+                          .meanDirection = (float)errors[5],
+                          .peakDirection = (float)errors[6],
+                          .spread = (float)errors[7],
+                          .meanSquareSlope = (float)errors[8]};
+    free(sums);
+    return true;
 }
 
 bool LookAtSurface(const swWorld* world, double area, int count, float foamThreshold, SurfaceSums* sums)

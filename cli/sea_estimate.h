@@ -34,6 +34,7 @@ typedef struct SeaGauges
     double area;     // side of the square that holds the gauges, m
     int gaugeCount;  // spread evenly over it
     double duration; // at least, s
+    double begin;    // time of the first sample, s
 } SeaGauges;
 
 // A table's own bins.
@@ -42,17 +43,33 @@ void UseTableBins(const swSpectrumTable* table, SeaBins* bins);
 // `count` equal bins over [low, high] Hz.
 void UseEqualBins(double low, double high, int count, SeaBins* bins);
 
-// Record the world from time 0 on and add to `sums`. The world should hold no waves much above the last bin's frequency,
-// see FindWavelength(): they would cost time. Steps the world; returns false if a step or memory failed.
-bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, SeaSums* sums);
+// Record the world and add to sums[groupCount]: the gauges are dealt out to so many groups, each spread over the whole
+// area, so that the groups' scatter tells the error (FindSeaError()). The world should hold no waves much above the last
+// bin's frequency, see FindWavelength(): they would cost time. Steps the world; returns false if a step or memory failed.
+bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, int groupCount, SeaSums* sums);
 
 void AddSums(const SeaSums* from, SeaSums* to);
 
 // Integral parameters of what was recorded. The peak is the bin of the largest density.
 void FindSeaState(const SeaBins* bins, const SeaSums* sums, swSeaState* state);
 
+// Standard errors of FindSeaState() of all groups together, by leaving out one group after another (the jackknife).
+// Angles in radians, as in the state. Returns false without memory; with less than two groups all are NAN.
+bool FindSeaError(const SeaBins* bins, int groupCount, const SeaSums* groups, swSeaState* error);
+
 // The bin of the largest density.
 int FindPeakBin(const SeaBins* bins, const SeaSums* sums);
+
+// Density of a bin, m^2/Hz, and its circular moments: the means of cos, sin of theta and of 2 theta.
+double FindDensity(const SeaBins* bins, const SeaSums* sums, int bin);
+typedef struct SeaMoments
+{
+    double a1, b1, a2, b2;
+} SeaMoments;
+SeaMoments FindMoments(const SeaSums* sums, int bin);
+
+// Variance between two frequencies, m^2; bins are shared out by overlap.
+double FindVariance(const SeaBins* bins, const SeaSums* sums, double low, double high);
 
 // Length of a wave of `frequency` Hz over `depth` m (infinity is allowed), and back. With the surface tension of water.
 double FindWavelength(double frequency, double depth, double gravity);

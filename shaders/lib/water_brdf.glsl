@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reflection by a rough sea: a normal distribution of slopes around a mean, as [Ross 2005] and [Bruneton 2010].
 // Slopes are dh/dx and dh/dz; a facet of slope s has the normal (-s.x, 1, -s.y) normalised. The two axes have variances
-// of their own and no correlation.
-
-// Exact, for unpolarised light from air; `cosine` is that of the angle to the normal.
-float fresnelWater(float cosine, float index)
-{
-    float c = clamp(cosine, 0.0, 1.0);
-    float g = sqrt(index * index - 1.0 + c * c);
-    float a = (g - c) / (g + c);
-    float b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-    return 0.5 * a * a * (1.0 + b * b);
-}
+// of their own and no correlation. Needs shared/fresnel.h.
 
 vec3 facetNormal(vec2 slope)
 {
@@ -49,5 +39,5 @@ float sunGlitter(vec3 view, vec3 sun, vec2 slope, vec2 variance, float area, flo
     // Facets that see the sun over their neighbours.
     float lit = max(sun.y, 0.0) / facingArea(sun, vec2(0.0), variance);
     float h2 = h.y * h.y;
-    return fresnelWater(dot(view, h), index) * density * min(lit, 1.0) / (4.0 * h2 * h2 * area);
+    return swFresnel(dot(view, h), index) * density * min(lit, 1.0) / (4.0 * h2 * h2 * area);
 }

@@ -9,6 +9,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"
 #include "shared/mesh.h"
+#include "shared/fresnel.h"
 #include "lib/atmosphere.glsl"
 #include "lib/water_brdf.glsl"
 #include "lib/surface_slopes.glsl"
@@ -146,7 +147,7 @@ vec3 surroundings(vec3 direction, float blur, vec3 leaving)
     vec3 up = vec3(direction.x, abs(direction.y), direction.z);
     vec3 sky = textureLod(skyMap, skyViewUv(up, 0.0), blur).rgb;
     float open = smoothstep(-0.10, 0.06, direction.y);
-    float mirror = fresnelWater(up.y + 0.12, picture.absorption.w);
+    float mirror = swFresnel(up.y + 0.12, picture.absorption.w);
     return mix(mix(leaving, sky, mirror), sky, open);
 }
 
@@ -171,7 +172,7 @@ vec3 reflectedSky(vec3 view, Slopes slopes, vec3 leaving, out float reflectance)
         vec3 normal = facetNormal(slopes.mean + along * (x * deviation));
         float cosine = dot(view, normal);
         float weight = exp(-0.5 * x * x) * max(cosine, 1e-4) / normal.y;
-        float f = fresnelWater(cosine, picture.absorption.w);
+        float f = swFresnel(cosine, picture.absorption.w);
         sum += weight * f * surroundings(reflect(-view, normal), max(blur, 0.0), leaving);
         fresnel += weight * f;
         total += weight;
@@ -204,7 +205,7 @@ vec3 throughCrest(vec3 view, vec3 normal, float illuminated)
     float cosine = dot(travel, -inward);
     float phase = 0.0151 / pow(max(1.81 - 1.8 * cosine, 1e-3), 1.5) + 0.006;
     vec3 lost = picture.absorption.rgb + 0.1 * picture.scattering.rgb;
-    float entering = max(dot(back, sun), 0.0) * (1.0 - fresnelWater(dot(back, sun), picture.absorption.w));
+    float entering = max(dot(back, sun), 0.0) * (1.0 - swFresnel(dot(back, sun), picture.absorption.w));
     return light.sun.rgb * picture.scattering.rgb * phase * thickness * exp(-2.0 * lost * thickness) *
            (entering * illuminated * smoothstep(-0.2, 1.6, crest) / (picture.absorption.w * picture.absorption.w));
 }
@@ -254,7 +255,7 @@ void main()
     vec3 normal = facetNormal(slopes.mean);
     float index = picture.absorption.w;
 
-    float sunOnWater = max(sun.y, 0.0) * (1.0 - fresnelWater(sun.y, index));
+    float sunOnWater = max(sun.y, 0.0) * (1.0 - swFresnel(sun.y, index));
     vec3 entering = light.sun.rgb * sunOnWater + light.sky.rgb * 0.934;
     vec3 leaving = leavingWater(entering, amount);
 

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "shared/roughness.h"
+
 #define SW_EARTH_RADIUS 6360e3
 // Colour of a 5800 K black body in linear sRGB, luminance 1.
 #define SW_SUN_RED 1.047f
@@ -61,14 +63,6 @@ static void setSky(const swSkyDef* sky, swPictureParams* p)
     p->sunLight = (swVec4){light * SW_SUN_RED, light * SW_SUN_GREEN, light * SW_SUN_BLUE, sky->haze};
 }
 
-// [Cox 1954]: the slope variance of a sea under a wind, both directions together, less what the bands hold. Ripples below
-// the shortest band hold a fifth at least.
-static float getRippleVariance(float windSpeed, float resolved)
-{
-    float total = 0.003f + 5.12e-3f * windSpeed;
-    return 0.5f * fmaxf(total - resolved, 0.2f * total);
-}
-
 static void setWater(const swPicture* picture, const swFrame* frame, swPictureFrame* built)
 {
     const swWaterDef* water = &picture->water;
@@ -84,7 +78,7 @@ static void setWater(const swPicture* picture, const swFrame* frame, swPictureFr
     p->absorption = withW(water->absorption, water->refractiveIndex);
     p->scattering = withW(water->scattering, deviation);
     p->foamAlbedo = withW(water->foamAlbedo, picture->sky.clouds);
-    p->rippleVariance = getRippleVariance(water->windSpeed, slopes);
+    p->rippleVariance = swRippleVariance(water->windSpeed, slopes);
     p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
     p->verticalReach = 6.0f * deviation + 0.1f;
