@@ -103,8 +103,7 @@ typedef struct swHeightMapDef
     int width, height;       ///< points along x and along z, at least 1
 } swHeightMapDef;
 
-/// Fill `heights` ([height][width], m, absolute). The same answers as swWorld_QuerySurface(), at less cost a point: a
-/// point's search begins where its neighbour's ended. `stats` may be NULL.
+/// Fill `heights` ([height][width], m, absolute): the same answers as swWorld_QuerySurface(). `stats` may be NULL.
 SW_API void swWorld_QueryHeightMap(const swWorld* world, const swQueryDef* def, const swHeightMapDef* map,
                                    float* heights, swQueryStats* stats);
 

@@ -124,7 +124,7 @@ static void lookAtOnce(const swQuery* query, int count, March* const* marches, L
         needsNormals = needsNormals || marches[i]->ray->radius > 0.0f || marches[i]->refinements > 0;
     }
     swFound found;
-    swFindParticles(query, count, places, NULL, &found);
+    swFindParticles(query, count, places, &found);
     float gradients[SW_QUERY_BLOCK][8];
     if (needsNormals)
     {

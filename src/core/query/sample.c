@@ -254,22 +254,7 @@ static bool advanceSearch(swSearch* search, const float* displacement, float tol
     return true;
 }
 
-// Offsets to try first: those given, or none.
-static void beginSearches(const swQuery* query, int count, const swVec2* guess, swSearch* searches)
-{
-    (void)query;
-    for (int i = 0; i < count; ++i)
-    {
-        searches[i] = (swSearch){.b00 = 1.0f, .b11 = 1.0f, .bestSquare = INFINITY, .reach = 1.0f};
-        if (guess != NULL)
-        {
-            searches[i].dx = guess[i].x;
-            searches[i].dz = guess[i].y;
-        }
-    }
-}
-
-void swFindParticles(const swQuery* query, int count, const swPosXZ* points, const swVec2* guess, swFound* found)
+void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swFound* found)
 {
     swSearch searches[SW_QUERY_BLOCK];
     swPosXZ tried[SW_QUERY_BLOCK];
@@ -277,9 +262,9 @@ void swFindParticles(const swQuery* query, int count, const swPosXZ* points, con
     int active[SW_QUERY_BLOCK];
     int activeCount = count;
     float toleranceSquare = query->def->tolerance * query->def->tolerance;
-    beginSearches(query, count, guess, searches);
     for (int i = 0; i < count; ++i)
     {
+        searches[i] = (swSearch){.b00 = 1.0f, .b11 = 1.0f, .bestSquare = INFINITY, .reach = 1.0f};
         active[i] = i;
     }
     found->evaluations = 0;
@@ -423,7 +408,7 @@ void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, cons
         float gradients[SW_QUERY_BLOCK][8];
         int blockCount = placeBlock(query, count, points, first, block);
         swFound found;
-        swFindParticles(query, blockCount, block, NULL, &found);
+        swFindParticles(query, blockCount, block, &found);
         bool withGradients = wantsGradients(samples);
         if (wantsMore(samples))
         {
@@ -469,15 +454,14 @@ void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, co
 
 // ---- height maps ----
 
-// A stretch of a row at a time. Each point begins with the offset that the point above it in the map ended with, which is
-// at hand for the whole stretch at once.
+// A stretch of a row at a time. To begin each search where the neighbour's ended was tried: it saves one evaluation in
+// seventy on half a metre's spacing and costs one in five on seven metres'.
 void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* heights, swQueryStats* stats)
 {
     swQueryStats total = {0};
     for (int column = 0; column < map->width; column += SW_QUERY_BLOCK)
     {
         int count = map->width - column < SW_QUERY_BLOCK ? map->width - column : SW_QUERY_BLOCK;
-        swVec2 guess[SW_QUERY_BLOCK];
         for (int row = 0; row < map->height; ++row)
         {
             swPosXZ block[SW_QUERY_BLOCK];
@@ -487,11 +471,9 @@ void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* he
                 block[i].z = map->originZ + map->spacing * row + query->origin.z;
             }
             swFound found;
-            swFindParticles(query, count, block, row > 0 ? guess : NULL, &found);
+            swFindParticles(query, count, block, &found);
             for (int i = 0; i < count; ++i)
             {
-                guess[i].x = (float)(found.rest[i].x - block[i].x);
-                guess[i].y = (float)(found.rest[i].z - block[i].z);
                 heights[(size_t)row * (size_t)map->width + (size_t)(column + i)] =
                     (float)(query->seaLevel + (double)found.displacement[i][1]);
             }

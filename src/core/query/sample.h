@@ -49,9 +49,8 @@ typedef struct swFound
     int evaluations;
 } swFound;
 
-// Find the particles above at most SW_QUERY_BLOCK points in the sea. `guess` may be NULL, or offsets from the points to
-// begin with.
-void swFindParticles(const swQuery* query, int count, const swPosXZ* points, const swVec2* guess, swFound* found);
+// Find the particles above at most SW_QUERY_BLOCK points in the sea.
+void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swFound* found);
 
 // The upward unit normal of gradients as swEvaluation has them; the underside of a fold is turned over.
 swVec3 swMakeNormal(const float gradients[8], float* jacobian);

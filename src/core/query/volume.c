@@ -58,7 +58,7 @@ static void placeBlock(const swQuery* query, const swPos* points, float bottom, 
         block->points[i] = (swPosXZ){points[i].x + query->origin.x, points[i].z + query->origin.z};
     }
     swFound found;
-    swFindParticles(query, block->count, block->points, NULL, &found);
+    swFindParticles(query, block->count, block->points, &found);
     for (int i = 0; i < block->count; ++i)
     {
         float y = (float)(points[i].y - query->seaLevel);
