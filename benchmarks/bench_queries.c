@@ -3,6 +3,7 @@
 // The floor of a height is one evaluation of the surface, at which a query with nothing to search (particles) runs:
 // per evaluation and band a window of 4 x 4 texels of 16 bytes is read, and 2 * (16 + 4) * 3 operations weigh it.
 
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
@@ -12,7 +13,8 @@
 enum
 {
     POINT_COUNT = 16384,
-    ROUNDS = 25
+    ROUNDS = 25,
+    MAX_THREADS = 64
 };
 
 typedef struct Answers
@@ -29,6 +31,11 @@ typedef enum Question
     QUESTION_HEIGHTS_AND_NORMALS,
     QUESTION_PARTICLES,
     QUESTION_PARTICLES_AND_NORMALS,
+    QUESTION_HEIGHTS_4M,     // waves of 4 m and more
+    QUESTION_MOTION,         // velocities from texels
+    QUESTION_ANOTHER_TIME,   // wave by wave
+    QUESTION_BELOW,          // velocity and pressure 5 m below still water
+    QUESTION_RAYS,           // 45 degrees down from 20 m above
     QUESTION_COUNT
 } Question;
 
@@ -58,21 +65,75 @@ static void Scatter(Answers* answers, double side)
     }
 }
 
+// What takes long is asked of fewer points.
+static int CountPoints(Question question)
+{
+    return question == QUESTION_ANOTHER_TIME || question == QUESTION_BELOW ? 256
+           : question == QUESTION_RAYS                                     ? 4096
+                                                                           : POINT_COUNT;
+}
+
+static void AskBelow(const swWorld* world, const swQueryDef* def, int count, const Answers* answers)
+{
+    static swPos places[POINT_COUNT];
+    static swVec3 velocity[POINT_COUNT];
+    static float head[POINT_COUNT];
+    for (int i = 0; i < count; ++i)
+    {
+        places[i] = (swPos){answers->points[i].x, -5.0, answers->points[i].z};
+    }
+    swVolumeSamples samples = {.velocity = velocity, .pressureHead = head};
+    swWorld_QueryVolume(world, def, count, places, &samples);
+}
+
+static void AskRays(const swWorld* world, const swQueryDef* def, int count, const Answers* answers)
+{
+    static swRay rays[POINT_COUNT];
+    static swRayHit hits[POINT_COUNT];
+    for (int i = 0; i < count; ++i)
+    {
+        rays[i] = swDefaultRay((swPos){answers->points[i].x, 20.0, answers->points[i].z}, (swVec3){1.0f, -1.0f, 0.0f});
+    }
+    swWorld_CastRays(world, def, count, rays, hits);
+}
+
 static void Ask(const swWorld* world, Question question, Answers* answers, swQueryStats* stats)
 {
+    int count = CountPoints(question);
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = answers->heights, .residual = answers->residuals};
-    if (question == QUESTION_HEIGHTS_AND_NORMALS || question == QUESTION_PARTICLES_AND_NORMALS)
+    *stats = (swQueryStats){.convergedCount = count, .iterationCount = count};
+    switch (question)
     {
+    case QUESTION_PARTICLES_AND_NORMALS:
         samples.normal = answers->normals;
-    }
-    if (question == QUESTION_PARTICLES || question == QUESTION_PARTICLES_AND_NORMALS)
-    {
-        *stats = (swQueryStats){.convergedCount = POINT_COUNT, .iterationCount = POINT_COUNT};
-        swWorld_QueryParticles(world, &def, POINT_COUNT, answers->points, &samples, NULL);
+        swWorld_QueryParticles(world, &def, count, answers->points, &samples, NULL);
         return;
+    case QUESTION_PARTICLES:
+        swWorld_QueryParticles(world, &def, count, answers->points, &samples, NULL);
+        return;
+    case QUESTION_BELOW:
+        AskBelow(world, &def, count, answers);
+        return;
+    case QUESTION_RAYS:
+        AskRays(world, &def, count, answers);
+        return;
+    case QUESTION_HEIGHTS_AND_NORMALS:
+        samples.normal = answers->normals;
+        break;
+    case QUESTION_MOTION:
+        samples.velocity = answers->normals;
+        break;
+    case QUESTION_HEIGHTS_4M:
+        def.minWavelength = 4.0f;
+        break;
+    case QUESTION_ANOTHER_TIME:
+        def.time = -1000.0;
+        break;
+    default:
+        break;
     }
-    swWorld_QuerySurface(world, &def, POINT_COUNT, answers->points, &samples, stats);
+    swWorld_QuerySurface(world, &def, count, answers->points, &samples, stats);
 }
 
 static int CountBands(const Scenario* scenario)
@@ -88,8 +149,9 @@ static int CountBands(const Scenario* scenario)
 
 static void Measure(const Scenario* scenario, const char* name, Question question, double side, Answers* answers)
 {
-    static const char* const names[QUESTION_COUNT] = {"heights", "heights_and_normals", "particles",
-                                                      "particles_and_normals"};
+    static const char* const names[QUESTION_COUNT] = {
+        "heights", "heights_and_normals", "particles",       "particles_and_normals",
+        "heights_4m", "heights_and_velocities", "heights_another_time", "motion_5m_below", "rays"};
     double seconds[ROUNDS];
     swQueryStats stats;
     Scatter(answers, side);
@@ -101,17 +163,84 @@ static void Measure(const Scenario* scenario, const char* name, Question questio
     }
     qsort(seconds, ROUNDS, sizeof seconds[0], CompareDoubles);
     int bands = CountBands(scenario);
+    double points = CountPoints(question);
     printf("{\"bench\": \"queries\", \"scenario\": \"%s\", \"isa\": \"%s\", \"question\": \"%s\", \"bands\": %d, "
            "\"side_m\": %g, \"points_per_s\": %.0f, \"best_points_per_s\": %.0f, \"evaluations_per_point\": %.2f, "
            "\"converged\": %.5f, \"worst_residual_m\": %.2g, \"floor_bytes_per_evaluation\": %d, "
            "\"floor_flops_per_evaluation\": %d}\n",
            name, swIsa_GetName(swWorld_GetIsa(scenario->world)), names[question], bands, side,
-           POINT_COUNT / seconds[ROUNDS / 2], POINT_COUNT / seconds[0], (double)stats.iterationCount / POINT_COUNT,
-           (double)stats.convergedCount / POINT_COUNT, (double)stats.worstResidual, bands * 16 * 16, bands * 120);
+           points / seconds[ROUNDS / 2], points / seconds[0], (double)stats.iterationCount / points,
+           (double)stats.convergedCount / points, (double)stats.worstResidual, bands * 16 * 16, bands * 120);
     fflush(stdout);
 }
 
-int main(void)
+// The same heights asked by several threads at once, each with points of its own: no lock, no allocation between them.
+typedef struct Asker
+{
+    pthread_t thread;
+    const swWorld* world;
+    Answers* answers;
+} Asker;
+
+static void* AskOften(void* argument)
+{
+    Asker* asker = argument;
+    for (int i = 0; i < ROUNDS; ++i)
+    {
+        swQueryStats stats;
+        Ask(asker->world, QUESTION_HEIGHTS, asker->answers, &stats);
+    }
+    return NULL;
+}
+
+static double AskAtOnce(const swWorld* world, int threadCount, Answers* answers)
+{
+    Asker askers[MAX_THREADS];
+    struct timespec begin, end;
+    timespec_get(&begin, TIME_UTC);
+    for (int i = 0; i < threadCount; ++i)
+    {
+        askers[i] = (Asker){.world = world, .answers = &answers[i]};
+        pthread_create(&askers[i].thread, NULL, AskOften, &askers[i]);
+    }
+    for (int i = 0; i < threadCount; ++i)
+    {
+        pthread_join(askers[i].thread, NULL);
+    }
+    timespec_get(&end, TIME_UTC);
+    double seconds = (double)(end.tv_sec - begin.tv_sec) + 1e-9 * (double)(end.tv_nsec - begin.tv_nsec);
+    return (double)threadCount * ROUNDS * POINT_COUNT / seconds;
+}
+
+static void MeasureThreads(int most)
+{
+    Answers* answers = malloc((size_t)most * sizeof *answers);
+    ScenarioDef def = DefaultScenarioDef(SCENARIO_BREEZE);
+    Scenario scenario;
+    if (answers == NULL || CreateScenario(&def, &scenario) != SW_SUCCESS)
+    {
+        free(answers);
+        return;
+    }
+    for (int i = 0; i < most; ++i)
+    {
+        Scatter(&answers[i], 1000.0);
+    }
+    double one = AskAtOnce(scenario.world, 1, answers);
+    for (int threads = 1; threads <= most; threads *= 2)
+    {
+        double rate = AskAtOnce(scenario.world, threads, answers);
+        printf("{\"bench\": \"queries\", \"question\": \"heights_at_once\", \"threads\": %d, \"points_per_s\": %.0f, "
+               "\"per_core\": %.3f}\n",
+               threads, rate, rate / one / threads);
+        fflush(stdout);
+    }
+    DestroyScenario(&scenario);
+    free(answers);
+}
+
+// bench_queries [THREADS]
+int main(int argumentCount, char** arguments)
 {
     Answers* answers = malloc(sizeof *answers);
     if (answers == NULL)
@@ -122,6 +251,7 @@ int main(void)
     for (int kind = SCENARIO_BREEZE; kind < SCENARIO_COUNT; ++kind)
     {
         ScenarioDef def = DefaultScenarioDef((ScenarioKind)kind);
+        def.enableMotion = true;
         Scenario scenario;
         if (CreateScenario(&def, &scenario) != SW_SUCCESS)
         {
@@ -136,5 +266,7 @@ int main(void)
         DestroyScenario(&scenario);
     }
     free(answers);
+    int threads = argumentCount > 1 ? atoi(arguments[1]) : 2;
+    MeasureThreads(threads < 1 ? 1 : threads > MAX_THREADS ? MAX_THREADS : threads);
     return 0;
 }

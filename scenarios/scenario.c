@@ -90,6 +90,8 @@ swResult CreateScenario(const ScenarioDef* def, Scenario* scenario)
         swTaskPool_Attach(scenario->pool, &host);
     }
     swWorldDef world = swDefaultWorldDef();
+    world.enableVelocity = def->enableMotion;
+    world.enableAcceleration = def->enableMotion;
     world.isa = def->isa;
     result = result == SW_SUCCESS ? swCreateWorld(&host, &world, &scenario->world) : result;
     result = result == SW_SUCCESS ? FillWorld(scenario, def) : result;

@@ -23,6 +23,7 @@ typedef struct ScenarioDef
     int resolution; // of the tiles
     float chop;
     uint32_t seed;
+    bool enableMotion; // velocities and accelerations beside displacements. Default false
 } ScenarioDef;
 
 typedef struct Scenario

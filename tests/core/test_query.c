@@ -230,6 +230,43 @@ static void ASteepSeaConvergesOrSaysSo(void** state)
     }
 }
 
+// As steep as a sum of waves can be without folding for certain: chop * sum of a k just below one.
+static void ASeaThatNearlyFoldsConvergesEverywhere(void** state)
+{
+    (void)state;
+    swWaveComponent waves[6];
+    float steepness = 0.0f;
+    for (int i = 0; i < 6; ++i)
+    {
+        float wavelength = 80.0f / (float)(1 << i);
+        waves[i] = (swWaveComponent){.wavelength = wavelength, .direction = 0.9f * (float)i, .phase = (float)i};
+        waves[i].amplitude = 0.95f / 6.0f * wavelength / 6.2831853f;
+        steepness += waves[i].amplitude * 6.2831853f / wavelength;
+    }
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.method = SW_WAVES_GERSTNER;
+    def.components = waves;
+    def.componentCount = 6;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    swWorld_Step(world, 1.0);
+    static swPosXZ points[50000];
+    static float heights[50000];
+    MakePoints(points, 50000, 0.0, 0.0, 400.0);
+    swQueryDef query = swDefaultQueryDef();
+    swSurfaceSamples samples = {.height = heights};
+    swQueryStats stats;
+    swWorld_QuerySurface(world, &query, 50000, points, &samples, &stats);
+    print_message("chop * sum of a k = %.3f: %d of 50000 converged, %.2f evaluations a point\n", (double)steepness,
+                  stats.convergedCount, (double)stats.iterationCount / 50000.0);
+    assert_int_equal(stats.convergedCount, 50000);
+    swDestroyWorld(world);
+}
+
 static void TheBatchDoesNotMatter(void** state)
 {
     (void)state;
@@ -359,6 +396,7 @@ int main(void)
         cmocka_unit_test(NormalIsThatOfTheHeightsAround),
         cmocka_unit_test(ParticlesAndSurfaceAgree),
         cmocka_unit_test(ASteepSeaConvergesOrSaysSo),
+        cmocka_unit_test(ASeaThatNearlyFoldsConvergesEverywhere),
         cmocka_unit_test(TheBatchDoesNotMatter),
         cmocka_unit_test(ManyThreadsReadAtOnce),
         cmocka_unit_test(AViewChangesNothing),

@@ -83,13 +83,12 @@ static void sumOneByOne(const swQuery* query, bool withTiles, int count, const s
         return;
     }
     float unused[SW_QUERY_BLOCK][4];
+    float unusedDisplacement[SW_QUERY_BLOCK][4];
     bool hasMotion = out->velocity != NULL || out->acceleration != NULL;
-    if (hasMotion)
-    {
-        memset(unused, 0, (size_t)count * sizeof unused[0]);
-    }
+    memset(unused, 0, (size_t)count * sizeof unused[0]);
+    memset(unusedDisplacement, 0, (size_t)count * sizeof unused[0]);
     const swSurfaceSums sums = {
-        .displacement = out->displacement,
+        .displacement = out->displacement != NULL ? out->displacement : unusedDisplacement,
         .gradients = out->gradients,
         .velocity = hasMotion && out->velocity == NULL ? unused : out->velocity,
         .acceleration = hasMotion && out->acceleration == NULL ? unused : out->acceleration,
@@ -182,13 +181,19 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
     }
     if (query->isNow)
     {
-        swSampleTiles(query->kernels, query->tileCount, query->tiles, count, rest, out->displacement[0],
-                      out->gradients != NULL ? out->gradients[0] : NULL);
+        if (out->displacement != NULL)
+        {
+            swSampleTiles(query->kernels, query->tileCount, query->tiles, count, rest, out->displacement[0],
+                          out->gradients != NULL ? out->gradients[0] : NULL);
+        }
         evaluateMotion(query, count, rest, out);
     }
     else
     {
-        memset(out->displacement, 0, rows);
+        if (out->displacement != NULL)
+        {
+            memset(out->displacement, 0, rows);
+        }
         if (out->gradients != NULL)
         {
             memset(out->gradients, 0, 2 * rows);
@@ -413,7 +418,8 @@ void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, cons
         if (wantsMore(samples))
         {
             float again[SW_QUERY_BLOCK][4];
-            sampleParticles(query, samples, withGradients, first, blockCount, found.rest, again, gradients);
+            sampleParticles(query, samples, withGradients, first, blockCount, found.rest, withGradients ? again : NULL,
+                            gradients);
             found.evaluations += blockCount;
         }
         writeSamples(samples, query->seaLevel, first, blockCount, found.displacement, withGradients ? gradients : NULL);

@@ -28,11 +28,11 @@ typedef struct swQuery
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin);
 
-// What is asked of a block of rest points (in the sea). Velocity and acceleration may be NULL, each by itself.
+// What is asked of a block of rest points (in the sea). What is not asked for is NULL; gradients come with displacement.
 typedef struct swEvaluation
 {
     float (*displacement)[4];
-    float (*gradients)[8]; // may be NULL
+    float (*gradients)[8];
     float (*velocity)[4];
     float (*acceleration)[4];
 } swEvaluation;
