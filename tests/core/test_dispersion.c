@@ -6,9 +6,14 @@
 #include "core/waves/dispersion.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "core/math/scalar.h"
 #include "seaway/math.h"
+
+#define OTHERS SW_SOURCE_DIR "/../shared/data/spectra/cdip_mhkit/dispersion_ValData1.json"
 
 static void GravityWavesHavePublishedLengths(void** state)
 {
@@ -103,13 +108,58 @@ static void RipplesHaveASlowestSpeed(void** state)
     assert_true(fabs(swGetGroupSpeed(&water, at) / slowest - 1.0) < 1e-4);
 }
 
+// The numbers of a list `"name": [...]` that comes after `from`. Returns where it ends.
+static const char* ReadList(const char* from, const char* name, int count, double* values)
+{
+    const char* at = strstr(from, name);
+    assert_non_null(at);
+    at = strchr(at, '[');
+    for (int i = 0; i < count; ++i)
+    {
+        char* end = NULL;
+        values[i] = strtod(at + 1, &end);
+        at = end;
+    }
+    return at;
+}
+
+static void WaveNumbersAreThoseOfOthers(void** state)
+{
+    (void)state;
+    // 30 pairs each at 10 and 50 m, which MHKiT's tests hold to a summed squared error of 1e-6.
+    FILE* file = fopen(OTHERS, "rb");
+    if (file == NULL)
+    {
+        print_message("skipped: " OTHERS " is absent\n");
+        skip();
+    }
+    static char text[65536];
+    text[fread(text, 1, sizeof(text) - 1, file)] = '\0';
+    fclose(file);
+    const char* at = text;
+    static const double depths[2] = {10.0, 50.0};
+    for (int i = 0; i < 2; ++i)
+    {
+        double k[30], omega[30], error = 0.0;
+        at = ReadList(at, "\"k\"", 30, k);
+        at = ReadList(at, "\"w\"", 30, omega);
+        swDispersion water = {9.81, 0.0, depths[i]};
+        for (int j = 0; j < 30; ++j)
+        {
+            double difference = swGetWaveNumber(&water, omega[j]) - k[j];
+            error += difference * difference;
+        }
+        print_message("%g m: squared error %.1e\n", depths[i], error);
+        assert_true(error < 1e-6);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(GravityWavesHavePublishedLengths),
-        cmocka_unit_test(EveryFrequencyHasItsWave),
-        cmocka_unit_test(GroupSpeedIsTheSlopeOfFrequency),
-        cmocka_unit_test(RipplesHaveASlowestSpeed),
+        cmocka_unit_test(GravityWavesHavePublishedLengths), cmocka_unit_test(EveryFrequencyHasItsWave),
+        cmocka_unit_test(GroupSpeedIsTheSlopeOfFrequency),  cmocka_unit_test(RipplesHaveASlowestSpeed),
+        cmocka_unit_test(WaveNumbersAreThoseOfOthers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,20 +38,25 @@ static swResult AddWaves(swWorld* world)
 {
     swWaveSystemId id;
     swWaveSystemDef windSea = swDefaultWaveSystemDef();
+    windSea.spectrum.kind = SW_SPECTRUM_ELFOUHAILY;
     windSea.spectrum.windSpeed = 14.0f;
+    windSea.spectrum.spreading = SW_SPREADING_DONELAN_BANNER;
+    windSea.spectrum.turbulence = 0.1f;
+    windSea.spectrum.swell = 0.4f;
     windSea.resolution = 64;
     windSea.tileWaves = 16;
     swResult result = swCreateWaveSystem(world, &windSea, &id);
 
     swWaveSystemDef swell = swDefaultWaveSystemDef();
+    swell.spectrum.kind = SW_SPECTRUM_TMA;
+    swell.spectrum.depth = 40.0f;
+    swell.spectrum.spreading = SW_SPREADING_HASSELMANN;
     swell.spectrum.significantHeight = 1.5f;
     swell.spectrum.peakPeriod = 13.0f;
     swell.spectrum.direction = 2.0f;
-    swell.spectrum.spreadExponent = 60.0f;
     swell.resolution = 32;
     swell.tileWaves = 8;
     swell.minWavelength = 64.0f;
-    swell.spectrum.depth = 40.0f;
     swell.seed = 7;
     return result != SW_SUCCESS ? result : swCreateWaveSystem(world, &swell, &id);
 }
