@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // `seaway spectrum`: a measured sea state, printed and drawn.
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "args.h"
 #include "spectrum_plot.h"
 #include "verbs.h"
+
+// Seas that are made of the record and measured for a plot.
+#define PLOT_SEEDS 4
 
 static swSpectrumDef MakeTableDef(const swMeasuredRecord* record)
 {
@@ -137,6 +141,36 @@ static int FindRecord(const swMeasuredSea* sea, const char* at)
     return swMeasuredSea_FindTime(sea, time);
 }
 
+// A scene of nothing but the record, to make its sea of.
+static swScene* MakeRecordScene(const swMeasuredRecord* record)
+{
+    swScene* scene = calloc(1, sizeof(swScene));
+    if (scene != NULL)
+    {
+        scene->world = swDefaultWorldDef();
+        scene->wavesCount = 1;
+        scene->waves[0].def = swDefaultWaveSystemDef();
+        scene->waves[0].def.spectrum = MakeTableDef(record);
+    }
+    return scene;
+}
+
+static bool PlotRecord(const char* plotPath, const char* path, const swMeasuredRecord* record)
+{
+    const MeasureOptions options = {.seeds = PLOT_SEEDS, .withDirections = true};
+    const char* slash = strrchr(path, '/');
+    char title[256];
+    swScene* scene = MakeRecordScene(record);
+    SeaMeasurement* sea = scene != NULL ? MeasureSea(scene, &options) : NULL;
+    snprintf(title, sizeof(title), "%s, %s UTC", slash != NULL ? slash + 1 : path, record->time);
+    bool isFine = sea != NULL &&
+                  PlotSea(plotPath, title,
+                          record->meanDirection != NULL ? NULL : "no directions measured: spread around the west", sea);
+    DestroyMeasurement(sea);
+    free(scene);
+    return isFine;
+}
+
 static int ShowRecord(const char* path, const swMeasuredSea* sea, int index, const char* plotPath, bool asJson)
 {
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
@@ -156,7 +190,7 @@ static int ShowRecord(const char* path, const swMeasuredSea* sea, int index, con
         return EXIT_PROBLEM;
     }
     bool isFine = FinishOutput();
-    return (plotPath == NULL || PlotSpectrum(plotPath, path, &record, &state)) && isFine ? EXIT_FINE : EXIT_PROBLEM;
+    return (plotPath == NULL || PlotRecord(plotPath, path, &record)) && isFine ? EXIT_FINE : EXIT_PROBLEM;
 }
 
 int RunSpectrum(int argumentCount, char** arguments)
@@ -175,7 +209,7 @@ int RunSpectrum(int argumentCount, char** arguments)
          .kind = OPTION_TEXT,
          .value = &plotPath,
          .placeholder = "FILE.svg",
-         .help = "draw energy over frequency and direction"},
+         .help = "make its sea, and draw the record and what the surface measures"},
         {.name = "list", .kind = OPTION_FLAG, .value = &asList, .help = "one line for each record"},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };

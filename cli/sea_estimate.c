@@ -55,6 +55,19 @@ void UseEqualBins(double low, double high, int count, SeaBins* bins)
     }
 }
 
+void UseGrowingBins(double low, double high, double width, double part, SeaBins* bins)
+{
+    bins->count = 0;
+    while (low < high * (1.0 - 1e-9) && bins->count < SEA_MAX_BINS)
+    {
+        int i = bins->count++;
+        bins->low[i] = low;
+        bins->high[i] = fmin(low + fmax(width, part * low), high);
+        bins->center[i] = 0.5 * (bins->low[i] + bins->high[i]);
+        low = bins->high[i];
+    }
+}
+
 double FindFrequency(double wavelength, double depth, double gravity)
 {
     double k = 2.0 * SW_PI / wavelength;
@@ -422,6 +435,10 @@ bool FindSeaError(const SeaBins* bins, int groupCount, const SeaSums* groups, sw
         double spread = fmax(square[j] - shift[j] * shift[j], 0.0);
         errors[j] = groupCount > 1 ? sqrt((groupCount - 1) * spread) : (double)NAN;
     }
+    // The peak's place within its bin is not known: the deviation of what is evenly spread over the bin.
+    int peak = FindPeakBin(bins, sums);
+    double within = (bins->high[peak] - bins->low[peak]) / (sqrt(12.0) * bins->center[peak] * bins->center[peak]);
+    errors[1] = sqrt(errors[1] * errors[1] + within * within);
     *error = (swSeaState){.significantHeight = (float)errors[0],
                           .peakPeriod = (float)errors[1],
                           .periodTm01 = (float)errors[2],

@@ -43,6 +43,9 @@ void UseTableBins(const swSpectrumTable* table, SeaBins* bins);
 // `count` equal bins over [low, high] Hz.
 void UseEqualBins(double low, double high, int count, SeaBins* bins);
 
+// Bins of the width `width`, from some frequency on of the width `part` of their frequency, Hz.
+void UseGrowingBins(double low, double high, double width, double part, SeaBins* bins);
+
 // Record the world and add to sums[groupCount]: the gauges are dealt out to so many groups, each spread over the whole
 // area, so that the groups' scatter tells the error (FindSeaError()). The world should hold no waves much above the last
 // bin's frequency, see FindWavelength(): they would cost time. Steps the world; returns false if a step or memory failed.

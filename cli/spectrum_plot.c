@@ -1,288 +1,408 @@
 // SPDX-License-Identifier: MIT
-// The left chart holds the energy of each frequency bin, the right one the density over frequency (radius) and the
-// bearing that waves come from (north up), coloured by its square root so that weaker systems show beside the peak.
+// Above, energy by frequency: the asked as an area, the measured as a line in a band of twice its standard error; vertical
+// lines are the edges of the octaves of wavelength that the waves are made in. Below, density over frequency (radius) and
+// bearing (north up), asked and measured on one scale, coloured by its square root so that weaker systems show beside the
+// peak. Both charts end where all but one percent of the energy is in.
 
 #include "spectrum_plot.h"
 
 #include <errno.h>
 #include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "output.h"
+#include "svg.h"
 #include "verbs.h"
 
-#define WIDTH 1040
-#define HEIGHT 500
+#define WIDTH 800
+#define HEIGHT 872
 #define DEGREE (SW_PI / 180.0)
 
-typedef struct Chart
+#define SECTORS 72
+#define MOST_RINGS 48
+#define LEVELS 40
+
+typedef struct Rings
 {
-    double left, top, width, height;
-    double maxX, maxY;
-} Chart;
+    int count;
+    double low[MOST_RINGS], high[MOST_RINGS];
+    double asked[MOST_RINGS][SECTORS], measured[MOST_RINGS][SECTORS]; // m^2/Hz/rad
+    double most;                                                      // of both
+} Rings;
 
 typedef struct Polar
 {
-    double x, y, radius; // centre and outer radius, pixels
-    double maxFrequency; // at the outer radius, Hz
-    double maxDensity;
+    double x, y;  // centre, pixels
+    SvgAxis axis; // frequency to radius
 } Polar;
 
-// 1, 2 or 5 times a power of ten, so that about `count` steps make `range`.
-static double FindTick(double range, int count)
+// Asked over a bin, m^2/Hz.
+static double AskBin(const SeaMeasurement* sea, int bin)
 {
-    double raw = range / count;
-    double power = pow(10.0, floor(log10(raw)));
-    double lead = raw / power;
-    return power * (lead <= 1.0 ? 1.0 : lead <= 2.0 ? 2.0 : lead <= 5.0 ? 5.0 : 10.0);
+    double low = sea->bins.low[bin], high = sea->bins.high[bin], sum = 0.0;
+    const int parts = 4;
+    for (int i = 0; i < parts; ++i)
+    {
+        sum += AskDensity(sea, low + (high - low) * (i + 0.5) / parts) / parts;
+    }
+    return sum;
 }
 
-// The frequency below which all but two percent of the energy lie, with a margin: where both charts end.
-static double FindLastFrequency(const swMeasuredRecord* record)
+static double FindLastFrequency(const SeaMeasurement* sea)
 {
-    const swSpectrumTable* table = &record->table;
-    double total = 0.0, sum = 0.0;
-    for (int i = 0; i < table->frequencyCount; ++i)
+    const SeaBins* bins = &sea->bins;
+    double total = FindVariance(bins, &sea->sums, bins->low[0], bins->high[bins->count - 1]);
+    int last = 0;
+    while (last < bins->count - 1 && FindVariance(bins, &sea->sums, bins->low[0], bins->high[last]) < 0.99 * total)
     {
-        total += (double)record->energy[i] * (double)table->bandwidths[i];
+        last += 1;
     }
-    int last = table->frequencyCount - 1;
-    for (int i = 0; i < table->frequencyCount; ++i)
+    return fmin(bins->high[bins->count - 1], 1.15 * bins->high[last]);
+}
+
+static void WriteNumbers(FILE* file, double y, const char* color, const swSeaState* state, const swSeaState* error)
+{
+    const double columns[5] = {298, 410, 522, 628, 728};
+    const double numbers[5] = {(double)state->significantHeight, (double)state->peakPeriod, (double)state->periodTm02,
+                               BearingFrom((double)state->meanDirection), (double)state->spread / DEGREE};
+    const double errors[5] = {error != NULL ? (double)error->significantHeight : (double)NAN,
+                              error != NULL ? (double)error->peakPeriod : (double)NAN,
+                              error != NULL ? (double)error->periodTm02 : (double)NAN,
+                              error != NULL ? (double)error->meanDirection / DEGREE : (double)NAN,
+                              error != NULL ? (double)error->spread / DEGREE : (double)NAN};
+    static const char* const units[5] = {" m", " s", " s", "\xc2\xb0", "\xc2\xb0"};
+    for (int i = 0; i < 5; ++i)
     {
-        sum += (double)record->energy[i] * (double)table->bandwidths[i];
-        if (sum > 0.98 * total)
+        char text[64], style[64];
+        int digits = i < 3 ? 2 : 1, length = snprintf(text, sizeof(text), "%.*f", digits, numbers[i]);
+        if (isfinite(errors[i]))
         {
-            last = i;
-            break;
+            length += snprintf(text + length, sizeof(text) - (size_t)length, " \xc2\xb1 %.*f", digits, errors[i]);
         }
+        snprintf(text + length, sizeof(text) - (size_t)length, "%s", units[i]);
+        snprintf(style, sizeof(style), "text-anchor=\"middle\" fill=\"%s\"", color);
+        WriteText(file, columns[i], y, style, text);
     }
-    double end = (double)table->frequencies[table->frequencyCount - 1];
-    return fmin(end, 1.25 * (double)table->frequencies[last]);
 }
 
-// Dark where there is most, along one line through lightness. `t` in [0, 1].
-static void WriteColor(FILE* file, double t)
+static void WriteHead(FILE* file, const char* title, const SeaMeasurement* sea)
 {
-    static const double stops[6][3] = {{240, 246, 248}, {183, 216, 226}, {108, 173, 199},
-                                       {47, 118, 163},  {20, 67, 112},   {8, 28, 58}};
-    double at = fmin(fmax(t, 0.0), 1.0) * 5.0;
-    int i = at < 5.0 ? (int)at : 4;
-    double part = at - i;
-    fprintf(file, "#%02x%02x%02x", (unsigned)lround(stops[i][0] + (stops[i + 1][0] - stops[i][0]) * part),
-            (unsigned)lround(stops[i][1] + (stops[i + 1][1] - stops[i][1]) * part),
-            (unsigned)lround(stops[i][2] + (stops[i + 1][2] - stops[i][2]) * part));
-}
-
-static void WriteText(FILE* file, double x, double y, const char* style, const char* text)
-{
-    fprintf(file, "<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, style);
-    for (const char* c = text; *c != 0; ++c)
+    static const char* const names[5] = {"Hs", "Tp", "Tm02", "from", "spread"};
+    const double columns[5] = {298, 410, 522, 628, 728};
+    WriteText(file, 24, 36, "font-size=\"19\" font-weight=\"bold\"", title);
+    for (int i = 0; i < 5; ++i)
     {
-        switch (*c)
-        {
-        case '<':
-            fputs("&lt;", file);
-            break;
-        case '>':
-            fputs("&gt;", file);
-            break;
-        case '&':
-            fputs("&amp;", file);
-            break;
-        default:
-            fputc(*c, file);
-        }
+        WriteText(file, columns[i], 64, "text-anchor=\"middle\" font-size=\"12\" fill=\"" SVG_PALE_INK "\"", names[i]);
     }
-    fputs("</text>\n", file);
+    fputs("<rect x=\"24\" y=\"73\" width=\"26\" height=\"11\" fill=\"" SVG_BLUE "\" fill-opacity=\"0.2\"/>"
+          "<path d=\"M24 73h26\" stroke=\"" SVG_BLUE "\" stroke-width=\"2\"/>\n"
+          "<rect x=\"24\" y=\"92\" width=\"26\" height=\"11\" fill=\"" SVG_ORANGE "\" fill-opacity=\"0.25\"/>"
+          "<path d=\"M24 97.5h26\" stroke=\"" SVG_ORANGE "\" stroke-width=\"2\"/>\n",
+          file);
+    WriteText(file, 58, 84, "", "asked");
+    WriteText(file, 58, 103, "", "measured on the surface");
+    WriteNumbers(file, 84, SVG_INK, &sea->asked, NULL);
+    WriteNumbers(file, 103, SVG_INK, &sea->measured, &sea->error);
 }
 
-static void WriteHead(FILE* file, const char* source, const swMeasuredRecord* record, const swSeaState* state)
+static void WriteAxes(FILE* file, const SvgAxis* x, const SvgAxis* y)
 {
-    const char* slash = strrchr(source, '/');
-    char line[256];
-    fprintf(file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-            "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"12\" fill=\"#24303a\">\n"
-            "<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>\n",
-            WIDTH, HEIGHT, WIDTH, HEIGHT, WIDTH, HEIGHT);
-    snprintf(line, sizeof(line), "%s, %s UTC", slash != NULL ? slash + 1 : source, record->time);
-    WriteText(file, 70, 34, "font-size=\"18\" font-weight=\"bold\"", line);
-    snprintf(line, sizeof(line), "Hs %.2f m    Tp %.1f s    Tm02 %.1f s    from %.0f\xc2\xb0    spread %.0f\xc2\xb0",
-             (double)state->significantHeight, (double)state->peakPeriod, (double)state->periodTm02,
-             BearingFrom((double)state->meanDirection), (double)state->spread / DEGREE);
-    WriteText(file, 70, 56, "fill=\"#5a6874\" xml:space=\"preserve\"", line);
-}
-
-static double ChartX(const Chart* chart, double frequency)
-{
-    return chart->left + chart->width * frequency / chart->maxX;
-}
-
-static double ChartY(const Chart* chart, double energy)
-{
-    return chart->top + chart->height * (1.0 - energy / chart->maxY);
-}
-
-static void WriteAxes(FILE* file, const Chart* chart)
-{
+    double ticks[32];
     char label[32];
-    double stepX = FindTick(chart->maxX, 6), stepY = FindTick(chart->maxY, 5);
-    for (double y = 0.0; y <= chart->maxY * 1.0001; y += stepY)
+    int count = FindTicks(y, 6, ticks);
+    for (int i = 0; i < count; ++i)
     {
-        double at = ChartY(chart, y);
-        fprintf(file, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"%s\"/>\n", chart->left, at, chart->left + chart->width,
-                y == 0.0 ? "#5a6874" : "#e3e8ec");
-        snprintf(label, sizeof(label), "%.4g", y);
-        WriteText(file, chart->left - 8, at + 4, "text-anchor=\"end\"", label);
+        double at = GetPlace(y, ticks[i]);
+        fprintf(file, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"" SVG_GRID "\"/>\n", x->begin, at, x->end);
+        snprintf(label, sizeof(label), "%.4g", ticks[i]);
+        WriteText(file, x->begin - 8, at + 4.5, "text-anchor=\"end\"", label);
     }
-    for (double x = 0.0; x <= chart->maxX * 1.0001; x += stepX)
+    count = FindTicks(x, 8, ticks);
+    for (int i = 0; i < count; ++i)
     {
-        double at = ChartX(chart, x), bottom = chart->top + chart->height;
-        fprintf(file, "<path d=\"M%.1f %.1fv5\" stroke=\"#5a6874\"/>\n", at, bottom);
-        snprintf(label, sizeof(label), "%.4g", x);
-        WriteText(file, at, bottom + 19, "text-anchor=\"middle\"", label);
+        double at = GetPlace(x, ticks[i]);
+        fprintf(file, "<path d=\"M%.1f %.1fv5\" stroke=\"" SVG_PALE_INK "\"/>\n", at, y->begin);
+        snprintf(label, sizeof(label), "%.4g", ticks[i]);
+        WriteText(file, at, y->begin + 20, "text-anchor=\"middle\"", label);
     }
-    WriteText(file, chart->left + chart->width / 2.0, chart->top + chart->height + 40, "text-anchor=\"middle\"",
-              "frequency, Hz");
-    WriteText(file, chart->left, chart->top - 12, "", "energy density, m\xc2\xb2/Hz");
+    fprintf(file, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"" SVG_PALE_INK "\"/>\n", x->begin, y->begin, x->end);
+    WriteText(file, 0.5 * (x->begin + x->end), y->begin + 40, "text-anchor=\"middle\"", "frequency, Hz");
+    WriteText(file, 24, y->end - 26, "", "energy density, m\xc2\xb2/Hz");
 }
 
-static void WriteEnergy(FILE* file, const swMeasuredRecord* record, const swSeaState* state, double lastFrequency)
+// The edges of octaves, with the wavelength where there is room.
+static void WriteOctaves(FILE* file, const SeaMeasurement* sea, const SvgAxis* x, const SvgAxis* y)
 {
-    const swSpectrumTable* table = &record->table;
-    Chart chart = {70, 104, 420, 320, lastFrequency, 0.0};
-    for (int i = 0; i < table->frequencyCount; ++i)
+    double before = x->begin;
+    for (int octave = 12; octave > -5; --octave)
     {
-        chart.maxY = fmax(chart.maxY, (double)record->energy[i] * 1.08);
-    }
-    WriteAxes(file, &chart);
-    char path[2][24] = {"#2f76a3", "none"};
-    for (int pass = 0; pass < 2; ++pass) // the area, then its outline
-    {
-        double x = ChartX(&chart, (double)table->frequencies[0]);
-        fprintf(file, "<path fill=\"%s\" %s d=\"M%.1f %.1f", path[pass],
-                pass == 0 ? "fill-opacity=\"0.22\" stroke=\"none\"" : "stroke=\"#14436f\" stroke-width=\"1.8\"", x,
-                pass == 0 ? ChartY(&chart, 0.0) : ChartY(&chart, (double)record->energy[0]));
-        for (int i = 0; i < table->frequencyCount && (double)table->frequencies[i] <= lastFrequency; ++i)
+        double length = ldexp(1.0, octave);
+        double frequency = FindFrequency(length, sea->depth, (double)sea->scene->world.gravity);
+        if (frequency <= x->low || frequency >= x->high)
         {
-            x = ChartX(&chart, (double)table->frequencies[i]);
-            fprintf(file, "L%.1f %.1f", x, ChartY(&chart, (double)record->energy[i]));
+            continue;
         }
-        fprintf(file, pass == 0 ? "L%.1f %.1fZ\"/>\n" : "\" />\n", x, ChartY(&chart, 0.0));
+        double at = GetPlace(x, frequency);
+        fprintf(file,
+                "<path d=\"M%.1f %.1fV%.1f\" stroke=\"" SVG_PALE_INK "\" stroke-opacity=\"0.45\" "
+                "stroke-dasharray=\"1 3\"/>\n",
+                at, y->begin, y->end);
+        char label[32];
+        snprintf(label, sizeof(label), "%.4g m", length);
+        if (at - before > 46.0 && x->end - at > 24.0)
+        {
+            WriteText(file, at, y->end - 4, "text-anchor=\"middle\" font-size=\"11\" fill=\"" SVG_PALE_INK "\"", label);
+            before = at;
+        }
     }
-    double peak = ChartX(&chart, 1.0 / (double)state->peakPeriod);
-    char label[32];
-    snprintf(label, sizeof(label), "Tp %.1f s", (double)state->peakPeriod);
-    fprintf(file, "<path d=\"M%.1f %.1fV%.1f\" stroke=\"#c2571a\" stroke-dasharray=\"4 3\"/>\n", peak, chart.top,
-            chart.top + chart.height);
-    WriteText(file, peak + 6, chart.top + 12, "fill=\"#c2571a\"", label);
 }
 
-// A point of the polar chart: waves that come from `bearing` (radians clockwise from north, which is up).
+static double Clamp(const SvgAxis* axis, double value)
+{
+    return fmin(fmax(value, axis->low), axis->high);
+}
+
+// A line through the bins' centres up to the axis's end, as path data; backwards to close a band.
+static void WriteLine(FILE* file, const SeaMeasurement* sea, const double* values, const SvgAxis* x, const SvgAxis* y,
+                      bool isBackwards, char command)
+{
+    int count = 0;
+    while (count < sea->bins.count && sea->bins.center[count] <= x->high)
+    {
+        count += 1;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        int bin = isBackwards ? count - 1 - i : i;
+        fprintf(file, "%c%.1f %.1f", command, GetPlace(x, Clamp(x, sea->bins.center[bin])),
+                GetPlace(y, Clamp(y, values[bin])));
+        command = 'L';
+    }
+}
+
+static void WriteCurves(FILE* file, const SeaMeasurement* sea, const double* asked, const SvgAxis* x, const SvgAxis* y)
+{
+    double low[SEA_MAX_BINS], high[SEA_MAX_BINS], ground[SEA_MAX_BINS];
+    for (int i = 0; i < sea->bins.count; ++i)
+    {
+        double error = isfinite(sea->densityError[i]) ? 2.0 * sea->densityError[i] : 0.0;
+        low[i] = sea->density[i] - error;
+        high[i] = sea->density[i] + error;
+        ground[i] = y->low;
+    }
+    fputs("<path fill=\"" SVG_BLUE "\" fill-opacity=\"0.2\" d=\"", file);
+    WriteLine(file, sea, asked, x, y, false, 'M');
+    WriteLine(file, sea, ground, x, y, true, 'L');
+    fputs("Z\"/>\n<path fill=\"none\" stroke=\"" SVG_BLUE "\" stroke-width=\"2.6\" d=\"", file);
+    WriteLine(file, sea, asked, x, y, false, 'M');
+    fputs("\"/>\n<path fill=\"" SVG_ORANGE "\" fill-opacity=\"0.25\" d=\"", file);
+    WriteLine(file, sea, high, x, y, false, 'M');
+    WriteLine(file, sea, low, x, y, true, 'L');
+    fputs("Z\"/>\n<path fill=\"none\" stroke=\"" SVG_ORANGE "\" stroke-width=\"1.4\" stroke-linejoin=\"round\" d=\"",
+          file);
+    WriteLine(file, sea, sea->density, x, y, false, 'M');
+    fputs("\"/>\n", file);
+}
+
+// Logarithmic where the energy reaches over more than a factor of six in frequency above its peak.
+static SvgAxis FindFrequencyAxis(const SeaMeasurement* sea)
+{
+    double last = FindLastFrequency(sea);
+    bool isWide = last > 6.0 * sea->bins.center[FindPeakBin(&sea->bins, &sea->sums)];
+    return (SvgAxis){.low = isWide ? sea->bins.low[0] : 0.0, .high = last, .isLogarithmic = isWide};
+}
+
+static void WriteEnergy(FILE* file, const SeaMeasurement* sea, SvgAxis x)
+{
+    double asked[SEA_MAX_BINS], most = 0.0;
+    for (int i = 0; i < sea->bins.count; ++i)
+    {
+        asked[i] = AskBin(sea, i);
+        most = fmax(most, fmax(asked[i], sea->density[i]));
+    }
+    bool isWide = x.isLogarithmic;
+    x.begin = 72;
+    x.end = 776;
+    SvgAxis y = {.low = isWide ? 1e-4 * most : 0.0,
+                 .high = (isWide ? 1.5 : 1.08) * most,
+                 .begin = 400,
+                 .end = 170,
+                 .isLogarithmic = isWide};
+    WriteAxes(file, &x, &y);
+    WriteOctaves(file, sea, &x, &y);
+    WriteCurves(file, sea, asked, &x, &y);
+}
+
+// Both densities over a ring's sectors: the asked at its middle, the measured as means.
+static void FillRing(const SeaMeasurement* sea, Rings* rings, int ring)
+{
+    const int parts = 3;
+    double gravity = (double)sea->scene->world.gravity, low = rings->low[ring], high = rings->high[ring];
+    AskDirections(sea, 0.5 * (low + high), SECTORS, rings->asked[ring]);
+    for (int i = 0; i < SECTORS * parts * parts; ++i)
+    {
+        int sector = i / (parts * parts);
+        double theta = 2.0 * SW_PI * (sector + (i % parts + 0.5) / parts - 0.5) / SECTORS;
+        double f = low + (high - low) * (i / parts % parts + 0.5) / parts;
+        rings->measured[ring][sector] +=
+            FindPatchDensity(&sea->patches, f, theta, sea->depth, gravity) / (parts * parts);
+    }
+    for (int i = 0; i < SECTORS; ++i)
+    {
+        rings->most = fmax(rings->most, fmax(rings->asked[ring][i], rings->measured[ring][i]));
+    }
+}
+
+// A ring is one bin, or a few where they are many.
+static void FillRings(const SeaMeasurement* sea, double last, Rings* rings)
+{
+    int shown = 0;
+    while (shown < sea->bins.count && sea->bins.center[shown] <= last)
+    {
+        shown += 1;
+    }
+    int each = (shown + MOST_RINGS - 1) / MOST_RINGS;
+    for (int i = 0; i < shown; i += each)
+    {
+        int end = i + each < shown ? i + each : shown;
+        rings->low[rings->count] = sea->bins.low[i];
+        rings->high[rings->count] = sea->bins.high[end - 1];
+        FillRing(sea, rings, rings->count);
+        rings->count += 1;
+    }
+}
+
 static void WritePoint(FILE* file, const Polar* polar, char command, double frequency, double bearing)
 {
-    double radius = polar->radius * frequency / polar->maxFrequency;
+    double radius = GetPlace(&polar->axis, fmin(fmax(frequency, polar->axis.low), polar->axis.high));
     fprintf(file, "%c%.1f %.1f", command, polar->x + radius * sin(bearing), polar->y - radius * cos(bearing));
 }
 
-static void WriteCells(FILE* file, const swMeasuredRecord* record, const Polar* polar)
+static int GetLevel(double share)
 {
-    const swSpectrumTable* table = &record->table;
-    double width = 2.0 * SW_PI / table->directionCount;
-    for (int i = 0; i < table->frequencyCount; ++i)
+    int level = (int)(sqrt(fmax(share, 0.0)) * LEVELS);
+    return level < LEVELS ? level : LEVELS - 1;
+}
+
+// All cells of one colour are one path. The palest are left white.
+static void WriteCells(FILE* file, const Polar* polar, const Rings* rings, const double (*values)[SECTORS])
+{
+    const double width = 2.0 * SW_PI / SECTORS, half = 0.51 * width; // no gap between neighbours
+    for (int level = 2; level < LEVELS; ++level)
     {
-        double low = (double)table->frequencies[i] - 0.5 * (double)table->bandwidths[i];
-        double high = fmin((double)table->frequencies[i] + 0.5 * (double)table->bandwidths[i], polar->maxFrequency);
-        for (int j = 0; j < table->directionCount && low < polar->maxFrequency; ++j)
+        bool isEmpty = true;
+        for (int i = 0; i < rings->count * SECTORS; ++i)
         {
-            double share = (double)table->density[i * table->directionCount + j] / polar->maxDensity;
-            if (share < 0.002)
+            int ring = i / SECTORS, sector = i % SECTORS;
+            if (GetLevel(values[ring][sector] / rings->most) != level)
             {
                 continue;
             }
-            double bearing = BearingFrom(width * j) * DEGREE;
-            fputs("<path d=\"", file);
-            WritePoint(file, polar, 'M', low, bearing - 0.52 * width); // 0.52: no gap between neighbours
-            WritePoint(file, polar, 'L', high, bearing - 0.52 * width);
-            WritePoint(file, polar, 'L', high, bearing + 0.52 * width);
-            WritePoint(file, polar, 'L', low, bearing + 0.52 * width);
-            fputs("Z\" fill=\"", file);
-            WriteColor(file, sqrt(share));
-            fputs("\"/>\n", file);
+            if (isEmpty)
+            {
+                fputs("<path fill=\"", file);
+                WriteLevelColor(file, level, LEVELS);
+                fputs("\" d=\"", file);
+                isEmpty = false;
+            }
+            double bearing = BearingFrom(width * sector) * DEGREE;
+            WritePoint(file, polar, 'M', rings->low[ring], bearing - half);
+            WritePoint(file, polar, 'L', rings->high[ring], bearing - half);
+            WritePoint(file, polar, 'L', rings->high[ring], bearing + half);
+            WritePoint(file, polar, 'L', rings->low[ring], bearing + half);
+            fputc('Z', file);
         }
+        fputs(isEmpty ? "" : "\"/>\n", file);
     }
 }
 
 static void WriteCompass(FILE* file, const Polar* polar)
 {
     static const char* const points[8] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
-    double step = FindTick(polar->maxFrequency, 4);
-    for (double f = step; f < polar->maxFrequency * 0.999; f += step)
+    double ticks[16];
+    int count = FindTicks(&polar->axis, polar->axis.isLogarithmic ? 6 : 4, ticks);
+    for (int i = 0; i < count; ++i)
     {
-        double radius = polar->radius * f / polar->maxFrequency;
-        char label[32];
+        double radius = GetPlace(&polar->axis, ticks[i]);
+        if (radius < 20.0)
+        {
+            continue;
+        }
         fprintf(file,
-                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"none\" stroke=\"#24303a\" "
-                "stroke-opacity=\"0.25\" stroke-dasharray=\"2 3\"/>\n",
+                "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"none\" stroke=\"" SVG_INK "\" "
+                "stroke-opacity=\"0.3\" stroke-dasharray=\"2 3\"/>\n",
                 polar->x, polar->y, radius);
-        snprintf(label, sizeof(label), "%.3g Hz", f);
-        WriteText(file, polar->x + 3 + radius * 0.707, polar->y - radius * 0.707 - 3,
-                  "font-size=\"10\" fill=\"#3c4a55\" stroke=\"#ffffff\" stroke-width=\"2.5\" paint-order=\"stroke\"",
-                  label);
+        char label[32];
+        snprintf(label, sizeof(label), "%.3g Hz", ticks[i]);
+        if (radius < 0.93 * polar->axis.end)
+        {
+            WriteText(
+                file, polar->x + 0.5 * radius, polar->y + 0.866 * radius + 4.0,
+                "text-anchor=\"middle\" font-size=\"11\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"",
+                label);
+        }
     }
-    fprintf(file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"none\" stroke=\"#5a6874\"/>\n", polar->x, polar->y,
-            polar->radius);
+    fprintf(file, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"none\" stroke=\"" SVG_PALE_INK "\"/>\n", polar->x,
+            polar->y, polar->axis.end);
     for (int i = 0; i < 8; ++i)
     {
-        double angle = i * SW_PI / 4.0, at = polar->radius + 14.0;
-        WriteText(file, polar->x + at * sin(angle), polar->y - at * cos(angle) + 4.0,
+        double angle = i * SW_PI / 4.0, at = polar->axis.end + 13.0;
+        WriteText(file, polar->x + at * sin(angle), polar->y - at * cos(angle) + 4.5,
                   i % 2 == 0 ? "text-anchor=\"middle\" font-weight=\"bold\""
-                             : "text-anchor=\"middle\" font-size=\"10\"",
+                             : "text-anchor=\"middle\" font-size=\"11\" fill=\"" SVG_PALE_INK "\"",
                   points[i]);
     }
 }
 
-static void WriteScale(FILE* file, const Polar* polar)
+static void WriteScale(FILE* file, const Rings* rings)
 {
-    const double left = 950, top = 124, height = 280;
-    const int stepCount = 56;
-    for (int i = 0; i < stepCount; ++i)
+    const double left = 722, top = 536, height = 240;
+    for (int i = 0; i < LEVELS; ++i)
     {
-        double t = 1.0 - (i + 0.5) / stepCount;
         fprintf(file, "<rect x=\"%.1f\" y=\"%.1f\" width=\"14\" height=\"%.1f\" fill=\"", left,
-                top + height * i / stepCount, height / stepCount + 0.4);
-        WriteColor(file, t);
+                top + height * (LEVELS - 1 - i) / LEVELS, height / LEVELS + 0.4);
+        WriteLevelColor(file, i, LEVELS);
         fputs("\"/>\n", file);
     }
     for (int i = 0; i <= 4; ++i)
     {
         double t = i / 4.0;
         char label[32];
-        snprintf(label, sizeof(label), "%.3g", polar->maxDensity * t * t * DEGREE);
-        WriteText(file, left + 20, top + height * (1.0 - t) + 4.0, "font-size=\"11\"", label);
+        snprintf(label, sizeof(label), "%.2g", rings->most * t * t * DEGREE);
+        WriteText(file, left + 20, top + height * (1.0 - t) + 4.5, "font-size=\"12\"", label);
     }
-    WriteText(file, left - 40, top - 32, "", "density,");
-    WriteText(file, left - 40, top - 16, "", "m\xc2\xb2/Hz/degree");
+    WriteText(file, 776, top - 34, "text-anchor=\"end\" font-size=\"12\"", "density,");
+    WriteText(file, 776, top - 18, "text-anchor=\"end\" font-size=\"12\"", "m\xc2\xb2/Hz/\xc2\xb0");
 }
 
-static void WriteDirections(FILE* file, const swMeasuredRecord* record, double lastFrequency)
+static bool WriteDirections(FILE* file, const SeaMeasurement* sea, SvgAxis axis, const char* note)
 {
-    const swSpectrumTable* table = &record->table;
-    Polar polar = {730, 264, 168, lastFrequency, 0.0};
-    for (int i = 0; i < table->frequencyCount * table->directionCount; ++i)
+    Rings* rings = calloc(1, sizeof(Rings));
+    if (rings == NULL)
     {
-        polar.maxDensity = fmax(polar.maxDensity, (double)table->density[i]);
+        return false;
     }
-    WriteCells(file, record, &polar);
+    FillRings(sea, axis.high, rings);
+    axis.begin = 0;
+    axis.end = 144;
+    Polar polar = {.x = 190, .y = 656, .axis = axis};
+    WriteText(file, polar.x, 480, "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" SVG_BLUE "\"", "asked");
+    WriteCells(file, &polar, rings, (const double(*)[SECTORS])rings->asked);
     WriteCompass(file, &polar);
-    WriteScale(file, &polar);
-    WriteText(file, polar.x, 466, "text-anchor=\"middle\"",
-              record->meanDirection != NULL ? "where waves come from"
-                                            : "no directions measured: spread around the west");
+    polar.x = 526;
+    WriteText(file, polar.x, 480, "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" SVG_ORANGE "\"", "measured");
+    WriteCells(file, &polar, rings, (const double(*)[SECTORS])rings->measured);
+    WriteCompass(file, &polar);
+    WriteScale(file, rings);
+    char text[256];
+    snprintf(text, sizeof(text), "where waves come from%s%s", note != NULL ? "; " : "", note != NULL ? note : "");
+    WriteText(file, 358, 846, "text-anchor=\"middle\"", text);
+    free(rings);
+    return true;
 }
 
-bool PlotSpectrum(const char* path, const char* source, const swMeasuredRecord* record, const swSeaState* state)
+bool PlotSea(const char* path, const char* title, const char* note, const SeaMeasurement* sea)
 {
     OutputFile output;
     if (!BeginOutput(&output, path))
@@ -293,12 +413,13 @@ bool PlotSpectrum(const char* path, const char* source, const swMeasuredRecord* 
     bool isWritten = file != NULL;
     if (isWritten)
     {
-        double lastFrequency = FindLastFrequency(record);
-        WriteHead(file, source, record, state);
-        WriteEnergy(file, record, state, lastFrequency);
-        WriteDirections(file, record, lastFrequency);
-        fputs("</svg>\n", file);
-        isWritten = !ferror(file);
+        SvgAxis axis = FindFrequencyAxis(sea);
+        BeginSvg(file, WIDTH, HEIGHT);
+        WriteHead(file, title, sea);
+        WriteEnergy(file, sea, axis);
+        isWritten = WriteDirections(file, sea, axis, note);
+        EndSvg(file);
+        isWritten = !ferror(file) && isWritten;
         isWritten = fclose(file) == 0 && isWritten;
     }
     if (!isWritten)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A measured spectrum as SVG: energy over frequency, and over frequency and bearing on a polar chart.
+// The asked and the measured spectrum of a sea as SVG: energy over frequency, and over frequency and the bearing that
+// waves come from.
 
 #include <stdbool.h>
 
-#include "seaway/spectrum.h"
+#include "sea_measure.h"
 
-// Complains and returns false if the file cannot be written.
-bool PlotSpectrum(const char* path, const char* source, const swMeasuredRecord* record, const swSeaState* state);
+// `note`, may be NULL, stands below the charts. The sea has to be measured with directions. Complains and returns false if the
+// file cannot be written.
+bool PlotSea(const char* path, const char* title, const char* note, const SeaMeasurement* sea);

@@ -160,11 +160,16 @@ test_stats() {
     run 0 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --json
     is_json out
     for key in asked measured hs_m tp_s tm01_s tm02_s te_s mean_direction_from_deg peak_direction_from_deg spread_deg \
-        mean_square_slope whitecap_fraction; do
+        mean_square_slope whitecap_fraction standard_error measured_m2_per_hz; do
         out "\"$key\":"
     done
-    run 0 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --area 2000
+    run 0 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --area 2000 --plot stats.svg
     out '^Hs '
+    out '^share of variance'
+    has stats.svg
+    grep -q 'measured on the surface' stats.svg || fail "the plot does not say what was measured"
+    run 1 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --plot nosuch/plot.svg
+    err 'its folder does not exist'
     run 1 stats nosuch.yaml
     err 'nosuch.yaml'
 }

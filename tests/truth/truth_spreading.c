@@ -7,6 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sea_patches.h"
+
 #define SEED_COUNT 12
 #define BIN_COUNT 8
 
@@ -103,10 +105,84 @@ static void NarrowAndWideSeasSpreadAsCosines(void** state)
     }
 }
 
+typedef struct PatchCase
+{
+    swSpectrumDef spectrum;
+    SeaPatches patches[SEED_COUNT];
+} PatchCase;
+
+static void LookAtSquares(void* context, int seed)
+{
+    PatchCase* looked = context;
+    swWaveSystemDef def = MakeWaves(&looked->spectrum, 16.0, 1024.0, 1u + (uint32_t)seed);
+    swWorld* world = CreateTruthSea(&def);
+    if (!CreatePatches(16.0, 512.0, looked->patches + seed) ||
+        !LookAtPatches(world, 50.0, (double)INFINITY, seed, looked->patches + seed))
+    {
+        abort();
+    }
+    swDestroyWorld(world);
+}
+
+// Energy and first moments of what the squares saw, over the frequencies of waves of 512 m to 16 m.
+static double SumSquares(const SeaPatches* patches, double low, double high, double* a1, double* b1)
+{
+    enum
+    {
+        FREQUENCIES = 400,
+        DIRECTIONS = 180
+    };
+    double sum = 0.0;
+    *a1 = *b1 = 0.0;
+    for (int i = 0; i < FREQUENCIES * DIRECTIONS; ++i)
+    {
+        double f = low + (high - low) * (i / DIRECTIONS + 0.5) / FREQUENCIES,
+               theta = TURN * (i % DIRECTIONS) / DIRECTIONS;
+        double energy = FindPatchDensity(patches, f, theta, (double)INFINITY, 9.81) * (high - low) / FREQUENCIES *
+                        TURN / DIRECTIONS;
+        sum += energy;
+        *a1 += energy * cos(theta);
+        *b1 += energy * sin(theta);
+    }
+    return sum;
+}
+
+static void SquaresOfTheSurfaceSeeTheSameSea(void** state)
+{
+    (void)state;
+    PatchCase* looked = calloc(1, sizeof(PatchCase));
+    assert_non_null(looked);
+    looked->spectrum = MakeSpectrum(SW_SPECTRUM_JONSWAP, 2.0, 8.0, 0.7, 10.0);
+    int count = Seeds(SEED_COUNT);
+    RunJobs(LookAtSquares, looked, count);
+    for (int i = 1; i < count; ++i)
+    {
+        AddPatches(looked->patches + i, looked->patches);
+    }
+    double low = FindFrequency(512.0, (double)INFINITY, 9.81), high = FindFrequency(16.0, (double)INFINITY, 9.81), a1,
+           b1;
+    double variance = SumSquares(looked->patches, low, high, &a1, &b1);
+    swSeaState asked;
+    assert_int_equal(swSpectrum_GetSeaState(&looked->spectrum, (float)low, (float)high, &asked), SW_SUCCESS);
+    FindWithin(&(Finding){"V5", "Hs of the directional spectrum that squares of the surface show, s = 10", "4 sqrt(m0)",
+                          "m", 3},
+               (double)asked.significantHeight, 4.0 * sqrt(variance), Loosen(0.02));
+    FindNear(&(Finding){"V5", "Mean direction of the same", "atan2(b1, a1)", "\xc2\xb0", 1}, 0.7 / DEGREE,
+             atan2(b1, a1) / DEGREE, Loosen(1.0));
+    FindNear(&(Finding){"V5", "Spread of the same", "sqrt(2 (1 - r1))", "\xc2\xb0", 1}, (double)asked.spread / DEGREE,
+             sqrt(2.0 * (1.0 - sqrt(a1 * a1 + b1 * b1) / variance)) / DEGREE, Loosen(1.0));
+    for (int i = 0; i < count; ++i)
+    {
+        DestroyPatches(looked->patches + i);
+    }
+    free(looked);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(NarrowAndWideSeasSpreadAsCosines),
+        cmocka_unit_test(SquaresOfTheSurfaceSeeTheSameSea),
     };
     BeginTruth("truth_spreading");
     return cmocka_run_group_tests(tests, NULL, NULL);
