@@ -43,13 +43,34 @@ SW_PARAMS(swSliceTile)
 };
 SW_PARAMS_SIZE(swSliceTile, 32);
 
-// The tiles of a slice: tiles[first .. first + count).
+// A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of a
+// turn, exact as integers are.
+SW_PARAMS(swSliceWave)
+{
+    sw_uint phase;
+    sw_uint stepX, stepZ;
+    float amplitude; // m
+    float dx, dz;    // chop k / |k|
+    float kx, kz;    // rad/m
+    float cosZ, sinZ; // of stepZ
+    float unused0, unused1;
+};
+SW_PARAMS_SIZE(swSliceWave, 48);
+
+// The waves of a slice: tiles[first .. first + count), of which the last longCount are long, see slices.comp; and
+// waves[firstWave .. firstWave + waveCount), of which the first longWaveCount are long.
 SW_PARAMS(swSliceList)
 {
     sw_uint first;
     sw_uint count;
+    sw_uint longCount;
+    sw_uint firstWave;
+    sw_uint waveCount;
+    sw_uint longWaveCount;
+    float nodeSide; // four texels, m
+    float unused0;
 };
-SW_PARAMS_SIZE(swSliceList, 8);
+SW_PARAMS_SIZE(swSliceList, 32);
 
 // Foam of one slice over one frame; see foam.h.
 SW_PARAMS(swFoamSliceParams)

@@ -36,6 +36,7 @@ typedef struct swGpuView
     // Set by each swGpuWorld_Record(), valid for this frame.
     swUpload sliceLists;  // swSliceList[sliceCount]
     swUpload sliceTiles;  // swSliceTile[]
+    swUpload sliceWaves;  // swSliceWave[]
     swUpload foamParams;  // swFoamSliceParams[sliceCount]
     swUpload foamSources; // swFoamSource[sliceCount * SW_FOAM_SOURCES]
     bool foamMoves;       // the foam pass has something to do

@@ -11,10 +11,10 @@ swResult swCreateSlices(swGpu* gpu, swPasses* passes)
 {
     const swComputeDef def = {
         .shader = SW_SHADER(slicesCode),
-        .bindingCount = 5,
+        .bindingCount = 6,
         .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-                  VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
+                  VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
         .name = "slices",
     };
     return swCreateComputePipeline(gpu, &def, &passes->slices);
@@ -37,6 +37,7 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
             swBindBuffer(&gpuWorld->texels),
             swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
             swBindImage(gpu, &view->derivatives, SW_SAMPLER_NEAREST_CLAMP),
+            swBindUpload(&view->sliceWaves),
         };
         uint32_t resolution = (uint32_t)view->resolution;
         swBindPipeline(gpu, commands, &gpuWorld->passes.slices, bindings, NULL);

@@ -371,14 +371,21 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
     return out;
 }
 
-// Everything is written once, in order: uploads are slow to read.
-static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice,
+// Whether a tile's waves and samples are long against the slice's texels, see slices.comp.
+static bool isLongTile(const swSlice* slice, const swTile* tile)
+{
+    return tile->minWavelength >= SW_SLICE_LONG_WAVE * (float)slice->texel &&
+           slice->texel * tile->resolution <= (double)SW_SLICE_LONG_STEP * tile->side;
+}
+
+// Tiles that are long, or those that are not. Everything is written once, in order: uploads are slow to read.
+static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice, bool isLong,
                                swSliceTile* tiles)
 {
     uint32_t count = 0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
-        if (frame->tiles[i].minWavelength < slice->minWavelength)
+        if (frame->tiles[i].minWavelength < slice->minWavelength || isLongTile(slice, &frame->tiles[i]) != isLong)
         {
             continue;
         }
@@ -393,23 +400,71 @@ static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame,
     return count;
 }
 
+// Turns as a fraction of 2^32.
+static uint32_t toPhase(double turns)
+{
+    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
+}
+
+static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
+{
+    uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
+    double place = wave->turnsX * ((double)slice->firstX * slice->texel) +
+                   wave->turnsZ * ((double)slice->firstZ * slice->texel);
+    swSliceWave out = {
+        .phase = toPhase(place) + wave->phase - passed,
+        .stepX = toPhase(wave->turnsX * slice->texel + 0x1p-33),
+        .stepZ = toPhase(wave->turnsZ * slice->texel + 0x1p-33),
+        .amplitude = wave->amplitude,
+        .dx = wave->dx,
+        .dz = wave->dz,
+        .kx = (float)(2.0 * SW_PI * wave->turnsX),
+        .kz = (float)(2.0 * SW_PI * wave->turnsZ),
+    };
+    swSinCosTurns(out.stepZ, &out.sinZ, &out.cosZ);
+    return out;
+}
+
+// Longest first, as the frame has them.
+static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWave* waves, swSliceList* list)
+{
+    for (int i = 0; i < frame->waveCount && frame->waves[i].wavelength >= slice->minWavelength; ++i)
+    {
+        waves[list->waveCount++] = makeSliceWave(slice, &frame->waves[i], frame->ticks);
+        bool isLong = frame->waves[i].wavelength >= SW_SLICE_LONG_WAVE * (float)slice->texel;
+        list->longWaveCount += isLong ? 1 : 0;
+    }
+}
+
 static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame, swGpuView* view)
 {
     swGpu* gpu = gpuWorld->gpu;
     swSliceList lists[SW_MAX_SLICES] = {0};
-    size_t most = (size_t)viewFrame->sliceCount * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
-    swResult result = swReserveUpload(gpu, most * sizeof(swSliceTile), &view->sliceTiles);
+    size_t slices = (size_t)viewFrame->sliceCount;
+    size_t mostTiles = slices * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
+    size_t mostWaves = slices * (size_t)(frame->waveCount > 0 ? frame->waveCount : 1);
+    swResult result = swReserveUpload(gpu, mostTiles * sizeof(swSliceTile), &view->sliceTiles);
+    result = result == SW_SUCCESS ? swReserveUpload(gpu, mostWaves * sizeof(swSliceWave), &view->sliceWaves) : result;
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    uint32_t count = 0;
+    uint32_t tileCount = 0;
+    uint32_t waveCount = 0;
     for (int i = 0; i < viewFrame->sliceCount; ++i)
     {
-        lists[i].first = count;
-        lists[i].count =
-            fillSliceTiles(gpuWorld, frame, &viewFrame->slices[i], (swSliceTile*)view->sliceTiles.data + count);
-        count += lists[i].count;
+        const swSlice* slice = &viewFrame->slices[i];
+        swSliceList* list = &lists[i];
+        swSliceTile* tiles = (swSliceTile*)view->sliceTiles.data + tileCount;
+        list->first = tileCount;
+        list->count = fillSliceTiles(gpuWorld, frame, slice, false, tiles);
+        list->longCount = fillSliceTiles(gpuWorld, frame, slice, true, tiles + list->count);
+        list->count += list->longCount;
+        list->firstWave = waveCount;
+        list->nodeSide = (float)(4.0 * slice->texel);
+        fillSliceWaves(frame, slice, (swSliceWave*)view->sliceWaves.data + waveCount, list);
+        tileCount += list->count;
+        waveCount += list->waveCount;
     }
     return swUploadData(gpu, lists, sizeof(lists), &view->sliceLists);
 }
