@@ -325,9 +325,9 @@ static void WriteCompass(FILE* file, const Polar* polar)
     for (int i = 0; i < count; ++i)
     {
         double radius = GetPlace(&polar->axis, ticks[i]);
-        if (radius < 20.0)
+        if (radius < 20.0 || radius > 0.97 * polar->axis.end)
         {
-            continue;
+            continue; // no room in the middle; the rim is a ring already
         }
         fprintf(file,
                 "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"none\" stroke=\"" SVG_INK "\" "

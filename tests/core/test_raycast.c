@@ -39,7 +39,7 @@ static void FlatWaterIsHitWhereGeometrySays(void** state)
     swRayHit hits[5];
     rays[0] = swDefaultRay((swPos){5.0, 40.0, -2.0}, (swVec3){0.0f, -2.0f, 0.0f});
     rays[1] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){1.0f, -1.0f, 0.0f});
-    rays[2] = swDefaultRay((swPos){0.0, 4.0, 0.0}, (swVec3){0.0f, 1.0f, 0.0f}); // from below
+    rays[2] = swDefaultRay((swPos){0.0, 4.0, 0.0}, (swVec3){0.0f, 1.0f, 0.0f});  // from below
     rays[3] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){1.0f, 0.0f, 0.0f}); // past it
     rays[4] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){0.0f, -1.0f, 0.0f});
     rays[4].radius = 2.0f;
@@ -75,8 +75,9 @@ static void HitsAreTheFirstCrossing(void** state)
             u[k] = swHashToUnit(swHashWave(9, 0, i, k, 0));
         }
         bool isBelow = i % 4 == 3;
-        rays[i] = swDefaultRay((swPos){400.0 * u[0], isBelow ? 0.0 : 16.0 + 10.0 * u[1], 400.0 * u[2]},
-                               (swVec3){(float)(u[3] - 0.5), (float)((isBelow ? 0.6 : -0.6) * u[4] - 0.02), (float)(u[5] - 0.5)});
+        rays[i] = swDefaultRay(
+            (swPos){400.0 * u[0], isBelow ? 0.0 : 16.0 + 10.0 * u[1], 400.0 * u[2]},
+            (swVec3){(float)(u[3] - 0.5), (float)((isBelow ? 0.6 : -0.6) * u[4] - 0.02), (float)(u[5] - 0.5)});
         rays[i].maxDistance = 200.0f;
     }
     swQueryDef query = swDefaultQueryDef();
@@ -85,8 +86,9 @@ static void HitsAreTheFirstCrossing(void** state)
     double worst = 0.0;
     for (int i = 0; i < RAYS; ++i)
     {
-        double length = sqrt((double)(rays[i].direction.x * rays[i].direction.x + rays[i].direction.y * rays[i].direction.y +
-                                      rays[i].direction.z * rays[i].direction.z));
+        double length =
+            sqrt((double)(rays[i].direction.x * rays[i].direction.x + rays[i].direction.y * rays[i].direction.y +
+                          rays[i].direction.z * rays[i].direction.z));
         double end = hits[i].isHit ? (double)hits[i].distance : 200.0;
         double side = i % 4 == 3 ? -1.0 : 1.0;
         for (double at = 0.0; at < end - 0.02; at += 0.1)

@@ -135,9 +135,14 @@ static const struct
     const char* name;
     Change change;
 } changes[] = {
-    {"wind and direction", ChangeWind}, {"kind, chop, lengths", ChangeKind}, {"seed", ChangeSeed},
-    {"depth", ChangeDepth},             {"tiles", ChangeTiles},              {"loop", ChangeLoop},
-    {"method", ChangeMethod},           {"weight", ChangeWeight},
+    {"wind and direction", ChangeWind},
+    {"kind, chop, lengths", ChangeKind},
+    {"seed", ChangeSeed},
+    {"depth", ChangeDepth},
+    {"tiles", ChangeTiles},
+    {"loop", ChangeLoop},
+    {"method", ChangeMethod},
+    {"weight", ChangeWeight},
 };
 enum
 {
@@ -257,8 +262,10 @@ static void AMixHasTheVarianceThatItSays(void** state)
                     for (int k = -1; k <= 1; ++k)
                     {
                         double weight = (j == 0 ? 4.0 : 1.0) * (k == 0 ? 4.0 : 1.0) / 36.0;
-                        value += weight *
-                                 (double)tile->texels[((size_t)(z + j) * (size_t)(tile->resolution + 3) + (size_t)(x + k)) * 4 + 1];
+                        value +=
+                            weight *
+                            (double)tile
+                                ->texels[((size_t)(z + j) * (size_t)(tile->resolution + 3) + (size_t)(x + k)) * 4 + 1];
                     }
                 }
                 sum += value * value;

@@ -92,8 +92,9 @@ static void VelocityIsTheRateOfDisplacement(void** state)
         }
         for (int i = 0; i < POINTS; ++i)
         {
-            rate[i] = (swVec3){(at[2][i].x - at[0][i].x) / (float)(2.0 * h), (at[2][i].y - at[0][i].y) / (float)(2.0 * h),
-                               (at[2][i].z - at[0][i].z) / (float)(2.0 * h)};
+            rate[i] =
+                (swVec3){(at[2][i].x - at[0][i].x) / (float)(2.0 * h), (at[2][i].y - at[0][i].y) / (float)(2.0 * h),
+                         (at[2][i].z - at[0][i].z) / (float)(2.0 * h)};
             second[i] = (swVec3){(at[2][i].x - 2.0f * at[1][i].x + at[0][i].x) / (float)(h * h),
                                  (at[2][i].y - 2.0f * at[1][i].y + at[0][i].y) / (float)(h * h),
                                  (at[2][i].z - 2.0f * at[1][i].z + at[0][i].z) / (float)(h * h)};
@@ -160,7 +161,8 @@ static void OneWaveMovesTheWaterAsAiryHasIt(void** state)
         {
             k = omega * omega / (9.81 * tanh(k * depth)) * 0.5 + 0.5 * k;
         }
-        const swWaveComponent wave = {.wavelength = (float)(2.0 * SW_PI / k), .direction = -0.4f, .amplitude = (float)a};
+        const swWaveComponent wave = {
+            .wavelength = (float)(2.0 * SW_PI / k), .direction = -0.4f, .amplitude = (float)a};
         swHost host = swDefaultHost();
         swWorldDef worldDef = swDefaultWorldDef();
         worldDef.surfaceTension = 0.0f;
@@ -207,7 +209,8 @@ static void OneWaveMovesTheWaterAsAiryHasIt(void** state)
         swVec2 drift = swWorld_GetStokesDrift(world, 5.0);
         if (depth > 1e9)
         {
-            assert_float_equal(sqrt((double)drift.x * (double)drift.x + (double)drift.y * (double)drift.y), 0.02633, 2e-4);
+            assert_float_equal(sqrt((double)drift.x * (double)drift.x + (double)drift.y * (double)drift.y), 0.02633,
+                               2e-4);
             assert_float_equal(atan2((double)drift.y, (double)drift.x), -0.4, 1e-4);
         }
         swDestroyWorld(world);
@@ -236,9 +239,12 @@ static void LinearMotionIsFreeOfDivergence(void** state)
         {
             double x = 17.0 * i, y = 3.0 - 6.0 - 0.4 * i, z = 5.0 * i; // 6 m and more below still water
             double h = 0.25;
-            double divergence = (double)(GetVelocity(world, &query, x + h, y, z).x - GetVelocity(world, &query, x - h, y, z).x);
-            divergence += (double)(GetVelocity(world, &query, x, y + h, z).y - GetVelocity(world, &query, x, y - h, z).y);
-            divergence += (double)(GetVelocity(world, &query, x, y, z + h).z - GetVelocity(world, &query, x, y, z - h).z);
+            double divergence =
+                (double)(GetVelocity(world, &query, x + h, y, z).x - GetVelocity(world, &query, x - h, y, z).x);
+            divergence +=
+                (double)(GetVelocity(world, &query, x, y + h, z).y - GetVelocity(world, &query, x, y - h, z).y);
+            divergence +=
+                (double)(GetVelocity(world, &query, x, y, z + h).z - GetVelocity(world, &query, x, y, z - h).z);
             worst = fmax(worst, fabs(divergence / (2.0 * h)));
         }
         print_message("largest divergence %.2g per second\n", worst);
@@ -312,12 +318,9 @@ static void AHeightMapHasTheHeightsOfItsPoints(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(VelocityIsTheRateOfDisplacement),
-        cmocka_unit_test(AnotherTimeIsWhatASteppedWorldHas),
-        cmocka_unit_test(OneWaveMovesTheWaterAsAiryHasIt),
-        cmocka_unit_test(LinearMotionIsFreeOfDivergence),
-        cmocka_unit_test(StretchedMotionMeetsTheSurface),
-        cmocka_unit_test(AHeightMapHasTheHeightsOfItsPoints),
+        cmocka_unit_test(VelocityIsTheRateOfDisplacement), cmocka_unit_test(AnotherTimeIsWhatASteppedWorldHas),
+        cmocka_unit_test(OneWaveMovesTheWaterAsAiryHasIt), cmocka_unit_test(LinearMotionIsFreeOfDivergence),
+        cmocka_unit_test(StretchedMotionMeetsTheSurface),  cmocka_unit_test(AHeightMapHasTheHeightsOfItsPoints),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

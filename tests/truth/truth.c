@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/math/random.h"
+
 static char outPath[1024];
 static bool isOptionalNow;
 
@@ -170,4 +172,58 @@ swSpectrumDef MakeSpectrum(swSpectrumKind kind, double height, double period, do
     def.direction = (float)direction;
     def.spreadExponent = (float)spreadExponent;
     return def;
+}
+
+void ScatterPoints(double side, int index, int count, swPosXZ* points)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        points[i].x = side * swHashToUnit(swHashWave(71, index, i, 0, 0));
+        points[i].z = side * swHashToUnit(swHashWave(71, index, i, 0, 1));
+    }
+}
+
+typedef struct HeightJob
+{
+    const swWaveSystemDef* def;
+    bool isSurface;
+    double* heights;
+} HeightJob;
+
+static void MeasureHeight(void* context, int seed)
+{
+    const HeightJob* job = context;
+    swWaveSystemDef def = *job->def;
+    def.seed = 1000u + (uint32_t)seed;
+    swWorld* world = CreateTruthSea(&def);
+    swPosXZ points[HEIGHT_POINTS];
+    float heights[HEIGHT_POINTS];
+    swVec3 displacement[HEIGHT_POINTS];
+    swQueryDef query = swDefaultQueryDef();
+    double sum = 0.0, square = 0.0;
+    for (int time = 0; time < HEIGHT_TIMES; ++time)
+    {
+        ScatterPoints(23000.0, time, HEIGHT_POINTS, points);
+        swWorld_SetTime(world, 2000.0 * (time + swHashToUnit(swHashWave(72, time, 0, 0, 0))));
+        swWorld_Step(world, 0.0);
+        swWorld_QuerySurface(world, &query, job->isSurface ? HEIGHT_POINTS : 0, points,
+                             &(swSurfaceSamples){.height = heights}, NULL);
+        swWorld_QueryParticles(world, &query, job->isSurface ? 0 : HEIGHT_POINTS, points,
+                               &(swSurfaceSamples){.displacement = displacement}, NULL);
+        for (int i = 0; i < HEIGHT_POINTS; ++i)
+        {
+            double h = job->isSurface ? (double)heights[i] : (double)displacement[i].y;
+            sum += h;
+            square += h * h;
+        }
+    }
+    swDestroyWorld(world);
+    double mean = sum / HEIGHT_SAMPLES;
+    job->heights[seed] = 4.0 * sqrt(square / HEIGHT_SAMPLES - mean * mean);
+}
+
+void MeasureHeights(const swWaveSystemDef* def, bool isSurface, int seedCount, double* heights)
+{
+    HeightJob job = {def, isSurface, heights};
+    RunJobs(MeasureHeight, &job, seedCount);
 }

@@ -64,3 +64,13 @@ swWaveSystemDef MakeWaves(const swSpectrumDef* spectrum, double shortest, double
 
 // A JONSWAP or Pierson-Moskowitz spectrum of height and peak period, going to `direction`.
 swSpectrumDef MakeSpectrum(swSpectrumKind kind, double height, double period, double direction, double spreadExponent);
+
+// Significant heights, 4 times the deviation, of seas with the def's waves and other seeds, into heights[seedCount]: of
+// particles' heave, or of the surface above fixed places. Each is of so many heights, far apart in place and time.
+#define HEIGHT_POINTS 256
+#define HEIGHT_TIMES 16
+#define HEIGHT_SAMPLES (HEIGHT_POINTS * HEIGHT_TIMES)
+void MeasureHeights(const swWaveSystemDef* def, bool isSurface, int seedCount, double* heights);
+
+// Places spread over a square of that side by chance, other ones for each `index`.
+void ScatterPoints(double side, int index, int count, swPosXZ* points);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // V9: the slopes of the surface and the roughness that the picture adds for ripples make up the slopes that Cox and Munk
 // saw, within the scatter of their measurements, under winds for which they measured.
+// V10: the unified spectrum has those slopes by itself, if its ripples of millimetres are counted; what of it is waves of
+// 6 cm and longer is measured on the surface.
 
 #include "truth.h"
 
@@ -50,11 +52,10 @@ static void MeasureSlopes(void* context, int seed)
     swDestroyWorld(world);
 }
 
-static void CheckWind(double wind, double fetch)
+// Mean square slope of the surface; `bands` receives what the system says of it.
+static double MeasureSurface(const swWaveSystemDef* def, double* bands)
 {
-    SlopeCase slopes = {.def = swDefaultWaveSystemDef()};
-    slopes.def.spectrum.windSpeed = (float)wind;
-    slopes.def.spectrum.fetch = (float)fetch;
+    SlopeCase slopes = {.def = *def};
     int count = Seeds(SEED_COUNT);
     RunJobs(MeasureSlopes, &slopes, count);
     double sum = 0.0, points = 0.0;
@@ -63,15 +64,41 @@ static void CheckWind(double wind, double fetch)
         sum += slopes.sums[i].particleSlopeSquare;
         points += slopes.sums[i].count;
     }
-    double resolved = sum / points, ripples = 2.0 * (double)swRippleVariance((float)wind, slopes.bands[0]);
+    *bands = (double)slopes.bands[0];
+    return sum / points;
+}
+
+static double FindGlitter(double wind)
+{
+    return 0.003 + 5.12e-3 * wind; // not the library's
+}
+
+static void CheckSea(const char* number, const char* name, const swSpectrumDef* spectrum)
+{
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.spectrum = *spectrum;
+    double bands = 0.0, wind = (double)spectrum->windSpeed, resolved = MeasureSurface(&def, &bands);
+    double low = FindFrequency(4096.0, (double)INFINITY, 9.81), high = FindFrequency(0.0625, (double)INFINITY, 9.81);
+    double ripples = 2.0 * (double)swRippleVariance((float)wind, (float)bands);
+    swSeaState asked;
+    assert_int_equal(swSpectrum_GetSeaState(spectrum, (float)low, (float)high, &asked), SW_SUCCESS);
     char what[128];
-    snprintf(what, sizeof(what), "Mean square slope, U10 %.0f m/s over %.0f km, waves of 6 cm and longer", wind,
-             fetch / 1e3);
-    FindWithin(&(Finding){"V9", what, "\xe2\x88\xab k\xc2\xb2 S", "", 4}, (double)slopes.bands[0], resolved, 0.02);
-    snprintf(what, sizeof(what), "Mean square slope, U10 %.0f m/s over %.0f km, with the picture's roughness", wind,
-             fetch / 1e3);
-    FindNear(&(Finding){"V9", what, "0.003 + 0.00512 U [Cox 1954]", "", 4}, 0.003 + 5.12e-3 * wind, resolved + ripples,
+    snprintf(what, sizeof(what), "Mean square slope, %s, waves of 6 cm and longer", name);
+    FindWithin(&(Finding){number, what, "\xe2\x88\xab k\xc2\xb2 S", "", 4}, (double)asked.meanSquareSlope, resolved,
+               Loosen(0.02));
+    snprintf(what, sizeof(what), "Mean square slope, %s, with the picture's roughness", name);
+    FindNear(&(Finding){"V9", what, "0.003 + 0.00512 U [Cox 1954]", "", 4}, FindGlitter(wind), resolved + ripples,
              0.004);
+}
+
+static void CheckWind(double wind, double fetch)
+{
+    swSpectrumDef spectrum = swDefaultSpectrumDef();
+    char name[64];
+    spectrum.windSpeed = (float)wind;
+    spectrum.fetch = (float)fetch;
+    snprintf(name, sizeof(name), "JONSWAP, U10 %.0f m/s over %.0f km", wind, fetch / 1e3);
+    CheckSea("V9", name, &spectrum);
 }
 
 static void SlopesAndRoughnessAreThoseOfTheGlitter(void** state)
@@ -84,10 +111,53 @@ static void SlopesAndRoughnessAreThoseOfTheGlitter(void** state)
     CheckWind(14.0, 300e3);
 }
 
+// A fully developed sea, whose waves at the peak run 1 / 0.84 as fast as the wind.
+static swSpectrumDef MakeUnified(double wind)
+{
+    swSpectrumDef spectrum = swDefaultSpectrumDef();
+    spectrum.kind = SW_SPECTRUM_ELFOUHAILY;
+    spectrum.windSpeed = (float)wind;
+    spectrum.peakPeriod = (float)(TURN * wind / 0.84 / 9.81);
+    return spectrum;
+}
+
+static void TheUnifiedSpectrumHasTheSlopesOfTheGlitter(void** state)
+{
+    (void)state;
+    static const double winds[] = {5.0, 7.0, 10.0, 12.0, 14.0};
+    for (int i = 0; i < (int)(sizeof(winds) / sizeof(winds[0])); ++i)
+    {
+        swSpectrumDef spectrum = MakeUnified(winds[i]);
+        swSeaState all;
+        float low = 0.01f, high = (float)FindFrequency(0.0015, (double)INFINITY, 9.81);
+        assert_int_equal(swSpectrum_GetSeaState(&spectrum, low, high, &all), SW_SUCCESS);
+        char what[128];
+        snprintf(what, sizeof(what), "Mean square slope of the unified spectrum down to 1.5 mm, U10 %.0f m/s",
+                 winds[i]);
+        FindWithin(&(Finding){"V10", what, "0.003 + 0.00512 U [Cox 1954]", "", 4}, FindGlitter(winds[i]),
+                   (double)all.meanSquareSlope, 0.2);
+    }
+}
+
+static void TheUnifiedSpectrumIsOnTheSurface(void** state)
+{
+    (void)state;
+    static const double winds[] = {5.0, 10.0, 14.0};
+    for (int i = 0; i < (int)(sizeof(winds) / sizeof(winds[0])); ++i)
+    {
+        swSpectrumDef spectrum = MakeUnified(winds[i]);
+        char name[64];
+        snprintf(name, sizeof(name), "unified spectrum, U10 %.0f m/s", winds[i]);
+        CheckSea("V10", name, &spectrum);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(SlopesAndRoughnessAreThoseOfTheGlitter),
+        cmocka_unit_test(TheUnifiedSpectrumHasTheSlopesOfTheGlitter),
+        cmocka_unit_test(TheUnifiedSpectrumIsOnTheSurface),
     };
     BeginTruth("truth_slopes");
     return cmocka_run_group_tests(tests, NULL, NULL);
