@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "fuzz.h"
-#include "seaway/spectrum.h"
+#include "seaway/measured.h"
 
 static void CheckSea(const swMeasuredSea* sea)
 {

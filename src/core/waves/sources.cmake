@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/dispersion.c
+    ${CMAKE_CURRENT_LIST_DIR}/direction_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/measured.c
+    ${CMAKE_CURRENT_LIST_DIR}/measured_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/measured_text.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc.c
-    ${CMAKE_CURRENT_LIST_DIR}/ndbc_text.c
+    ${CMAKE_CURRENT_LIST_DIR}/ndbc_sea.c
     ${CMAKE_CURRENT_LIST_DIR}/sea_presets.c
+    ${CMAKE_CURRENT_LIST_DIR}/sea_text.c
     ${CMAKE_CURRENT_LIST_DIR}/slices.c
     ${CMAKE_CURRENT_LIST_DIR}/sea_state.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum.c
