@@ -55,6 +55,10 @@ static const struct
     [SW_MEASURED_UNKNOWN] = {"unknown", NULL, NULL},
     [SW_MEASURED_NDBC_SUMMARY] = {"NDBC summary", swIsNdbcSummary, swParseNdbcSummary},
     [SW_MEASURED_NDBC_SPECTRUM] = {"NDBC spectra", isNdbcSpectrum, swParseNdbcEnergy},
+    [SW_MEASURED_SWAN] = {"SWAN spectra", swIsSwan, swParseSwan},
+    [SW_MEASURED_WAVEWATCH] = {"WAVEWATCH III spectra", swIsWavewatch, swParseWavewatch},
+    [SW_MEASURED_TRIAXYS] = {"TriAxys spectrum", swIsTriaxys, swParseTriaxys},
+    [SW_MEASURED_DATAWELL] = {"Datawell spectrum", swIsDatawell, swParseDatawell},
 };
 
 swMeasuredFormat swFindMeasuredFormat(const char* text, size_t size)
@@ -96,5 +100,5 @@ swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, c
 
 const char* swGetMeasuredFormatList(void)
 {
-    return "spectra and summaries of NDBC";
+    return "spectra and summaries of NDBC, spectra of SWAN, WAVEWATCH III (text), TriAxys and Datawell (.spt)";
 }

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/base/number.h"
 
 // ---- memory ----
 

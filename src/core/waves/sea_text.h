@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/base/number.h"
 #include "seaway/base.h"
 
 // Stands for a number that the buoy did not report.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/dispersion.c
+    ${CMAKE_CURRENT_LIST_DIR}/datawell.c
     ${CMAKE_CURRENT_LIST_DIR}/direction_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/measured.c
     ${CMAKE_CURRENT_LIST_DIR}/measured_def.c
@@ -20,7 +21,10 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/spread_models.c
     ${CMAKE_CURRENT_LIST_DIR}/spreading.c
     ${CMAKE_CURRENT_LIST_DIR}/summary.c
-    ${CMAKE_CURRENT_LIST_DIR}/summary_sea.c)
+    ${CMAKE_CURRENT_LIST_DIR}/summary_sea.c
+    ${CMAKE_CURRENT_LIST_DIR}/swan.c
+    ${CMAKE_CURRENT_LIST_DIR}/triaxys.c
+    ${CMAKE_CURRENT_LIST_DIR}/wavewatch.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE
