@@ -127,6 +127,10 @@ SW_API bool swIsNdbcSummary(const char* text, size_t size);
 SW_API swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, const char* name,
                                    swMeasuredSea** sea);
 
+/// "YYYY-MM-DD", "YYYY-MM-DD hh:mm" or "YYYY-MM-DDThh:mm:ss.sss", perhaps with Z or UTC behind, to seconds since 1970.
+/// @return false if the text is no such time or not of the years 1900 to 2199
+SW_API bool swParseMeasuredTime(const char* text, double* seconds);
+
 /// ---- Data of one's own ----
 
 /// One spectrum to make a record of: densities by frequency and direction, or energies and circular moments by frequency.

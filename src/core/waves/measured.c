@@ -249,37 +249,86 @@ int swMeasuredSea_FindLocation(const swMeasuredSea* sea, const char* name)
 
 // ---- searching ----
 
-// "YYYY-MM-DD hh:mm", or with a T between.
-static bool parseTime(const char* text, double* seconds)
+// Digits at *text, at most `most` of them, which it then stands behind. False if there are none.
+static bool readDigits(const char** text, int most, int* value)
 {
-    static const char pattern[] = "0000-00-00 00:00";
-    int parts[5] = {0};
-    int part = 0;
-    for (int i = 0; i < 17; ++i)
+    const char* begin = *text;
+    *value = 0;
+    for (; **text >= '0' && **text <= '9' && *text - begin < most; ++*text)
     {
-        char c = text[i];
-        if (pattern[i] == '0')
-        {
-            if (c < '0' || c > '9')
-            {
-                return false;
-            }
-            parts[part] = 10 * parts[part] + (c - '0');
-            continue;
-        }
-        if (c != pattern[i] && !(i == 10 && c == 'T'))
-        {
-            return false;
-        }
-        ++part;
+        *value = 10 * *value + (**text - '0');
     }
-    return swMakeSeconds(parts[0], parts[1], parts[2], parts[3], parts[4], 0.0, seconds);
+    return *text > begin;
+}
+
+static bool skipChar(const char** text, char c)
+{
+    bool isThere = **text == c;
+    *text += isThere ? 1 : 0;
+    return isThere;
+}
+
+// ":ss.sss" or nothing.
+static bool readSecond(const char** text, double* second)
+{
+    int whole = 0;
+    double place = 0.1;
+    *second = 0.0;
+    if (!skipChar(text, ':'))
+    {
+        return true;
+    }
+    if (!readDigits(text, 2, &whole))
+    {
+        return false;
+    }
+    *second = whole;
+    if (skipChar(text, '.'))
+    {
+        for (; **text >= '0' && **text <= '9'; ++*text, place *= 0.1)
+        {
+            *second += place * (**text - '0');
+        }
+    }
+    return true;
+}
+
+static bool isUtc(const char* text)
+{
+    static const char* const endings[] = {"", "Z", " UTC", " Z", "+00:00", " +00:00", " +0:00", " 00:00"};
+    for (size_t i = 0; i < sizeof(endings) / sizeof(endings[0]); ++i)
+    {
+        if (strcmp(text, endings[i]) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool swParseMeasuredTime(const char* text, double* seconds)
+{
+    int year = 0, month = 0, day = 0, hour = 0, minute = 0;
+    double second = 0.0;
+    if (text == NULL || !readDigits(&text, 4, &year) || !skipChar(&text, '-') || !readDigits(&text, 2, &month) ||
+        !skipChar(&text, '-') || !readDigits(&text, 2, &day))
+    {
+        return false;
+    }
+    bool hasClock = (*text == ' ' || *text == 'T') && text[1] >= '0' && text[1] <= '9';
+    text += hasClock ? 1 : 0;
+    if (hasClock && (!readDigits(&text, 2, &hour) || !skipChar(&text, ':') || !readDigits(&text, 2, &minute) ||
+                     !readSecond(&text, &second)))
+    {
+        return false;
+    }
+    return isUtc(text) && swMakeSeconds(year, month, day, hour, minute, second, seconds);
 }
 
 int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, const char* time)
 {
     double seconds = 0.0;
-    if (time != NULL && !parseTime(time, &seconds))
+    if (time != NULL && !swParseMeasuredTime(time, &seconds))
     {
         return -1;
     }
