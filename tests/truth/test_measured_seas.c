@@ -94,9 +94,9 @@ static Offsets FindWorst(const MeasuredCase* measured, int count)
 static void CheckCase(const char* name, const MeasuredCase* measured)
 {
     Offsets worst = FindWorst(measured, Seeds(SEED_COUNT));
-    char what[256], sea[128];
-    snprintf(sea, sizeof(sea), "%s, %s, Hs %.2f m, Tp %.1f s", name, measured->record.time,
-             (double)measured->asked.significantHeight, (double)measured->asked.peakPeriod);
+    char what[512], sea[384];
+    snprintf(sea, sizeof(sea), "%s%s%s, Hs %.2f m, Tp %.1f s", name, measured->record.time[0] != 0 ? ", " : "",
+             measured->record.time, (double)measured->asked.significantHeight, (double)measured->asked.peakPeriod);
     snprintf(what, sizeof(what), "%s: Hs, worst of 16 seeds", sea);
     FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "%", 2}, 2.0, 100.0 * worst.height);
     snprintf(what, sizeof(what), "%s: Tp, worst of 16 seeds", sea);
@@ -138,7 +138,13 @@ static void MeasureFile(const char* path)
     assert_int_equal(swReadMeasuredSea(&host, full, &sea), SW_SUCCESS);
     const char* slash = strrchr(path, '/');
     MarkOptional(strncmp(path, "scenes/", 7) != 0); // data that is not part of the project
-    MeasureRecord(slash + 1, sea, swMeasuredSea_FindLargest(sea));
+    for (int i = 0; i < swMeasuredSea_GetLocationCount(sea); ++i)
+    {
+        char name[256];
+        snprintf(name, sizeof(name), "%s%s%s", slash + 1, swMeasuredSea_GetLocation(sea, i).name[0] != 0 ? " " : "",
+                 swMeasuredSea_GetLocation(sea, i).name);
+        MeasureRecord(name, sea, swMeasuredSea_FindRecord(sea, i, NULL));
+    }
     swDestroyMeasuredSea(sea);
 }
 
@@ -166,6 +172,48 @@ static void AnArchivedSeaWithoutDirectionsIsMeasuredOnTheSurface(void** state)
     MeasureFile("../shared/data/spectra/ndbc_44004_2000_old_format/44004w2000.txt");
 }
 
+static void ABuoysSummaryIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/ndbc_44013_2022-05/44013.spec");
+}
+
+static void ASpottersSeaIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/spotter_southern_ocean_2018-02/spotter_20180214.json");
+}
+
+static void ATriaxysSeaByDirectionIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/triaxys_2018-01/triaxys.DIRSPEC");
+}
+
+static void ATriaxysSeaWithoutDirectionsIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/triaxys_2018-01/triaxys.NONDIRSPEC");
+}
+
+static void CdipsSeasAreMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/cdip_mhkit/ValData2_CDiP.json");
+}
+
+static void AWavewatchSeaIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/ww3_44097_2022-09/ww3station.spec");
+}
+
+static void ASwanSeaIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/swan_raglan_2016-10/swanfile.spec");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -173,6 +221,13 @@ int main(void)
         cmocka_unit_test(BostonsGaleIsMeasuredOnTheSurface),
         cmocka_unit_test(CanaveralsSeaIsMeasuredOnTheSurface),
         cmocka_unit_test(AnArchivedSeaWithoutDirectionsIsMeasuredOnTheSurface),
+        cmocka_unit_test(ABuoysSummaryIsMeasuredOnTheSurface),
+        cmocka_unit_test(ASpottersSeaIsMeasuredOnTheSurface),
+        cmocka_unit_test(ATriaxysSeaByDirectionIsMeasuredOnTheSurface),
+        cmocka_unit_test(ATriaxysSeaWithoutDirectionsIsMeasuredOnTheSurface),
+        cmocka_unit_test(CdipsSeasAreMeasuredOnTheSurface),
+        cmocka_unit_test(AWavewatchSeaIsMeasuredOnTheSurface),
+        cmocka_unit_test(ASwanSeaIsMeasuredOnTheSurface),
     };
     BeginTruth("test_measured_seas");
     return cmocka_run_group_tests(tests, NULL, NULL);
