@@ -158,7 +158,7 @@ typedef struct swMeasuredSpectrumDef
     /// m^2/Hz/rad, range [0, 1e6]; negative ones and NAN count as none. [frequencyCount][directionCount]
     const double* density;
 
-    /// Instead of directions: m^2/Hz, range [0, 1e6]; negative ones and NAN count as none. [frequencyCount]
+    /// Instead of directions: m^2/Hz, range [0, 5e4]; negative ones and NAN count as none. [frequencyCount]
     const double* energy;
 
     /// Means of cos, sin of the direction where waves go, and of twice it; NAN where missing. Default NULL: not known.

@@ -78,7 +78,7 @@ static swResult readHead(Reader* reader)
         if (result == SW_SUCCESS)
         {
             result = i == DENSITY_LINE ? swReadSeaRange(&reader->text, "the largest density, m2/Hz,", 0.0,
-                                                        SW_SEA_MAX_DENSITY, &reader->largest)
+                                                        0.99 * SW_SEA_MAX_ENERGY, &reader->largest)
                                        : swReadSeaNumber(&reader->text, "a number of the heading", false, &value);
         }
     }

@@ -18,7 +18,8 @@
 
 #define SW_SEA_MAX_FREQUENCIES 1024
 #define SW_SEA_MAX_DIRECTIONS 720
-#define SW_SEA_MAX_DENSITY 1e6
+#define SW_SEA_MAX_DENSITY 1e6 // m^2/Hz/rad
+#define SW_SEA_MAX_ENERGY 5e4  // m^2/Hz: less, as all of it may go one way
 #define SW_SEA_MAX_FLOATS ((size_t)1 << 27)
 
 // A record owns its floats: frequencies, bandwidths, energy, meanDirection, r1, direction2, r2, each [frequencyCount],

@@ -255,10 +255,10 @@ static void gatherMoments(const swMeasuredSpectrumDef* def, Scratch* scratch)
     }
 }
 
-static swResult failDensity(const swMeasuredSea* sea, double frequency, double value, const char* unit)
+static swResult failDensity(const swMeasuredSea* sea, double frequency, double value, double most, const char* unit)
 {
     return swFail(&sea->host, SW_ERROR_FORMAT, "%s: the density at %g Hz is %g %s; at most %g is read.", sea->name,
-                  frequency, value, unit, SW_SEA_MAX_DENSITY);
+                  frequency, value, unit, most);
 }
 
 static swResult fillFromMoments(const swMeasuredSea* sea, const swMeasuredSpectrumDef* def, Scratch* scratch,
@@ -268,9 +268,9 @@ static swResult fillFromMoments(const swMeasuredSea* sea, const swMeasuredSpectr
     for (int i = 0; i < scratch->count; ++i)
     {
         double value = def->energy[scratch->order[i].row];
-        if (value > SW_SEA_MAX_DENSITY)
+        if (value > SW_SEA_MAX_ENERGY)
         {
-            return failDensity(sea, scratch->order[i].frequency, value, "m^2/Hz");
+            return failDensity(sea, scratch->order[i].frequency, value, SW_SEA_MAX_ENERGY, "m^2/Hz");
         }
         energy[i] = value > 0.0 ? (float)value : 0.0f;
     }
@@ -311,7 +311,7 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
         {
             if (density[j] > SW_SEA_MAX_DENSITY)
             {
-                return failDensity(sea, scratch->order[i].frequency, density[j], "m^2/Hz/rad");
+                return failDensity(sea, scratch->order[i].frequency, density[j], SW_SEA_MAX_DENSITY, "m^2/Hz/rad");
             }
             columns[j] = density[j] > 0.0 ? density[j] : 0.0;
         }

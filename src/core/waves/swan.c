@@ -429,9 +429,9 @@ static swResult readLines(Reader* reader)
             result = swReadSeaNumber(&reader->text, "a value", true, &value);
             keepValue(reader, j, i, value, &direction, &spread);
         }
-        if (result == SW_SUCCESS && reader->energy[i] > SW_SEA_MAX_DENSITY)
+        if (result == SW_SUCCESS && reader->energy[i] > SW_SEA_MAX_ENERGY)
         {
-            result = fail(reader, "an energy is above 1e6 m2/Hz.");
+            result = fail(reader, "an energy is above 5e4 m2/Hz, the most that is read.");
         }
         swSeaMoments moments = swMakeSeaMoments(direction, spread);
         reader->moments[0][i] = moments.hasFirst ? moments.moments.a1 : (double)NAN;

@@ -187,14 +187,14 @@ static swResult readHead(Reader* reader)
 
 // ---- spectrum ----
 
-static swResult readDensity(Reader* reader, const char* what, double scale, double* value)
+static swResult readDensity(Reader* reader, const char* what, double scale, double most, double* value)
 {
     swResult result = swReadSeaNumber(&reader->text, what, true, value);
     *value *= scale;
-    if (result == SW_SUCCESS && !(*value <= SW_SEA_MAX_DENSITY))
+    if (result == SW_SUCCESS && !(*value <= most))
     {
         result = swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: %s is %g; at most %g is read.", reader->text.name,
-                        reader->text.line, what, *value, SW_SEA_MAX_DENSITY);
+                        reader->text.line, what, *value, most);
     }
     return result;
 }
@@ -212,7 +212,8 @@ static swResult readRows(Reader* reader)
         reader->frequencies[i] = reader->firstFrequency + reader->frequencyStep * i;
         for (int j = 0; j < directions && result == SW_SUCCESS; ++j)
         {
-            result = readDensity(reader, "a density", 1.0 / DEGREE, &reader->density[i * directions + j]);
+            result = readDensity(reader, "a density", 1.0 / DEGREE, SW_SEA_MAX_DENSITY,
+                                 &reader->density[i * directions + j]);
         }
         if (!reader->isDirectional)
         {
@@ -220,7 +221,7 @@ static swResult readRows(Reader* reader)
         }
         if (!reader->isDirectional && result == SW_SUCCESS)
         {
-            result = readDensity(reader, "an energy", 1.0, &reader->energy[i]);
+            result = readDensity(reader, "an energy", 1.0, SW_SEA_MAX_ENERGY, &reader->energy[i]);
         }
     }
     return result;
