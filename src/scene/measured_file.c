@@ -14,6 +14,7 @@
 #include "seaway/scene.h"
 
 #define MAX_PATH_LENGTH 1024
+#define START_SIZE 8                     // of a netCDF file, enough to know it
 #define MAX_FILE_SIZE ((size_t)64 << 20) // a year of hourly records has 5 MB
 
 enum
@@ -182,7 +183,7 @@ static swResult parseJson(const swHost* host, const swText* text, const char* pa
 // A netCDF file may be larger than what is read at once; its beginning is enough to know it.
 static swResult readStart(const swHost* host, FileSet* set)
 {
-    char bytes[8] = {0};
+    char bytes[START_SIZE] = {0};
     FILE* file = fopen(set->paths[ENERGY], "rb");
     size_t count = file != NULL ? fread(bytes, 1, sizeof(bytes), file) : 0;
     if (file != NULL)
@@ -226,6 +227,10 @@ static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
 {
     const swText* text = &set->texts[ENERGY];
     const char* path = set->paths[ENERGY];
+    if (isNetcdf(text) && text->size != START_SIZE)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s: netCDF is read as it is: unpack it first, with gunzip.", path);
+    }
     if (isNetcdf(text))
     {
         return readNetcdf(host, path, sea);

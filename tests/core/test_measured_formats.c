@@ -546,6 +546,64 @@ static void DatawellHasItsSecondMomentsFromSkewnessAndKurtosis(void** state)
     free(text);
 }
 
+// ---- partitions ----
+
+static void PartitionsOfATableHaveWhatItSays(void** state)
+{
+    (void)state;
+    Text* text = NewText();
+    Print(text, "# a comment\ngamma,time,hs_m,tp_s,direction_from_deg,spread_deg,remark\n"
+                "3.3,2024-11-16 06:50,3.0,12.5,270,20,swell\n,2024-11-16T06:50Z,4,6.25,270,20,\n"
+                "5,2024-11-16 03:50,1.5,15.2,10,15,alone\n1,2024-11-16 09:50,0,,,,calm\n"
+                ",2024-11-16 12:50,2,8,,,\n");
+    swMeasuredSea* sea = Parse(text, "p.csv");
+    assert_int_equal(swMeasuredSea_GetCount(sea), 4);
+    swMeasuredRecord alone = swMeasuredSea_GetRecord(sea, 0);
+    swSeaState seaState = GetSeaState(sea, 0);
+    assert_int_equal(alone.partitionCount, 1);
+    assert_true(fabs((double)seaState.significantHeight - 1.5) < 1e-3);
+    assert_true(fabs((double)seaState.peakPeriod - 15.2) < 0.01);
+    assert_true(GetAngleBetween(GetBearing(seaState.meanDirection), 10.0) < 0.1);
+    print_message("spread %.2f degrees of 15\n", (double)seaState.spread / DEGREE);
+    assert_true(fabs((double)seaState.spread / DEGREE - 15.0) < 0.3);
+    swMeasuredRecord both = swMeasuredSea_GetRecord(sea, 1);
+    seaState = GetSeaState(sea, 1);
+    assert_int_equal(both.partitionCount, 2);
+    assert_true(fabs((double)seaState.significantHeight - 5.0) < 2e-3);
+    assert_true(fabs((double)seaState.spread / DEGREE - 20.0) < 0.5);
+    assert_true(swMeasuredSea_GetRecord(sea, 2).energy[40] == 0.0f);
+    assert_null(swMeasuredSea_GetRecord(sea, 3).meanDirection);
+    swDestroyMeasuredSea(sea);
+    free(text);
+}
+
+static void WavewatchsPartitionsAreRead(void** state)
+{
+    (void)state;
+    Text* text = NewText();
+    Print(text, " WAVEWATCH III PARTITIONED DATA FILE         III  1.01 \n"
+                " yyyymmdd hhmmss     lat     lon   name       nprt depth ubas  udir cabs  cdir\n"
+                "        hs     tp     lp       theta     sp      wf\n"
+                "20080522 003000  58.500  15.250  'grid_point'  2  100.0  5.3 120.5 0.00   0.0\n"
+                "  0    2.50   10.00  156.00   200.00    40.00   0.30\n"
+                "  1    2.00   10.00  156.00   210.00    25.00   0.00\n"
+                "  2    1.50    5.00   39.00   120.00    30.00   0.90\n"
+                "20080522 003000  58.750  15.250  'grid_point'  0  100.0  5.3 120.5 0.00   0.0\n"
+                "  0    0.40    4.00   25.00    90.00    40.00   1.00\n");
+    swMeasuredSea* sea = Parse(text, "partition.ww3");
+    assert_int_equal(swMeasuredSea_GetLocationCount(sea), 2);
+    assert_true(swMeasuredSea_GetLocation(sea, 1).latitude == 58.75);
+    assert_string_equal(swMeasuredSea_GetRecord(sea, 0).time, "2008-05-22 00:30");
+    assert_int_equal(swMeasuredSea_GetRecord(sea, 0).partitionCount, 2);
+    swSeaState seaState = GetSeaState(sea, 0);
+    assert_true(fabs((double)seaState.significantHeight - 2.5) < 1e-3);
+    assert_true(fabs((double)seaState.peakPeriod - 10.0) < 0.01);
+    assert_true(GetAngleBetween(GetBearing(seaState.peakDirection), 210.0) < 1.0);
+    assert_true(fabs((double)GetSeaState(sea, 1).significantHeight - 0.4) < 1e-3);
+    swDestroyMeasuredSea(sea);
+    free(text);
+}
+
 // ---- files of others ----
 
 static char* ReadText(const char* path, size_t* size)
@@ -709,6 +767,14 @@ static void WrongTextsAreNamedWithTheirLine(void** state)
         {"TRIAXYS BUOY DATA REPORT\nTYPE = HNE\n", "x:2: TYPE is 'HNE'"},
         {"TRIAXYS BUOY DATA REPORT\n1 2 3\n", "x:2: the heading lacks"},
         {DATAWELL ".1,2,3,4,5,6\n", "x:13: a relative density is 2"},
+        {"time,hs_m,tp_s\nnoon,1,2\n", "x:2: time is 'noon'"},
+        {"time,hs_m,tp_s\n2020-01-01,50,2\n", "x:2: hs_m is '50'"},
+        {"time,hs_m,tp_s\n2020-01-01,5\n", "x:2: the line has 2 fields, the heading 3"},
+        {"time,hs_m,tp_s\n2020-01-01,5,\n", "x:2: there is a height but no tp_s"},
+        {"time,hs_m,tp_s\n", "holds no spectrum"},
+        {"WAVEWATCH III PARTITIONED DATA FILE\n20200101 0 1 2 'a' 1\n0 1 2 3 4 5 6\n2 1 2 3 4 5 6\n",
+         "x:4: partition 2 stands where 1 should"},
+        {"WAVEWATCH III PARTITIONED DATA FILE\n20200101 0 1 2 'a' 1\n0 1 2\n", "x:3: the file ends where a wavelength"},
         {DATAWELL ".1,.2,3,4,5,6\n.2,.3,4\n", "x:14: the file ends where a spread"},
     };
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
@@ -734,6 +800,8 @@ static void FailingMemoryLeavesNothingBehind(void** state)
         WW3 "20200101 000000\n'a' 5 1\n1 2 3 4 5 6 7 8\n",
         TRIAXYS ".1 2\n.2 3\n.3 4\n",
         DATAWELL ".1,.2,3,4,5,6\n.2,.3,4,5,6,7\n",
+        "time,hs_m,tp_s\n2020-01-01,1,5\n",
+        "WAVEWATCH III PARTITIONED DATA FILE\n20200101 0 1 2 'a' 0\n0 1 2 3 4 5 6\n",
     };
     for (size_t k = 0; k < sizeof(texts) / sizeof(texts[0]); ++k)
     {
@@ -767,6 +835,8 @@ int main(void)
         cmocka_unit_test(WavewatchIsReadWithSeveralPointsAndTimes),
         cmocka_unit_test(TriaxysIsReadOnOtherGrids),
         cmocka_unit_test(DatawellHasItsSecondMomentsFromSkewnessAndKurtosis),
+        cmocka_unit_test(PartitionsOfATableHaveWhatItSays),
+        cmocka_unit_test(WavewatchsPartitionsAreRead),
         cmocka_unit_test(RaglansSwanFileHasItsStatistics),
         cmocka_unit_test(BlockIslandsWavewatchFileIsReadAsExpected),
         cmocka_unit_test(BothTriaxysFilesAreReadAsExpected),

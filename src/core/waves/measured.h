@@ -85,6 +85,9 @@ typedef struct swSeaMoments
 // frequency. Fills gaps and corrects what is impossible; without any first moments spreads around east.
 void swFillSeaDirections(swSeaRecord* record, const swSeaMoments* moments);
 
+// Keep the moments of frequency i, those of a distribution that integrates to one.
+void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments);
+
 // The moments of cos^2s stand in for second moments that are missing.
 swMoments swCompleteMoments(const swSeaMoments* moments);
 

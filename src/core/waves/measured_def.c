@@ -173,7 +173,7 @@ static int findDirected(const swSeaMoments* moments, int count, int i)
     return i;
 }
 
-static void keepMoments(swSeaRecord* record, int i, const swMoments* moments)
+void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments)
 {
     swGetSeaRow(record, SW_SEA_MEAN_DIRECTION)[i] = (float)swAtan2(moments->b1, moments->a1);
     swGetSeaRow(record, SW_SEA_R1)[i] = (float)sqrt(moments->a1 * moments->a1 + moments->b1 * moments->b1);
@@ -217,7 +217,7 @@ void swFillSeaDirections(swSeaRecord* record, const swSeaMoments* moments)
     {
         swMoments whole = swCompleteMoments(&moments[findDirected(moments, count, i)]);
         record->correctedCount += swCorrectMoments(&whole) && moments[i].hasFirst ? 1 : 0;
-        keepMoments(record, i, &whole);
+        swKeepSeaMoments(record, i, &whole);
         if (energy[i] > 0.0f)
         {
             swFillMaximumEntropy(&whole, SW_SEA_DIRECTIONS, density);
@@ -324,7 +324,7 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
         }
         energy[i] = (float)sum;
         swMoments moments = sumMoments(record, scratch->table, sum);
-        keepMoments(record, i, &moments);
+        swKeepSeaMoments(record, i, &moments);
     }
     record->hasDirections = true;
     swSumSeaRecord(record);

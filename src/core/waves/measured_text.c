@@ -57,6 +57,9 @@ static const struct
     [SW_MEASURED_NDBC_SPECTRUM] = {"NDBC spectra", isNdbcSpectrum, swParseNdbcEnergy},
     [SW_MEASURED_SWAN] = {"SWAN spectra", swIsSwan, swParseSwan},
     [SW_MEASURED_WAVEWATCH] = {"WAVEWATCH III spectra", swIsWavewatch, swParseWavewatch},
+    [SW_MEASURED_WAVEWATCH_PARTITIONS] = {"WAVEWATCH III partitions", swIsWavewatchPartitions,
+                                          swParseWavewatchPartitions},
+    [SW_MEASURED_PARTITION_TABLE] = {"table of partitions", swIsPartitionTable, swParsePartitionTable},
     [SW_MEASURED_TRIAXYS] = {"TriAxys spectrum", swIsTriaxys, swParseTriaxys},
     [SW_MEASURED_DATAWELL] = {"Datawell spectrum", swIsDatawell, swParseDatawell},
 };
@@ -100,5 +103,7 @@ swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, c
 
 const char* swGetMeasuredFormatList(void)
 {
-    return "spectra and summaries of NDBC, spectra of SWAN, WAVEWATCH III (text), TriAxys and Datawell (.spt)";
+    return "spectra and summaries of NDBC; spectra of SWAN, of WAVEWATCH III (text), of TriAxys and Datawell (.spt) "
+           "buoys; "
+           "partitions of WAVEWATCH III and tables of them (time,hs_m,tp_s,direction_from_deg,spread_deg,gamma)";
 }

@@ -76,14 +76,8 @@ static swResult readHead(Reader* reader)
     return result;
 }
 
-// A name in quotes at the beginning of a line, without the spaces that fill it up.
-static swResult readName(swSeaText* text, char name[64])
+swResult swReadSeaName(swSeaText* text, char name[64])
 {
-    swResult result = swNeedSeaLine(text, "a point");
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
     const char* end =
         swPeekSeaChar(text) == '\'' ? memchr(text->at + 1, '\'', (size_t)(text->lineEnd - text->at - 1)) : NULL;
     if (end == NULL)
@@ -125,7 +119,11 @@ static swResult readPoint(Reader* reader, int index, int* location)
     char name[64];
     double latitude = 0.0, longitude = 0.0;
     swSeaText* text = &reader->text;
-    swResult result = readName(text, name);
+    swResult result = swNeedSeaLine(text, "a point");
+    if (result == SW_SUCCESS)
+    {
+        result = swReadSeaName(text, name);
+    }
     if (result == SW_SUCCESS)
     {
         result = swReadSeaRange(text, "a point's latitude", -90.0, 90.0, &latitude);
