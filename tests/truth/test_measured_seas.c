@@ -214,6 +214,69 @@ static void ASwanSeaIsMeasuredOnTheSurface(void** state)
     MeasureFile("../shared/data/spectra/swan_raglan_2016-10/swanfile.spec");
 }
 
+// ---- files of the same formats that nobody has ----
+
+static void MeasureText(const char* name, const char* text)
+{
+    swHost host = swDefaultHost();
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(swParseMeasuredSea(&host, text, strlen(text), name, &sea), SW_SUCCESS);
+    MarkOptional(false);
+    MeasureRecord(name, sea, 0);
+    swDestroyMeasuredSea(sea);
+}
+
+static void SeasThatRunAgainstEachOtherAreMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureText("opposed.csv", "time,hs_m,tp_s,direction_from_deg,spread_deg,gamma\n"
+                               "2020-01-01 00:00,1.8,13.0,200,14,5\n"
+                               "2020-01-01 00:00,1.2,9.0,330,18,3.3\n"
+                               "2020-01-01 00:00,2.1,5.5,40,30,1.5\n");
+}
+
+// m^2/Hz/degree: a sea from 115 degrees that turns to 160 at high frequencies.
+static double FindSyntheticDensity(double frequency, double bearing)
+{
+    double x = 0.11 / frequency, mean = 115.0 + 45.0 * fmax(0.0, 1.0 - x);
+    double half = 0.5 * (bearing - mean) * DEGREE;
+    return 0.0008 * pow(frequency, -5.0) * exp(-1.25 * pow(x, 4.0)) * 2e-4 * pow(cos(half) * cos(half), 9.0);
+}
+
+static void UnequalDirectionsAreMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    enum
+    {
+        FREQUENCIES = 26,
+        DIRECTIONS = 31,
+        SIZE = 65536
+    };
+    char* text = calloc(1, SIZE);
+    assert_non_null(text);
+    int used = snprintf(text, SIZE, "SWAN 1\nLONLAT\n1\n3.5 56.2\nAFREQ\n%d\n", FREQUENCIES);
+    for (int i = 0; i < FREQUENCIES; ++i)
+    {
+        used += snprintf(text + used, (size_t)(SIZE - used), "%.5f\n", 0.05 * pow(1.1, i));
+    }
+    used += snprintf(text + used, (size_t)(SIZE - used), "NDIR\n%d\n", DIRECTIONS);
+    for (int j = 0; j < DIRECTIONS; ++j)
+    {
+        used += snprintf(text + used, (size_t)(SIZE - used), "%.2f\n", 360.0 - 12.0 * j + 2.0 * sin(1.0 * j));
+    }
+    used += snprintf(text + used, (size_t)(SIZE - used), "QUANT\n1\nVaDens\nm2/Hz/degr\n-99\nFACTOR\n1e-6\n");
+    for (int i = 0; i < FREQUENCIES * DIRECTIONS; ++i)
+    {
+        double bearing = 360.0 - 12.0 * (i % DIRECTIONS) + 2.0 * sin(1.0 * (i % DIRECTIONS));
+        double density = FindSyntheticDensity(0.05 * pow(1.1, i / DIRECTIONS), bearing);
+        used += snprintf(text + used, (size_t)(SIZE - used), i % DIRECTIONS == DIRECTIONS - 1 ? "%ld\n" : "%ld ",
+                         lround(1e6 * density));
+    }
+    assert_true(used < SIZE - 1);
+    MeasureText("unequal.spec", text);
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -228,6 +291,8 @@ int main(void)
         cmocka_unit_test(CdipsSeasAreMeasuredOnTheSurface),
         cmocka_unit_test(AWavewatchSeaIsMeasuredOnTheSurface),
         cmocka_unit_test(ASwanSeaIsMeasuredOnTheSurface),
+        cmocka_unit_test(SeasThatRunAgainstEachOtherAreMeasuredOnTheSurface),
+        cmocka_unit_test(UnequalDirectionsAreMeasuredOnTheSurface),
     };
     BeginTruth("test_measured_seas");
     return cmocka_run_group_tests(tests, NULL, NULL);
