@@ -28,8 +28,26 @@ static bool FindState(const swMeasuredRecord* record, swSeaState* state)
     return swSpectrum_GetSeaState(&def, 0.0f, 0.0f, state) == SW_SUCCESS;
 }
 
-static void PrintList(const swMeasuredSea* sea, bool asJson)
+// "3", or the name where there is one.
+static const char* NameLocation(const swMeasuredSea* sea, int location, char text[80])
 {
+    swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
+    snprintf(text, 80, place.name[0] != '\0' ? "%d %s" : "%d", location + 1, place.name);
+    return text;
+}
+
+static void WriteLocation(Json* json, const swMeasuredSea* sea, int location)
+{
+    swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
+    JsonInteger(json, "location", location + 1);
+    JsonText(json, "location_name", place.name);
+    JsonNumber(json, "longitude_deg", place.longitude); // null where it is not known
+    JsonNumber(json, "latitude_deg", place.latitude);
+}
+
+static void PrintList(const swMeasuredSea* sea, int location, bool asJson)
+{
+    bool hasPlaces = swMeasuredSea_GetLocationCount(sea) > 1;
     Json json = OpenJson(stdout);
     if (asJson)
     {
@@ -37,11 +55,18 @@ static void PrintList(const swMeasuredSea* sea, bool asJson)
     }
     else
     {
-        printf("%-16s  %6s  %6s  %6s  %5s\n", "time (UTC)", "Hs, m", "Tp, s", "Tm02,s", "from");
+        printf("%-16s  %6s  %6s  %6s  %5s%s\n", "time (UTC)", "Hs, m", "Tp, s", "Tm02,s", "from",
+               hasPlaces ? "  location" : "");
     }
     for (int i = 0; i < swMeasuredSea_GetCount(sea); ++i)
     {
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
+        if (location >= 0 && record.location != location)
+        {
+            continue;
+        }
+        char place[80];
+        const char* where = hasPlaces ? NameLocation(sea, record.location, place) : "";
         swSeaState state;
         bool isCalm = !FindState(&record, &state); // a record without energy
         if (asJson)
@@ -49,16 +74,18 @@ static void PrintList(const swMeasuredSea* sea, bool asJson)
             JsonOpenObject(&json, NULL);
             JsonText(&json, "time_utc", record.time);
             WriteSeaState(&json, &state);
+            WriteLocation(&json, sea, record.location);
             JsonCloseObject(&json);
         }
         else if (isCalm)
         {
-            printf("%-16s  %6.2f       -       -      -\n", record.time, 0.0);
+            printf("%-16s  %6.2f       -       -      -%s%s\n", record.time, 0.0, hasPlaces ? "  " : "", where);
         }
         else
         {
-            printf("%-16s  %6.2f  %6.2f  %6.2f  %5.0f\n", record.time, (double)state.significantHeight,
-                   (double)state.peakPeriod, (double)state.periodTm02, BearingFrom((double)state.meanDirection));
+            printf("%-16s  %6.2f  %6.2f  %6.2f  %5.0f%s%s\n", record.time, (double)state.significantHeight,
+                   (double)state.peakPeriod, (double)state.periodTm02, BearingFrom((double)state.meanDirection),
+                   hasPlaces ? "  " : "", where);
         }
     }
     if (asJson)
@@ -67,15 +94,33 @@ static void PrintList(const swMeasuredSea* sea, bool asJson)
     }
 }
 
+static void PrintLocation(const swMeasuredSea* sea, int location)
+{
+    swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
+    char name[80];
+    if (swMeasuredSea_GetLocationCount(sea) > 1 || place.name[0] != '\0')
+    {
+        printf("  location %s of %d\n", NameLocation(sea, location, name), swMeasuredSea_GetLocationCount(sea));
+    }
+    if (place.latitude == place.latitude && place.longitude == place.longitude)
+    {
+        printf("  at %.4f N %.4f E\n", place.latitude, place.longitude);
+    }
+}
+
 static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeasuredRecord* record)
 {
     swSeaState state;
     bool hasWaves = FindState(record, &state);
     const swSpectrumTable* table = &record->table;
-    printf("%s, %s UTC, one of %d records\n", path, record->time, swMeasuredSea_GetCount(sea));
+    char time[32];
+    snprintf(time, sizeof(time), "%s UTC", record->time);
+    printf("%s, %s, one of %d records\n", path, record->time[0] != '\0' ? time : "no time",
+           swMeasuredSea_GetCount(sea));
+    PrintLocation(sea, record->location);
     if (record->partitionCount > 0)
     {
-        printf("  built up from a summary of %d system%s of waves\n", record->partitionCount,
+        printf("  built up from heights, periods and directions of %d system%s of waves\n", record->partitionCount,
                record->partitionCount > 1 ? "s" : "");
     }
     printf("  %d frequencies, %.4g to %.4g Hz; %s\n", table->frequencyCount, (double)table->frequencies[0],
@@ -116,29 +161,21 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     JsonNull(&json, "whitecap_fraction");
     JsonInteger(&json, "corrected_count", record->correctedCount);
     JsonInteger(&json, "partition_count", record->partitionCount);
+    WriteLocation(&json, sea, record->location);
     JsonFloats(&json, "frequency_hz", record->table.frequencies, record->table.frequencyCount);
     JsonFloats(&json, "bandwidth_hz", record->table.bandwidths, record->table.frequencyCount);
     JsonFloats(&json, "energy_m2_per_hz", record->energy, record->table.frequencyCount);
     JsonCloseObject(&json);
 }
 
-static int FindRecord(const swMeasuredSea* sea, const char* at)
+// By name, else by number from 1 on; -1 if neither fits.
+static int FindLocation(const swMeasuredSea* sea, const char* text)
 {
-    if (at == NULL)
-    {
-        return swMeasuredSea_FindLargest(sea);
-    }
-    char time[32]; // "2022-05-08T12:40Z" means the same
-    snprintf(time, sizeof(time), "%s", at);
-    if (strlen(time) > 10 && time[10] == 'T')
-    {
-        time[10] = ' ';
-    }
-    if (strlen(time) > 0 && time[strlen(time) - 1] == 'Z')
-    {
-        time[strlen(time) - 1] = 0;
-    }
-    return swMeasuredSea_FindTime(sea, time);
+    int location = swMeasuredSea_FindLocation(sea, text);
+    char* end = NULL;
+    long number = strtol(text, &end, 10);
+    bool isNumber = end != text && *end == '\0' && number >= 1 && number <= swMeasuredSea_GetLocationCount(sea);
+    return location >= 0 ? location : isNumber ? (int)number - 1 : -1;
 }
 
 // A scene of nothing but the record, to make its sea of.
@@ -197,6 +234,7 @@ int RunSpectrum(int argumentCount, char** arguments)
 {
     const char* path = NULL;
     const char* at = NULL;
+    const char* place = NULL;
     const char* plotPath = NULL;
     bool asJson = false, asList = false;
     const Option options[] = {
@@ -205,6 +243,11 @@ int RunSpectrum(int argumentCount, char** arguments)
          .value = &at,
          .placeholder = "TIME",
          .help = "the record nearest to \"YYYY-MM-DD hh:mm\" UTC (default: the largest Hs)"},
+        {.name = "location",
+         .kind = OPTION_TEXT,
+         .value = &place,
+         .placeholder = "N|NAME",
+         .help = "records of one place only, by number from 1 on or by name (default: of all)"},
         {.name = "plot",
          .kind = OPTION_TEXT,
          .value = &plotPath,
@@ -214,11 +257,13 @@ int RunSpectrum(int argumentCount, char** arguments)
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };
     const Verb verb = {.name = "spectrum",
-                       .synopsis = "FILE [--at TIME] [--plot FILE.svg] [--list] [--json]",
+                       .synopsis = "FILE [--at TIME] [--location N|NAME] [--plot FILE.svg] [--list] [--json]",
                        .text =
-                           "Read a measured sea state. FILE is the energy file of an NDBC set (44013.data_spec, or a\n"
-                           "yearly 44013w2022.txt), the direction files beside it being found by name, or an NDBC\n"
-                           "summary (44013.spec); plain or gzip.",
+                           "Read a measured or computed sea state. The format is known by the contents: spectra and\n"
+                           "summaries of NDBC (name the energy file, such as 44013.data_spec or 44013w2022.txt; the\n"
+                           "direction files beside it are found by name), of SWAN, WAVEWATCH III (text, partitions\n"
+                           "and netCDF), ERA5 (netCDF), TriAxys, Datawell (.spt), Sofar Spotter and MHKiT (JSON), and\n"
+                           "a table of partitions: time,hs_m,tp_s,direction_from_deg,spread_deg,gamma.",
                        .options = options,
                        .optionCount = sizeof(options) / sizeof(options[0]),
                        .positionalMin = 1,
@@ -239,14 +284,24 @@ int RunSpectrum(int argumentCount, char** arguments)
         return EXIT_PROBLEM;
     }
     int exitCode = EXIT_USAGE;
-    int index = FindRecord(sea, at);
-    if (index < 0)
+    int location = place != NULL ? FindLocation(sea, place) : -1;
+    int index = swMeasuredSea_FindRecord(sea, location, at);
+    if (place != NULL && location < 0)
+    {
+        Complain("spectrum: --location wants a name or a number from 1 to %d, not \"%s\"; --list shows them",
+                 swMeasuredSea_GetLocationCount(sea), place);
+    }
+    else if (index < 0 && swMeasuredSea_FindRecord(sea, location, NULL) < 0)
+    {
+        Complain("spectrum: location \"%s\" has no record; --list shows those that have", place);
+    }
+    else if (index < 0)
     {
         Complain("spectrum: --at wants a time such as \"2022-05-08 12:40\" (UTC), not \"%s\"", at);
     }
     else if (asList)
     {
-        PrintList(sea, asJson);
+        PrintList(sea, location, asJson);
         exitCode = FinishOutput() ? EXIT_FINE : EXIT_PROBLEM;
     }
     else

@@ -56,7 +56,7 @@ if(TARGET seaway_gpu)
 endif()
 if(TARGET seaway_scene)
     sw_install_library(scene DESCRIPTION "Scene files and measured spectra for Seaway" REQUIRES seaway-gpu
-        PACKAGES yaml-0.1 zlib LIBRARIES -lm)
+        PACKAGES yaml-0.1 zlib ${SW_SCENE_PACKAGES} LIBRARIES -lm)
     list(APPEND SW_COMPONENTS scene)
 endif()
 if(NOT SW_INSTALL)

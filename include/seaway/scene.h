@@ -71,7 +71,8 @@ SW_API swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view);
 /// @return what swCreateWorld(), swCreateWaveSystem() and swWorld_Step() return
 SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
 
-/// Read a measured sea: an NDBC energy file, the direction files beside it being found by their names, or an NDBC summary
-/// (swParseNdbcSummary()); plain or gzip.
-/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file and line in the host's log), SW_ERROR_NO_MEMORY
+/// Read a measured sea: any text that swParseMeasuredSea() reads; an NDBC energy file, the direction files beside it being
+/// found by their names; and, where their libraries were there when this was built, JSON and netCDF. The format is known
+/// by the contents, plain or gzip (netCDF: plain).
+/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_NO_MEMORY
 SW_API swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea);

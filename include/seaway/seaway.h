@@ -7,6 +7,7 @@
 #include "base.h"
 #include "id.h"
 #include "math.h"
+#include "measured.h"
 #include "query.h"
 #include "sea.h"
 #include "spectrum.h"

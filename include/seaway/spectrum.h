@@ -106,9 +106,12 @@ typedef struct swSpectrumTable
     /// Bandwidth of each frequency bin, Hz. [frequencyCount]
     const float* bandwidths;
 
-    /// m^2/Hz/rad at frequency i, direction 2 pi j / directionCount (where waves go).
+    /// m^2/Hz/rad at frequency i, direction firstDirection + 2 pi j / directionCount (where waves go).
     /// [frequencyCount][directionCount]
     const float* density;
+
+    /// Direction of the first column, radians. Default 0.
+    float firstDirection;
 } swSpectrumTable;
 
 /// Must be initialized with swDefaultSpectrumDef().
@@ -228,84 +231,3 @@ SW_API float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, 
 /// @return SW_ERROR_INVALID if the def is outside its ranges or has no energy
 SW_API swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, float maxFrequency,
                                        swSeaState* seaState);
-
-/// Measured records: what a wave buoy or a file of spectra held.
-typedef struct swMeasuredSea swMeasuredSea;
-
-/// One record of a measured sea.
-typedef struct swMeasuredRecord
-{
-    /// UTC, "YYYY-MM-DD hh:mm".
-    char time[20];
-
-    /// The record as a directional spectrum; points into the swMeasuredSea.
-    swSpectrumTable table;
-
-    /// [frequencyCount] m^2/Hz.
-    const float* energy;
-
-    /// First circular moments: mean direction where waves go (radians) and r1, by frequency; r2 and its direction.
-    /// Gaps are filled from the nearest frequency, impossible moments corrected: what the table was made from. A
-    /// summary's are those of its swell and wind sea together.
-    /// NULL if the file holds no directions (the table is then spread as cos^2s with s = 8 around east). [frequencyCount]
-    const float* meanDirection;
-    const float* r1;
-    const float* direction2;
-    const float* r2;
-
-    /// How many frequencies had moments that no distribution can have and were corrected.
-    int correctedCount;
-
-    /// 0 if the file holds spectra. Of a summary: of how many systems of waves, swell and wind sea, the table was built
-    /// up; then its shape is that of a formula and only heights, periods and directions are measured.
-    int partitionCount;
-} swMeasuredRecord;
-
-/// Texts of one NDBC directional set, as the buoy centre publishes them; only `energy` is required.
-/// Real-time (data_spec, swdir, swdir2, swr1, swr2) and archived yearly files (swden, swdir, ...) are both read.
-typedef struct swNdbcTexts
-{
-    const char* energy;
-    const char* alpha1;
-    const char* alpha2;
-    const char* r1;
-    const char* r2;
-    size_t energySize, alpha1Size, alpha2Size, r1Size, r2Size;
-
-    /// File names for messages. May be NULL.
-    const char *energyName, *alpha1Name, *alpha2Name, *r1Name, *r2Name;
-} swNdbcTexts;
-
-/// Parse NDBC texts. The directional distribution is the maximum-entropy one of the four moments
-/// [Lygre and Krogstad 1986], which is never negative. Records come in ascending time.
-/// A file may have 1024 frequencies, 1,000,000 records and 1,048,576 values: two years of hourly records.
-/// @return SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
-SW_API swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea** sea);
-
-/// Whether a text names NDBC columns and WVHT among them: a summary, where swParseNdbc() wants spectra.
-SW_API bool swIsNdbcSummary(const char* text, size_t size);
-
-/// Parse an NDBC spectral wave summary (STATION.spec): heights, periods and directions of swell and wind sea. Each becomes
-/// a JONSWAP spectrum spread as cos^2s and the record their sum, scaled to the height of the whole sea; docs/spectra.md
-/// says with which shapes. A line that does not tell them apart, as those of standard meteorological files, becomes one
-/// system by height, dominant or average period, and mean direction. Prefer swParseNdbc() where spectra are at hand.
-/// Lines without height or period are left out. Records come in ascending time, at most 16,384.
-/// @param name file name for messages, may be NULL
-/// @return SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
-SW_API swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, const char* name,
-                                   swMeasuredSea** sea);
-
-/// Number of records, at least 1.
-SW_API int swMeasuredSea_GetCount(const swMeasuredSea* sea);
-
-/// Record by index, oldest first. The pointers stay valid as long as the sea.
-SW_API swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index);
-
-/// Index of the record with the largest Hs.
-SW_API int swMeasuredSea_FindLargest(const swMeasuredSea* sea);
-
-/// Index of the record nearest to a time "YYYY-MM-DD hh:mm" (UTC); -1 if the text is no time.
-SW_API int swMeasuredSea_FindTime(const swMeasuredSea* sea, const char* time);
-
-/// NULL is allowed.
-SW_API void swDestroyMeasuredSea(swMeasuredSea* sea);

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// An NDBC summary, or an NDBC set from its energy file. The direction files lie beside it under names that follow from its own:
+// A file of measured seas: its format is known by its contents. JSON and netCDF need libraries, texts go to the core, and
+// the direction files of an NDBC set lie beside its energy file under names that follow from its own:
 //   real time    44013.data_spec   44013.swdir   44013.swdir2   44013.swr1   44013.swr2   (44013.swden as well)
 //   archive      44013w2021.txt    44013d2021.txt 44013i2021.txt 44013j2021.txt 44013k2021.txt
-// each perhaps with .gz at the end. A summary (44013.spec) stands alone and is known by its heading.
+// each perhaps with .gz at the end.
 
 #include <stdio.h>
 #include <string.h>
 
 #include "core/base/host.h"
+#include "scene/measured_formats.h"
 #include "scene/scene_file.h"
 #include "seaway/scene.h"
 
 #define MAX_PATH_LENGTH 1024
+#define START_SIZE 8                     // of a netCDF file, enough to know it
 #define MAX_FILE_SIZE ((size_t)64 << 20) // a year of hourly records has 5 MB
 
 enum
@@ -78,9 +81,10 @@ static void findSiblings(const char* path, FileSet* set)
     }
 }
 
-static swResult readFiles(const swHost* host, FileSet* set)
+static swResult readSiblings(const swHost* host, FileSet* set)
 {
-    for (int i = 0; i < FILE_COUNT; ++i)
+    findSiblings(set->paths[ENERGY], set);
+    for (int i = ALPHA1; i < FILE_COUNT; ++i)
     {
         if (set->paths[i][0] == '\0')
         {
@@ -95,12 +99,13 @@ static swResult readFiles(const swHost* host, FileSet* set)
     return SW_SUCCESS;
 }
 
-static swResult parseFiles(const swHost* host, const FileSet* set, swMeasuredSea** sea)
+static swResult parseNdbc(const swHost* host, FileSet* set, swMeasuredSea** sea)
 {
     const swText* texts = set->texts;
-    if (swIsNdbcSummary(texts[ENERGY].data, texts[ENERGY].size))
+    swResult result = readSiblings(host, set);
+    if (result != SW_SUCCESS)
     {
-        return swParseNdbcSummary(host, texts[ENERGY].data, texts[ENERGY].size, set->paths[ENERGY], sea);
+        return result;
     }
     if (set->paths[ALPHA1][0] == '\0')
     {
@@ -127,6 +132,122 @@ static swResult parseFiles(const swHost* host, const FileSet* set, swMeasuredSea
     return swParseNdbc(host, &ndbc, sea);
 }
 
+// ---- formats that need a library ----
+
+static bool beginsWith(const swText* text, const char* bytes, size_t size)
+{
+    return text->size >= size && memcmp(text->data, bytes, size) == 0;
+}
+
+// Classic netCDF, or HDF5, which netCDF-4 files are.
+static bool isNetcdf(const swText* text)
+{
+    return beginsWith(text, "CDF\1", 4) || beginsWith(text, "CDF\2", 4) || beginsWith(text, "CDF\5", 4) ||
+           beginsWith(text, "\x89HDF\r\n", 6);
+}
+
+static bool isJson(const swText* text)
+{
+    size_t i = 0;
+    while (i < text->size &&
+           (text->data[i] == ' ' || text->data[i] == '\t' || text->data[i] == '\r' || text->data[i] == '\n'))
+    {
+        ++i;
+    }
+    return i < text->size && (text->data[i] == '{' || text->data[i] == '[');
+}
+
+static swResult readNetcdf(const swHost* host, const char* path, swMeasuredSea** sea)
+{
+#if defined(SW_HAS_NETCDF)
+    return swReadNetcdfSea(host, path, sea);
+#else
+    (void)sea;
+    return swFail(host, SW_ERROR_FORMAT, "%s: built without NetCDF: install libnetcdf-dev and build again.", path);
+#endif
+}
+
+static swResult parseJson(const swHost* host, const swText* text, const char* path, swMeasuredSea** sea)
+{
+#if defined(SW_HAS_JSON)
+    return swReadJsonSea(host, text->data, text->size, path, sea);
+#else
+    (void)text;
+    (void)sea;
+    return swFail(host, SW_ERROR_FORMAT, "%s: built without JSON: install libjansson-dev and build again.", path);
+#endif
+}
+
+// ---- any file ----
+
+// A netCDF file may be larger than what is read at once; its beginning is enough to know it.
+static swResult readStart(const swHost* host, FileSet* set)
+{
+    char bytes[START_SIZE] = {0};
+    FILE* file = fopen(set->paths[ENERGY], "rb");
+    size_t count = file != NULL ? fread(bytes, 1, sizeof(bytes), file) : 0;
+    if (file != NULL)
+    {
+        fclose(file);
+    }
+    swText start = {bytes, count, 0};
+    if (!isNetcdf(&start))
+    {
+        return swReadText(host, set->paths[ENERGY], MAX_FILE_SIZE, &set->texts[ENERGY]);
+    }
+    swText* text = &set->texts[ENERGY];
+    text->data = swAllocate(host, sizeof(bytes));
+    if (text->data == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", set->paths[ENERGY]);
+    }
+    memcpy(text->data, bytes, sizeof(bytes));
+    text->size = text->capacity = sizeof(bytes);
+    return SW_SUCCESS;
+}
+
+// By name, where a text is too strange to be known: the NDBC reader then says what is wrong with it.
+static bool isNamedNdbc(const char* path)
+{
+    static const char* const endings[] = {".data_spec", ".swden"};
+    size_t length = strlen(path);
+    length -= endsWith(path, length, ".gz") ? 3 : 0;
+    return endsWith(path, length, endings[0]) || endsWith(path, length, endings[1]);
+}
+
+static swResult failUnknown(const swHost* host, const char* path)
+{
+    return swFail(host, SW_ERROR_FORMAT,
+                  "%s:1: no format of measured seas that is read. Those are %s; JSON of Sofar's Spotter buoys and of "
+                  "MHKiT; netCDF of WAVEWATCH III and ERA5.",
+                  path, swGetMeasuredFormatList());
+}
+
+static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
+{
+    const swText* text = &set->texts[ENERGY];
+    const char* path = set->paths[ENERGY];
+    if (isNetcdf(text) && text->size != START_SIZE)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s: netCDF is read as it is: unpack it first, with gunzip.", path);
+    }
+    if (isNetcdf(text))
+    {
+        return readNetcdf(host, path, sea);
+    }
+    if (isJson(text))
+    {
+        return parseJson(host, text, path, sea);
+    }
+    swMeasuredFormat format = swFindMeasuredFormat(text->data, text->size);
+    if (format == SW_MEASURED_NDBC_SPECTRUM || (format == SW_MEASURED_UNKNOWN && isNamedNdbc(path)))
+    {
+        return parseNdbc(host, set, sea);
+    }
+    return format != SW_MEASURED_UNKNOWN ? swParseMeasuredSea(host, text->data, text->size, path, sea)
+                                         : failUnknown(host, path);
+}
+
 swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea)
 {
     *sea = NULL;
@@ -138,11 +259,10 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
                       strlen(path), MAX_PATH_LENGTH - 9);
     }
     memcpy(set.paths[ENERGY], path, strlen(path));
-    findSiblings(path, &set);
-    swResult result = readFiles(host, &set);
+    swResult result = readStart(host, &set);
     if (result == SW_SUCCESS)
     {
-        result = parseFiles(host, &set, sea);
+        result = parseFile(host, &set, sea);
     }
     for (int i = 0; i < FILE_COUNT; ++i)
     {

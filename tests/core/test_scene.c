@@ -210,7 +210,7 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"waves:\n  - spectrum: file\n", "a.yaml:2: a spectrum 'file' needs the key file"},
         {"waves:\n  - spectrum: file\n    file: none.data_spec\n",
          "Cannot open " SCENES "/none.data_spec: No such file"},
-        {"waves:\n  - spectrum: file\n    file: open_sea.yaml\n", "open_sea.yaml:2: no frequencies"},
+        {"waves:\n  - spectrum: file\n    file: open_sea.yaml\n", "open_sea.yaml:1: no format"},
         {"waves:\n  - spectrum: file\n    file: data/harbour_storm.data_spec\n    at: noon\n",
          "a.yaml:4: at is 'noon'"},
         {"waves: jonswap\n", "a.yaml:1: waves must be a list"},

@@ -191,7 +191,7 @@ static swSpectrumDef MakeTableDef(swSpectrumTable* table)
     {
         s_density[i][9] = s_energies[i] * (float)(36.0 / TURN);
     }
-    *table = (swSpectrumTable){5, 36, s_frequencies, s_bandwidths, s_density[0]};
+    *table = (swSpectrumTable){5, 36, s_frequencies, s_bandwidths, s_density[0], 0.0f};
     swSpectrumDef def = swDefaultSpectrumDef();
     def.kind = SW_SPECTRUM_TABLE;
     def.table = table;
@@ -278,7 +278,7 @@ static void TailContinuesTheLastBins(void** state)
             density[i][j] = powf(frequencies[i], -5.0f);
         }
     }
-    swSpectrumTable phillips = {40, 4, frequencies, widths, density[0]};
+    swSpectrumTable phillips = {40, 4, frequencies, widths, density[0], 0.0f};
     def.table = &phillips;
     def.extendTail = true;
     double below = (double)swSpectrum_GetDensity(&def, 0.49f) * pow(0.49, 5.0);

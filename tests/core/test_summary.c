@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "seaway/math.h"
-#include "seaway/spectrum.h"
+#include "seaway/measured.h"
 
 #define BUOYS SW_SOURCE_DIR "/../shared/data/spectra"
 

@@ -94,9 +94,9 @@ static Offsets FindWorst(const MeasuredCase* measured, int count)
 static void CheckCase(const char* name, const MeasuredCase* measured)
 {
     Offsets worst = FindWorst(measured, Seeds(SEED_COUNT));
-    char what[256], sea[128];
-    snprintf(sea, sizeof(sea), "%s, %s, Hs %.2f m, Tp %.1f s", name, measured->record.time,
-             (double)measured->asked.significantHeight, (double)measured->asked.peakPeriod);
+    char what[512], sea[384];
+    snprintf(sea, sizeof(sea), "%s%s%s, Hs %.2f m, Tp %.1f s", name, measured->record.time[0] != 0 ? ", " : "",
+             measured->record.time, (double)measured->asked.significantHeight, (double)measured->asked.peakPeriod);
     snprintf(what, sizeof(what), "%s: Hs, worst of 16 seeds", sea);
     FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "%", 2}, 2.0, 100.0 * worst.height);
     snprintf(what, sizeof(what), "%s: Tp, worst of 16 seeds", sea);
@@ -138,7 +138,13 @@ static void MeasureFile(const char* path)
     assert_int_equal(swReadMeasuredSea(&host, full, &sea), SW_SUCCESS);
     const char* slash = strrchr(path, '/');
     MarkOptional(strncmp(path, "scenes/", 7) != 0); // data that is not part of the project
-    MeasureRecord(slash + 1, sea, swMeasuredSea_FindLargest(sea));
+    for (int i = 0; i < swMeasuredSea_GetLocationCount(sea); ++i)
+    {
+        char name[256];
+        snprintf(name, sizeof(name), "%s%s%s", slash + 1, swMeasuredSea_GetLocation(sea, i).name[0] != 0 ? " " : "",
+                 swMeasuredSea_GetLocation(sea, i).name);
+        MeasureRecord(name, sea, swMeasuredSea_FindRecord(sea, i, NULL));
+    }
     swDestroyMeasuredSea(sea);
 }
 
@@ -166,6 +172,111 @@ static void AnArchivedSeaWithoutDirectionsIsMeasuredOnTheSurface(void** state)
     MeasureFile("../shared/data/spectra/ndbc_44004_2000_old_format/44004w2000.txt");
 }
 
+static void ABuoysSummaryIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/ndbc_44013_2022-05/44013.spec");
+}
+
+static void ASpottersSeaIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/spotter_southern_ocean_2018-02/spotter_20180214.json");
+}
+
+static void ATriaxysSeaByDirectionIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/triaxys_2018-01/triaxys.DIRSPEC");
+}
+
+static void ATriaxysSeaWithoutDirectionsIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/triaxys_2018-01/triaxys.NONDIRSPEC");
+}
+
+static void CdipsSeasAreMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/cdip_mhkit/ValData2_CDiP.json");
+}
+
+static void AWavewatchSeaIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/ww3_44097_2022-09/ww3station.spec");
+}
+
+static void ASwanSeaIsMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureFile("../shared/data/spectra/swan_raglan_2016-10/swanfile.spec");
+}
+
+// ---- files of the same formats that nobody has ----
+
+static void MeasureText(const char* name, const char* text)
+{
+    swHost host = swDefaultHost();
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(swParseMeasuredSea(&host, text, strlen(text), name, &sea), SW_SUCCESS);
+    MarkOptional(false);
+    MeasureRecord(name, sea, 0);
+    swDestroyMeasuredSea(sea);
+}
+
+static void SeasThatRunAgainstEachOtherAreMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    MeasureText("opposed.csv", "time,hs_m,tp_s,direction_from_deg,spread_deg,gamma\n"
+                               "2020-01-01 00:00,1.8,13.0,200,14,5\n"
+                               "2020-01-01 00:00,1.2,9.0,330,18,3.3\n"
+                               "2020-01-01 00:00,2.1,5.5,40,30,1.5\n");
+}
+
+// m^2/Hz/degree: a sea from 115 degrees that turns to 160 at high frequencies.
+static double FindSyntheticDensity(double frequency, double bearing)
+{
+    double x = 0.11 / frequency, mean = 115.0 + 45.0 * fmax(0.0, 1.0 - x);
+    double half = 0.5 * (bearing - mean) * DEGREE;
+    return 0.0008 * pow(frequency, -5.0) * exp(-1.25 * pow(x, 4.0)) * 2e-4 * pow(cos(half) * cos(half), 9.0);
+}
+
+static void UnequalDirectionsAreMeasuredOnTheSurface(void** state)
+{
+    (void)state;
+    enum
+    {
+        FREQUENCIES = 26,
+        DIRECTIONS = 31,
+        SIZE = 65536
+    };
+    char* text = calloc(1, SIZE);
+    assert_non_null(text);
+    int used = snprintf(text, SIZE, "SWAN 1\nLONLAT\n1\n3.5 56.2\nAFREQ\n%d\n", FREQUENCIES);
+    for (int i = 0; i < FREQUENCIES; ++i)
+    {
+        used += snprintf(text + used, (size_t)(SIZE - used), "%.5f\n", 0.05 * pow(1.1, i));
+    }
+    used += snprintf(text + used, (size_t)(SIZE - used), "NDIR\n%d\n", DIRECTIONS);
+    for (int j = 0; j < DIRECTIONS; ++j)
+    {
+        used += snprintf(text + used, (size_t)(SIZE - used), "%.2f\n", 360.0 - 12.0 * j + 2.0 * sin(1.0 * j));
+    }
+    used += snprintf(text + used, (size_t)(SIZE - used), "QUANT\n1\nVaDens\nm2/Hz/degr\n-99\nFACTOR\n1e-6\n");
+    for (int i = 0; i < FREQUENCIES * DIRECTIONS; ++i)
+    {
+        double bearing = 360.0 - 12.0 * (i % DIRECTIONS) + 2.0 * sin(1.0 * (i % DIRECTIONS));
+        double density = FindSyntheticDensity(0.05 * pow(1.1, i / DIRECTIONS), bearing);
+        used += snprintf(text + used, (size_t)(SIZE - used), i % DIRECTIONS == DIRECTIONS - 1 ? "%ld\n" : "%ld ",
+                         lround(1e6 * density));
+    }
+    assert_true(used < SIZE - 1);
+    MeasureText("unequal.spec", text);
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -173,6 +284,15 @@ int main(void)
         cmocka_unit_test(BostonsGaleIsMeasuredOnTheSurface),
         cmocka_unit_test(CanaveralsSeaIsMeasuredOnTheSurface),
         cmocka_unit_test(AnArchivedSeaWithoutDirectionsIsMeasuredOnTheSurface),
+        cmocka_unit_test(ABuoysSummaryIsMeasuredOnTheSurface),
+        cmocka_unit_test(ASpottersSeaIsMeasuredOnTheSurface),
+        cmocka_unit_test(ATriaxysSeaByDirectionIsMeasuredOnTheSurface),
+        cmocka_unit_test(ATriaxysSeaWithoutDirectionsIsMeasuredOnTheSurface),
+        cmocka_unit_test(CdipsSeasAreMeasuredOnTheSurface),
+        cmocka_unit_test(AWavewatchSeaIsMeasuredOnTheSurface),
+        cmocka_unit_test(ASwanSeaIsMeasuredOnTheSurface),
+        cmocka_unit_test(SeasThatRunAgainstEachOtherAreMeasuredOnTheSurface),
+        cmocka_unit_test(UnequalDirectionsAreMeasuredOnTheSurface),
     };
     BeginTruth("test_measured_seas");
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,45 +6,93 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "seaway/spectrum.h"
+#include "core/waves/sea_text.h"
+#include "core/waves/spreading.h"
+#include "seaway/measured.h"
 
-// Of every table.
+// Of tables that are made from moments or formulas.
 #define SW_SEA_DIRECTIONS 72
 
 // Spreading of waves whose file holds no directions, around east.
 #define SW_SEA_DEFAULT_EXPONENT 8.0
 
-// Floats of one record and frequency: energy, four moments, the table.
-#define SW_SEA_FLOATS (5 + SW_SEA_DIRECTIONS)
+#define SW_SEA_MAX_FREQUENCIES 1024
+#define SW_SEA_MAX_DIRECTIONS 720
+#define SW_SEA_MAX_DENSITY 1e6 // m^2/Hz/rad
+#define SW_SEA_MAX_ENERGY 5e4  // m^2/Hz: less, as all of it may go one way
+#define SW_SEA_MAX_FLOATS ((size_t)1 << 27)
 
+// A record owns its floats: frequencies, bandwidths, energy, meanDirection, r1, direction2, r2, each [frequencyCount],
+// then the table.
 typedef struct swSeaRecord
 {
-    int64_t minutes; // since 1970, UTC
+    bool hasTime;
+    double seconds; // since 1970, UTC
+    int location;
+    int order; // in which it was added
     int frequencyCount;
+    int directionCount;
+    float firstDirection;
     int correctedCount;
     int partitionCount;
     bool hasDirections;
     double variance;
-    const float* frequencies;
-    const float* bandwidths;
-    float* energy; // then meanDirection, r1, direction2, r2, each [frequencyCount], then the table
+    size_t floatsSize;
+    float* floats;
 } swSeaRecord;
 
 struct swMeasuredSea
 {
     swHost host;
-    int count;
-    size_t recordsSize;
-    swSeaRecord* records;
-    size_t floatsSize;
-    float* floats; // of all records, SW_SEA_FLOATS for each frequency
-    size_t bandsSize;
-    float* bands; // frequencies and bandwidths
+    char name[256];       // for messages
+    swSeaArray records;   // swSeaRecord
+    swSeaArray locations; // swMeasuredLocation
+    size_t floatCount;
 };
 
-// A sea of records to fill, cleared. `sea` needs swDestroyMeasuredSea() whatever the result.
-swResult swAllocateMeasuredSea(const swHost* host, const char* name, size_t recordCount, size_t frequencyCount,
-                               size_t bandCount, swMeasuredSea** sea);
+typedef enum swSeaRow
+{
+    SW_SEA_FREQUENCIES,
+    SW_SEA_BANDWIDTHS,
+    SW_SEA_ENERGY,
+    SW_SEA_MEAN_DIRECTION,
+    SW_SEA_R1,
+    SW_SEA_DIRECTION2,
+    SW_SEA_R2,
+    SW_SEA_TABLE
+} swSeaRow;
+
+static inline float* swGetSeaRow(const swSeaRecord* record, swSeaRow row)
+{
+    return record->floats + (size_t)row * (size_t)record->frequencyCount;
+}
+
+// A record to fill, cleared, of directions from 0 on; valid until the next is added. SW_ERROR_FORMAT if the sea grows
+// too large.
+swResult swAddSeaRecord(swMeasuredSea* sea, int frequencyCount, int directionCount, swSeaRecord** record);
+
+// After the energies: sums the record's variance.
+void swSumSeaRecord(swSeaRecord* record);
+
+// Circular moments of a frequency, as far as the file tells them.
+typedef struct swSeaMoments
+{
+    bool hasFirst, hasSecond;
+    swMoments moments;
+} swSeaMoments;
+
+// The table of a record of SW_SEA_DIRECTIONS whose frequencies, bandwidths and energies are there, from the moments by
+// frequency. Fills gaps and corrects what is impossible; without any first moments spreads around east.
+void swFillSeaDirections(swSeaRecord* record, const swSeaMoments* moments);
+
+// Keep the moments of frequency i, those of a distribution that integrates to one.
+void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments);
+
+// The moments of cos^2s stand in for second moments that are missing.
+swMoments swCompleteMoments(const swSeaMoments* moments);
+
+// A mean direction where waves go, radians, and the spread sqrt(2 (1 - r1)), radians; NAN: not known.
+swSeaMoments swMakeSeaMoments(double direction, double spread);
 
 // Bandwidths that reach half-way to the neighbours, at the ends as far outwards as inwards but not below zero.
 void swFillBandwidths(int count, const float* frequencies, float* widths);

@@ -20,7 +20,7 @@
 
 typedef struct Reader
 {
-    swNdbcText text;
+    swSeaText text;
     swNdbcFile* file;
     swNdbcQuantity quantity;
 
@@ -31,10 +31,10 @@ typedef struct Reader
 
 void swFreeNdbcFile(const swHost* host, swNdbcFile* file)
 {
-    swFreeNdbcItems(host, &file->frequencies, sizeof(float));
-    swFreeNdbcItems(host, &file->sets, sizeof(swNdbcSet));
-    swFreeNdbcItems(host, &file->rows, sizeof(swNdbcRow));
-    swFreeNdbcItems(host, &file->values, sizeof(float));
+    swFreeSeaItems(host, &file->frequencies, sizeof(float));
+    swFreeSeaItems(host, &file->sets, sizeof(swNdbcSet));
+    swFreeSeaItems(host, &file->rows, sizeof(swNdbcRow));
+    swFreeSeaItems(host, &file->values, sizeof(float));
 }
 
 static swResult failMemory(const Reader* reader)
@@ -77,7 +77,7 @@ static swResult keepSet(Reader* reader, size_t first, int* set)
                       "%s:%d: the frequencies change for the 256th time; a file may hold 256 different lists of them.",
                       reader->text.name, reader->text.line);
     }
-    swNdbcSet* added = swAppendNdbcItems(reader->text.host, &file->sets, 1, sizeof(swNdbcSet));
+    swNdbcSet* added = swAppendSeaItems(reader->text.host, &file->sets, 1, sizeof(swNdbcSet));
     if (added == NULL)
     {
         return failMemory(reader);
@@ -87,11 +87,11 @@ static swResult keepSet(Reader* reader, size_t first, int* set)
     return SW_SUCCESS;
 }
 
-static swResult addFrequency(Reader* reader, size_t first, swNdbcToken token)
+static swResult addFrequency(Reader* reader, size_t first, swSeaToken token)
 {
-    swNdbcArray* frequencies = &reader->file->frequencies;
+    swSeaArray* frequencies = &reader->file->frequencies;
     double value = 0.0;
-    if (!swParseNdbcNumber(token, &value))
+    if (!swParseSeaNumber(token, &value))
     {
         return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: '%.*s' stands where a frequency is expected.",
                       reader->text.name, reader->text.line, token.size, token.text);
@@ -108,7 +108,7 @@ static swResult addFrequency(Reader* reader, size_t first, swNdbcToken token)
         return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: more than %d frequencies.", reader->text.name,
                       reader->text.line, SW_NDBC_MAX_FREQUENCIES);
     }
-    float* added = swAppendNdbcItems(reader->text.host, frequencies, 1, sizeof(float));
+    float* added = swAppendSeaItems(reader->text.host, frequencies, 1, sizeof(float));
     if (added == NULL)
     {
         return failMemory(reader);
@@ -126,8 +126,8 @@ static swResult readHeading(Reader* reader)
     }
     int labelCount = 0;
     double number = 0.0;
-    swNdbcToken token = swNextNdbcToken(&reader->text);
-    for (; token.size > 0 && !swParseNdbcNumber(token, &number); token = swNextNdbcToken(&reader->text))
+    swSeaToken token = swNextSeaToken(&reader->text);
+    for (; token.size > 0 && !swParseSeaNumber(token, &number); token = swNextSeaToken(&reader->text))
     {
         ++labelCount;
     }
@@ -138,7 +138,7 @@ static swResult readHeading(Reader* reader)
     reader->hasMinutes = labelCount == 5;
     reader->headingSet = -1;
     size_t first = reader->file->frequencies.count;
-    for (; token.size > 0; token = swNextNdbcToken(&reader->text))
+    for (; token.size > 0; token = swNextSeaToken(&reader->text))
     {
         swResult result = addFrequency(reader, first, token);
         if (result != SW_SUCCESS)
@@ -158,14 +158,14 @@ static swResult readHeading(Reader* reader)
 // ---- rows ----
 
 // Checks a number of the file's quantity. Ratios are scaled once all are known.
-static swResult addValue(Reader* reader, swNdbcToken token)
+static swResult addValue(Reader* reader, swSeaToken token)
 {
     double value = 0.0;
-    if (swIsNdbcToken(token, "MM"))
+    if (swIsSeaToken(token, "MM"))
     {
         value = 999.0;
     }
-    else if (!swParseNdbcNumber(token, &value))
+    else if (!swParseSeaNumber(token, &value))
     {
         return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: '%.*s' is not a number.", reader->text.name,
                       reader->text.line, token.size, token.text);
@@ -183,7 +183,7 @@ static swResult addValue(Reader* reader, swNdbcToken token)
         return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: more than %d values; cut the file in time.",
                       reader->text.name, reader->text.line, SW_NDBC_MAX_VALUES);
     }
-    float* added = swAppendNdbcItems(reader->text.host, &reader->file->values, 1, sizeof(float));
+    float* added = swAppendSeaItems(reader->text.host, &reader->file->values, 1, sizeof(float));
     if (added == NULL)
     {
         return failMemory(reader);
@@ -196,24 +196,24 @@ static swResult addValue(Reader* reader, swNdbcToken token)
 static swResult readPairs(Reader* reader, int* set)
 {
     size_t firstFrequency = reader->file->frequencies.count;
-    swNdbcToken token = swNextNdbcToken(&reader->text);
-    if (swPeekNdbcChar(&reader->text) != '(')
+    swSeaToken token = swNextSeaToken(&reader->text);
+    if (swPeekSeaChar(&reader->text) != '(')
     {
         double separation = 0.0;
-        if (!swIsNdbcToken(token, "MM") && !swParseNdbcNumber(token, &separation))
+        if (!swIsSeaToken(token, "MM") && !swParseSeaNumber(token, &separation))
         {
             return swFail(reader->text.host, SW_ERROR_FORMAT,
                           "%s:%d: '%.*s' stands where a value or the separation frequency is expected.",
                           reader->text.name, reader->text.line, token.size, token.text);
         }
-        token = swNextNdbcToken(&reader->text);
+        token = swNextSeaToken(&reader->text);
     }
-    for (; token.size > 0; token = swNextNdbcToken(&reader->text))
+    for (; token.size > 0; token = swNextSeaToken(&reader->text))
     {
-        swNdbcToken open = swNextNdbcToken(&reader->text);
-        swNdbcToken frequency = swNextNdbcToken(&reader->text);
-        swNdbcToken close = swNextNdbcToken(&reader->text);
-        if (!swIsNdbcToken(open, "(") || frequency.size == 0 || !swIsNdbcToken(close, ")"))
+        swSeaToken open = swNextSeaToken(&reader->text);
+        swSeaToken frequency = swNextSeaToken(&reader->text);
+        swSeaToken close = swNextSeaToken(&reader->text);
+        if (!swIsSeaToken(open, "(") || frequency.size == 0 || !swIsSeaToken(close, ")"))
         {
             return swFail(
                 reader->text.host, SW_ERROR_FORMAT,
@@ -244,7 +244,7 @@ static swResult readColumns(Reader* reader)
 {
     const swNdbcSet* set = (const swNdbcSet*)reader->file->sets.data + reader->headingSet;
     int count = 0;
-    for (swNdbcToken token = swNextNdbcToken(&reader->text); token.size > 0; token = swNextNdbcToken(&reader->text))
+    for (swSeaToken token = swNextSeaToken(&reader->text); token.size > 0; token = swNextSeaToken(&reader->text))
     {
         ++count;
         swResult result = count <= set->count ? addValue(reader, token) : SW_SUCCESS;
@@ -315,8 +315,8 @@ swResult swReadNdbcFile(const swHost* host, const char* text, size_t size, const
 {
     memset(file, 0, sizeof(*file));
     file->name = name;
-    Reader reader = {swOpenNdbcText(host, text, size, name), file, quantity, -1, false};
-    while (swNextNdbcLine(&reader.text))
+    Reader reader = {swOpenSeaText(host, text, size, name), file, quantity, -1, false};
+    while (swNextSeaLine(&reader.text))
     {
         swResult result = swIsNdbcHeading(&reader.text) ? readHeading(&reader) : readRow(&reader);
         if (result != SW_SUCCESS)

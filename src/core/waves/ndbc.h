@@ -3,7 +3,7 @@
 
 // One text file of the US National Data Buoy Center with a number per frequency and time, read into rows.
 
-#include "core/waves/ndbc_text.h"
+#include "core/waves/sea_text.h"
 
 // What a file holds decides which numbers it may have.
 typedef enum swNdbcQuantity
@@ -25,10 +25,10 @@ typedef struct swNdbcSet
 typedef struct swNdbcFile
 {
     const char* name;
-    swNdbcArray frequencies; // float
-    swNdbcArray sets;        // swNdbcSet
-    swNdbcArray rows;        // swNdbcRow, ascending in time, each time once
-    swNdbcArray values;      // float; a row has as many as its set has frequencies
+    swSeaArray frequencies; // float
+    swSeaArray sets;        // swNdbcSet
+    swSeaArray rows;        // swNdbcRow, ascending in time, each time once
+    swSeaArray values;      // float; a row has as many as its set has frequencies
 } swNdbcFile;
 
 // Read a text. `file` needs swFreeNdbcFile() whatever the result.

@@ -26,7 +26,7 @@ static Vector getRowVector(const swCompiledSpectrum* spectrum, int row)
     Vector sum = {0.0, 0.0};
     for (int i = 0; i < count; ++i)
     {
-        double angle = 2.0 * half * i + spectrum->direction;
+        double angle = 2.0 * half * i + (double)spectrum->table.firstDirection + spectrum->direction;
         sum.x += (double)density[i] * swCos(angle);
         sum.y += (double)density[i] * swSin(angle);
     }

@@ -71,7 +71,8 @@ static bool checkTable(swComplaint* complaint, const swSpectrumTable* table)
         return swComplain(complaint, "The spectrum table has %d directions; its range is [%d, %d].",
                           table->directionCount, MIN_DIRECTIONS, MAX_DIRECTIONS);
     }
-    if (!checkFrequencies(complaint, table))
+    if (!checkFrequencies(complaint, table) ||
+        !checkRange(complaint, "table's firstDirection", table->firstDirection, -SW_TURN, SW_TURN, false))
     {
         return false;
     }
@@ -171,6 +172,7 @@ static bool isSameTable(const swSpectrumTable* a, const swSpectrumTable* b)
     size_t frequencies = (size_t)a->frequencyCount;
     size_t densities = frequencies * (size_t)a->directionCount;
     return a->frequencyCount == b->frequencyCount && a->directionCount == b->directionCount &&
+           a->firstDirection == b->firstDirection &&
            memcmp(a->frequencies, b->frequencies, frequencies * sizeof(float)) == 0 &&
            memcmp(a->bandwidths, b->bandwidths, frequencies * sizeof(float)) == 0 &&
            memcmp(a->density, b->density, densities * sizeof(float)) == 0;

@@ -67,7 +67,7 @@ double swGetTableDensity(const swCompiledSpectrum* spectrum, double omega)
 static double getRowDensity(const swSpectrumTable* table, int row, double theta)
 {
     const float* density = table->density + (size_t)row * (size_t)table->directionCount;
-    double turns = theta / SW_TURN;
+    double turns = (theta - (double)table->firstDirection) / SW_TURN;
     double position = (turns - floor(turns)) * table->directionCount;
     int first = (int)position;
     double fraction = position - first;

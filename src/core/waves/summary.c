@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "seaway/spectrum.h"
+#include "seaway/measured.h"
 
 #define MAX_COLUMNS 64
 
@@ -54,17 +54,17 @@ typedef struct Columns
 
 void swFreeSummaryFile(const swHost* host, swSummaryFile* file)
 {
-    swFreeNdbcItems(host, &file->rows, sizeof(swNdbcRow));
-    swFreeNdbcItems(host, &file->values, sizeof(float));
+    swFreeSeaItems(host, &file->rows, sizeof(swNdbcRow));
+    swFreeSeaItems(host, &file->values, sizeof(float));
 }
 
 // ---- headings ----
 
-static int findField(swNdbcToken label)
+static int findField(swSeaToken label)
 {
     for (int i = 0; i < SW_SUMMARY_FIELD_COUNT; ++i)
     {
-        if (swIsNdbcToken(label, s_fields[i].label))
+        if (swIsSeaToken(label, s_fields[i].label))
         {
             return i;
         }
@@ -74,26 +74,26 @@ static int findField(swNdbcToken label)
 
 // Reads a line of labels: year, month, day, hour, perhaps minutes, then values. Returns false if it is no such line, or
 // none of wave heights; `columns` is then of no use. More labels than MAX_COLUMNS are counted only.
-static bool readHeading(swNdbcText* text, Columns* columns)
+static bool readHeading(swSeaText* text, Columns* columns)
 {
-    if (swPeekNdbcChar(text) == '#')
+    if (swPeekSeaChar(text) == '#')
     {
         ++text->at;
     }
-    swNdbcToken year = swNextNdbcToken(text);
-    if (!swIsNdbcToken(year, "YY") && !swIsNdbcToken(year, "YYYY"))
+    swSeaToken year = swNextSeaToken(text);
+    if (!swIsSeaToken(year, "YY") && !swIsSeaToken(year, "YYYY"))
     {
         return false;
     }
     for (int i = 0; i < 3; ++i)
     {
-        swNextNdbcToken(text); // MM DD hh
+        swNextSeaToken(text); // MM DD hh
     }
     *columns = (Columns){0};
     bool hasHeight = false;
-    for (swNdbcToken label = swNextNdbcToken(text); label.size > 0; label = swNextNdbcToken(text))
+    for (swSeaToken label = swNextSeaToken(text); label.size > 0; label = swNextSeaToken(text))
     {
-        if (columns->count == 0 && !columns->hasMinutes && swIsNdbcToken(label, "mm"))
+        if (columns->count == 0 && !columns->hasMinutes && swIsSeaToken(label, "mm"))
         {
             columns->hasMinutes = true;
             continue;
@@ -115,9 +115,9 @@ bool swIsNdbcSummary(const char* text, size_t size)
     {
         return false;
     }
-    swNdbcText lines = swOpenNdbcText(NULL, text, size, "");
+    swSeaText lines = swOpenSeaText(NULL, text, size, "");
     Columns columns;
-    while (swNextNdbcLine(&lines) && swIsNdbcHeading(&lines))
+    while (swNextSeaLine(&lines) && swIsNdbcHeading(&lines))
     {
         if (readHeading(&lines, &columns))
         {
@@ -130,13 +130,13 @@ bool swIsNdbcSummary(const char* text, size_t size)
 // ---- values ----
 
 // Clockwise from north.
-static bool parsePoint(swNdbcToken token, double* degrees)
+static bool parsePoint(swSeaToken token, double* degrees)
 {
     static const char* const points[POINT_COUNT] = {"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
                                                     "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
     for (int i = 0; i < POINT_COUNT; ++i)
     {
-        if (swIsNdbcToken(token, points[i]))
+        if (swIsSeaToken(token, points[i]))
         {
             *degrees = i * (360.0 / POINT_COUNT);
             return true;
@@ -145,24 +145,24 @@ static bool parsePoint(swNdbcToken token, double* degrees)
     return false;
 }
 
-static swResult failRange(const swNdbcText* text, const char* label, double value, double low, double high)
+static swResult failRange(const swSeaText* text, const char* label, double value, double low, double high)
 {
     return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s is %g; it must be from %g to %g, or MM where it is missing.",
                   text->name, text->line, label, value, low, high);
 }
 
 // A period of zero says that there are no waves, as MM does.
-static swResult readValue(const swNdbcText* text, int field, swNdbcToken token, float* value)
+static swResult readValue(const swSeaText* text, int field, swSeaToken token, float* value)
 {
     Kind kind = s_fields[field].kind;
     const char* label = s_fields[field].label;
     *value = SW_NDBC_MISSING;
-    if (swIsNdbcToken(token, "MM") || swIsNdbcToken(token, "N/A"))
+    if (swIsSeaToken(token, "MM") || swIsSeaToken(token, "N/A"))
     {
         return SW_SUCCESS;
     }
     double number = 0.0;
-    if (!swParseNdbcNumber(token, &number) && !(kind == DIRECTION && parsePoint(token, &number)))
+    if (!swParseSeaNumber(token, &number) && !(kind == DIRECTION && parsePoint(token, &number)))
     {
         return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be %s, or MM where it is missing.",
                       text->name, text->line, label, token.size, token.text,
@@ -182,14 +182,14 @@ static swResult readValue(const swNdbcText* text, int field, swNdbcToken token, 
     return SW_SUCCESS;
 }
 
-static swResult readValues(swNdbcText* text, const Columns* columns, float* values)
+static swResult readValues(swSeaText* text, const Columns* columns, float* values)
 {
     for (int i = 0; i < SW_SUMMARY_FIELD_COUNT; ++i)
     {
         values[i] = SW_NDBC_MISSING;
     }
     int count = 0;
-    for (swNdbcToken token = swNextNdbcToken(text); token.size > 0; token = swNextNdbcToken(text), ++count)
+    for (swSeaToken token = swNextSeaToken(text); token.size > 0; token = swNextSeaToken(text), ++count)
     {
         int field = count < columns->count ? columns->fields[count] : SW_SUMMARY_FIELD_COUNT;
         swResult result = field < SW_SUMMARY_FIELD_COUNT ? readValue(text, field, token, &values[field]) : SW_SUCCESS;
@@ -209,7 +209,7 @@ static swResult readValues(swNdbcText* text, const Columns* columns, float* valu
 
 // ---- the whole file ----
 
-static swResult readRow(swNdbcText* text, const Columns* columns, swSummaryFile* file)
+static swResult readRow(swSeaText* text, const Columns* columns, swSummaryFile* file)
 {
     if (columns->count == 0)
     {
@@ -232,7 +232,7 @@ static swResult readRow(swNdbcText* text, const Columns* columns, swSummaryFile*
     {
         return result;
     }
-    float* added = swAppendNdbcItems(text->host, &file->values, SW_SUMMARY_FIELD_COUNT, sizeof(float));
+    float* added = swAppendSeaItems(text->host, &file->values, SW_SUMMARY_FIELD_COUNT, sizeof(float));
     if (added == NULL)
     {
         return swFail(text->host, SW_ERROR_NO_MEMORY, "No memory for the contents of %s.", text->name);
@@ -245,9 +245,9 @@ swResult swReadSummaryFile(const swHost* host, const char* text, size_t size, co
 {
     memset(file, 0, sizeof(*file));
     file->name = name;
-    swNdbcText lines = swOpenNdbcText(host, text, size, name);
+    swSeaText lines = swOpenSeaText(host, text, size, name);
     Columns columns = {0};
-    while (swNextNdbcLine(&lines))
+    while (swNextSeaLine(&lines))
     {
         swResult result = SW_SUCCESS;
         if (swIsNdbcHeading(&lines))

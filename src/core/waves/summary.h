@@ -3,7 +3,7 @@
 
 // NDBC tables of wave heights, periods and directions, read into rows.
 
-#include "core/waves/ndbc_text.h"
+#include "core/waves/sea_text.h"
 
 // What is kept of a line: heights in m, periods in s, directions that waves come from in degrees.
 typedef enum swSummaryField
@@ -24,8 +24,8 @@ typedef enum swSummaryField
 typedef struct swSummaryFile
 {
     const char* name;
-    swNdbcArray rows;   // swNdbcRow, ascending in time, each time once
-    swNdbcArray values; // float [SW_SUMMARY_FIELD_COUNT] a row; SW_NDBC_MISSING where there is none
+    swSeaArray rows;   // swNdbcRow, ascending in time, each time once
+    swSeaArray values; // float [SW_SUMMARY_FIELD_COUNT] a row; SW_NDBC_MISSING where there is none
 } swSummaryFile;
 
 // Read a text. `file` needs swFreeSummaryFile() whatever the result.

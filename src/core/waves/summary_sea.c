@@ -305,10 +305,10 @@ static void addMoments(swMoments* moments, const Partition* partition, int index
 
 static void fillMoments(const Sea* sea, swSeaRecord* record)
 {
-    float* meanDirection = record->energy + FREQUENCIES;
-    float* r1 = meanDirection + FREQUENCIES;
-    float* direction2 = r1 + FREQUENCIES;
-    float* r2 = direction2 + FREQUENCIES;
+    float* meanDirection = swGetSeaRow(record, SW_SEA_MEAN_DIRECTION);
+    float* r1 = swGetSeaRow(record, SW_SEA_R1);
+    float* direction2 = swGetSeaRow(record, SW_SEA_DIRECTION2);
+    float* r2 = swGetSeaRow(record, SW_SEA_R2);
     for (int i = 0; i < FREQUENCIES; ++i)
     {
         double energy = 0.0;
@@ -328,7 +328,8 @@ static void fillMoments(const Sea* sea, swSeaRecord* record)
 static void fillTable(const Sea* sea, bool hasDirections, swSeaRecord* record)
 {
     float spread[SW_SEA_DIRECTIONS];
-    float* density = record->energy + 5 * FREQUENCIES;
+    float* energies = swGetSeaRow(record, SW_SEA_ENERGY);
+    float* density = swGetSeaRow(record, SW_SEA_TABLE);
     for (int i = 0; i < FREQUENCIES; ++i, density += SW_SEA_DIRECTIONS)
     {
         double energy = 0.0;
@@ -343,13 +344,15 @@ static void fillTable(const Sea* sea, bool hasDirections, swSeaRecord* record)
                 density[k] += (float)(partition->energy[i] * (double)spread[k]);
             }
         }
-        record->energy[i] = (float)energy;
-        record->variance += (double)record->energy[i] * (double)record->bandwidths[i];
+        energies[i] = (float)energy;
     }
+    swSumSeaRecord(record);
 }
 
-static void fillRecord(const float* values, Sea* sea, float* frequencies, float* widths, swSeaRecord* record)
+static void fillRecord(const float* values, Sea* sea, swSeaRecord* record)
 {
+    float* frequencies = swGetSeaRow(record, SW_SEA_FREQUENCIES);
+    float* widths = swGetSeaRow(record, SW_SEA_BANDWIDTHS);
     memset(sea, 0, sizeof(*sea));
     if (values[SW_SUMMARY_HEIGHT] == 0.0f)
     {
@@ -364,9 +367,6 @@ static void fillRecord(const float* values, Sea* sea, float* frequencies, float*
     {
         fillSingle(sea, values, frequencies, widths);
     }
-    record->frequencyCount = FREQUENCIES;
-    record->frequencies = frequencies;
-    record->bandwidths = widths;
     record->partitionCount = sea->count;
     record->hasDirections = sea->count > 0 && findDirections(sea, (double)values[SW_SUMMARY_MEAN_DIRECTION]);
     fillExponents(sea, record->hasDirections, frequencies);
@@ -379,7 +379,7 @@ static void fillRecord(const float* values, Sea* sea, float* frequencies, float*
 
 // ---- the sea ----
 
-static swResult allocateSea(const swHost* host, const swSummaryFile* file, swMeasuredSea** sea)
+static swResult checkCount(const swHost* host, const swSummaryFile* file)
 {
     const swNdbcRow* rows = file->rows.data;
     size_t count = 0;
@@ -405,7 +405,7 @@ static swResult allocateSea(const swHost* host, const swSummaryFile* file, swMea
         return swFail(host, SW_ERROR_FORMAT, "%s:%d: more than %d records; cut the file in time.", file->name,
                       rows[0].line, MAX_RECORDS);
     }
-    return swAllocateMeasuredSea(host, file->name, count, count * FREQUENCIES, 2 * count * FREQUENCIES, sea);
+    return SW_SUCCESS;
 }
 
 static swResult fillSea(const swHost* host, const swSummaryFile* file, swMeasuredSea* sea)
@@ -416,25 +416,25 @@ static swResult fillSea(const swHost* host, const swSummaryFile* file, swMeasure
         return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the waves of %s.", file->name);
     }
     const swNdbcRow* rows = file->rows.data;
-    swSeaRecord* record = sea->records;
-    float* frequencies = sea->bands;
-    float* floats = sea->floats;
-    for (size_t i = 0; i < file->rows.count; ++i)
+    swResult result = SW_SUCCESS;
+    for (size_t i = 0; i < file->rows.count && result == SW_SUCCESS; ++i)
     {
         const float* values = (const float*)file->values.data + rows[i].first;
         if (!isWhole(values))
         {
             continue;
         }
-        record->minutes = rows[i].minutes;
-        record->energy = floats;
-        fillRecord(values, scratch, frequencies, frequencies + FREQUENCIES, record);
-        ++record;
-        frequencies += 2 * FREQUENCIES;
-        floats += FREQUENCIES * SW_SEA_FLOATS;
+        swSeaRecord* record = NULL;
+        result = swAddSeaRecord(sea, FREQUENCIES, SW_SEA_DIRECTIONS, &record);
+        if (result == SW_SUCCESS)
+        {
+            record->hasTime = true;
+            record->seconds = 60.0 * (double)rows[i].minutes;
+            fillRecord(values, scratch, record);
+        }
     }
     swFree(host, scratch, sizeof(*scratch));
-    return SW_SUCCESS;
+    return result;
 }
 
 swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
@@ -449,11 +449,19 @@ swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, c
     swResult result = swReadSummaryFile(host, text, size, name != NULL ? name : "summary", &file);
     if (result == SW_SUCCESS)
     {
-        result = allocateSea(host, &file, &made);
+        result = checkCount(host, &file);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swCreateMeasuredSea(host, file.name, &made);
     }
     if (result == SW_SUCCESS)
     {
         result = fillSea(host, &file, made);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swMeasuredSea_Finish(made);
     }
     swFreeSummaryFile(host, &file);
     if (result != SW_SUCCESS)

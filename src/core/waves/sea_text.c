@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Numbers are parsed here because the C library's parsers follow the locale.
 
-#include "core/waves/ndbc_text.h"
+#include "core/waves/sea_text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/base/number.h"
 
 // ---- memory ----
 
-void* swAppendNdbcItems(const swHost* host, swNdbcArray* array, size_t count, size_t itemSize)
+void* swAppendSeaItems(const swHost* host, swSeaArray* array, size_t count, size_t itemSize)
 {
     if (array->count + count > array->capacity)
     {
@@ -39,7 +38,7 @@ void* swAppendNdbcItems(const swHost* host, swNdbcArray* array, size_t count, si
     return items;
 }
 
-void swFreeNdbcItems(const swHost* host, swNdbcArray* array, size_t itemSize)
+void swFreeSeaItems(const swHost* host, swSeaArray* array, size_t itemSize)
 {
     swFree(host, array->data, array->capacity * itemSize);
     memset(array, 0, sizeof(*array));
@@ -47,9 +46,9 @@ void swFreeNdbcItems(const swHost* host, swNdbcArray* array, size_t itemSize)
 
 // ---- lines and tokens ----
 
-swNdbcText swOpenNdbcText(const swHost* host, const char* text, size_t size, const char* name)
+swSeaText swOpenSeaText(const swHost* host, const char* text, size_t size, const char* name)
 {
-    return (swNdbcText){host, name, text, text + size, 0, text, text};
+    return (swSeaText){host, name, text, text + size, 0, text, text};
 }
 
 static bool isSpace(char c)
@@ -57,7 +56,7 @@ static bool isSpace(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
-static bool nextLine(swNdbcText* text)
+static bool nextLine(swSeaText* text)
 {
     if (text->next >= text->end)
     {
@@ -72,11 +71,11 @@ static bool nextLine(swNdbcText* text)
     return true;
 }
 
-bool swNextNdbcLine(swNdbcText* text)
+bool swNextSeaLine(swSeaText* text)
 {
     while (nextLine(text))
     {
-        swPeekNdbcChar(text);
+        swPeekSeaChar(text);
         if (text->at < text->lineEnd)
         {
             return true;
@@ -85,7 +84,7 @@ bool swNextNdbcLine(swNdbcText* text)
     return false;
 }
 
-char swPeekNdbcChar(swNdbcText* text)
+char swPeekSeaChar(swSeaText* text)
 {
     while (text->at < text->lineEnd && isSpace(*text->at))
     {
@@ -94,9 +93,9 @@ char swPeekNdbcChar(swNdbcText* text)
     return text->at < text->lineEnd ? *text->at : '\0';
 }
 
-swNdbcToken swNextNdbcToken(swNdbcText* text)
+swSeaToken swNextSeaToken(swSeaText* text)
 {
-    swPeekNdbcChar(text);
+    swPeekSeaChar(text);
     const char* begin = text->at;
     while (text->at < text->lineEnd && !isSpace(*text->at))
     {
@@ -111,23 +110,112 @@ swNdbcToken swNextNdbcToken(swNdbcText* text)
             break;
         }
     }
-    return (swNdbcToken){begin, (int)(text->at - begin < 80 ? text->at - begin : 80)};
+    return (swSeaToken){begin, (int)(text->at - begin < 80 ? text->at - begin : 80)};
 }
 
-bool swIsNdbcToken(swNdbcToken token, const char* word)
+bool swIsSeaToken(swSeaToken token, const char* word)
 {
     return (size_t)token.size == strlen(word) && memcmp(token.text, word, (size_t)token.size) == 0;
 }
 
-bool swParseNdbcNumber(swNdbcToken token, double* value)
+bool swParseSeaNumber(swSeaToken token, double* value)
 {
     return swParseNumber(token.text, token.size, value);
 }
 
-bool swIsNdbcHeading(swNdbcText* text)
+bool swIsNdbcHeading(swSeaText* text)
 {
-    char first = swPeekNdbcChar(text);
+    char first = swPeekSeaChar(text);
     return first == '#' || first == 'Y';
+}
+
+bool swHasSeaPrefix(swSeaText* text, const char* word)
+{
+    swPeekSeaChar(text);
+    size_t size = strlen(word);
+    return (size_t)(text->lineEnd - text->at) >= size && memcmp(text->at, word, size) == 0;
+}
+
+swResult swNeedSeaLine(swSeaText* text, const char* what)
+{
+    if (swNextSeaLine(text))
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the file ends where %s should follow; is it cut off?",
+                  text->name, text->line > 0 ? text->line : 1, what);
+}
+
+static bool isNumberEnd(const char* begin, const char* at)
+{
+    bool isSign = *at == '-' || *at == '+';
+    bool isExponent = at > begin && (at[-1] == 'e' || at[-1] == 'E');
+    return isSpace(*at) || *at == ',' || *at == '\'' || (isSign && at > begin && !isExponent);
+}
+
+// What follows a number without exponent letter: a sign and three digits.
+static bool isLostExponent(const swSeaText* text, const char* begin)
+{
+    const char* at = text->at;
+    bool isThree = text->lineEnd - at >= 4 && at > begin && (text->lineEnd - at == 4 || isNumberEnd(at, at + 4));
+    for (int i = 1; i < 4 && isThree; ++i)
+    {
+        isThree = at[i] >= '0' && at[i] <= '9';
+    }
+    return isThree && (*at == '-' || *at == '+');
+}
+
+swResult swReadSeaNumber(swSeaText* text, const char* what, bool isWide, double* value)
+{
+    while (swPeekSeaChar(text) == '\0' || *text->at == ',')
+    {
+        if (text->at < text->lineEnd)
+        {
+            ++text->at;
+            continue;
+        }
+        swResult result = swNeedSeaLine(text, what);
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+    }
+    const char* begin = text->at;
+    while (text->at < text->lineEnd && !isNumberEnd(begin, text->at))
+    {
+        ++text->at;
+    }
+    int size = (int)(text->at - begin < 80 ? text->at - begin : 80);
+    if (!swParseNumber(begin, size, value))
+    {
+        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s should be a number, not '%.*s'.", text->name, text->line,
+                      what, size > 0 ? size : 1, begin);
+    }
+    if (isWide && isLostExponent(text, begin))
+    {
+        *value = *text->at == '-' ? 0.0 : 1e60;
+        text->at += 4;
+    }
+    return SW_SUCCESS;
+}
+
+swResult swReadSeaRange(swSeaText* text, const char* what, double low, double high, double* value)
+{
+    swResult result = swReadSeaNumber(text, what, false, value);
+    if (result == SW_SUCCESS && !(*value >= low && *value <= high))
+    {
+        result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s is %g; it must be from %g to %g.", text->name,
+                        text->line, what, *value, low, high);
+    }
+    return result;
+}
+
+swResult swReadSeaCount(swSeaText* text, const char* what, int low, int high, int* value)
+{
+    double number = 0.0;
+    swResult result = swReadSeaRange(text, what, low, high, &number);
+    *value = result == SW_SUCCESS ? (int)number : low;
+    return result;
 }
 
 // ---- dates ----
@@ -156,6 +244,29 @@ int64_t swGetMinutes(int year, int month, int day, int hour, int minute)
     }
     days -= 25567; // 1900 to 1970
     return (days * 24 + hour) * 60 + minute;
+}
+
+bool swMakeSeconds(int year, int month, int day, int hour, int minute, double second, double* seconds)
+{
+    if (year < 1900 || year > 2199 || month < 1 || month > 12 || day < 1 || day > swGetDaysInMonth(year, month) ||
+        hour < 0 || hour > 23 || minute < 0 || minute > 59 || !(second >= 0.0 && second <= 60.0))
+    {
+        return false;
+    }
+    *seconds = 60.0 * (double)swGetMinutes(year, month, day, hour, minute) + second;
+    return true;
+}
+
+bool swMakePackedSeconds(double date, double time, double* seconds)
+{
+    if (!(date >= 0.0 && date < 1e8 && time >= 0.0 && time < 1e6) || date != floor(date))
+    {
+        return false;
+    }
+    int days = (int)date;
+    int clock = (int)time;
+    return swMakeSeconds(days / 10000, days / 100 % 100, days % 100, clock / 10000, clock / 100 % 100,
+                         clock % 100 + (time - clock), seconds);
 }
 
 static void printDigits(char* text, int value, int digits)
@@ -192,11 +303,11 @@ void swPrintMinutes(int64_t minutes, char text[20])
     printDigits(text + 14, rest % 60, 2);
 }
 
-static swResult readDatePart(swNdbcText* text, const char* what, int low, int high, int* value)
+static swResult readDatePart(swSeaText* text, const char* what, int low, int high, int* value)
 {
-    swNdbcToken token = swNextNdbcToken(text);
+    swSeaToken token = swNextSeaToken(text);
     double number = 0.0;
-    if (!swParseNdbcNumber(token, &number) || number < low || number > high || number != floor(number))
+    if (!swParseSeaNumber(token, &number) || number < low || number > high || number != floor(number))
     {
         return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the %s is '%.*s'; it must be a number from %d to %d.",
                       text->name, text->line, what, token.size, token.text, low, high);
@@ -205,7 +316,7 @@ static swResult readDatePart(swNdbcText* text, const char* what, int low, int hi
     return SW_SUCCESS;
 }
 
-swResult swReadNdbcDate(swNdbcText* text, bool hasMinutes, int64_t* minutes)
+swResult swReadNdbcDate(swSeaText* text, bool hasMinutes, int64_t* minutes)
 {
     int year = 0;
     int month = 1;
@@ -241,14 +352,14 @@ swResult swReadNdbcDate(swNdbcText* text, bool hasMinutes, int64_t* minutes)
 
 // ---- rows ----
 
-swResult swAppendNdbcRow(const swNdbcText* text, swNdbcArray* rows, const swNdbcRow* row)
+swResult swAppendNdbcRow(const swSeaText* text, swSeaArray* rows, const swNdbcRow* row)
 {
     if (rows->count >= SW_NDBC_MAX_ROWS)
     {
         return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: more than %d records; cut the file in time.", text->name,
                       text->line, SW_NDBC_MAX_ROWS);
     }
-    swNdbcRow* added = swAppendNdbcItems(text->host, rows, 1, sizeof(swNdbcRow));
+    swNdbcRow* added = swAppendSeaItems(text->host, rows, 1, sizeof(swNdbcRow));
     if (added == NULL)
     {
         return swFail(text->host, SW_ERROR_NO_MEMORY, "No memory for the contents of %s.", text->name);
@@ -268,7 +379,7 @@ static int compareRows(const void* a, const void* b)
     return (first->line > second->line) - (first->line < second->line);
 }
 
-void swSortNdbcRows(const swNdbcText* text, swNdbcArray* array)
+void swSortNdbcRows(const swSeaText* text, swSeaArray* array)
 {
     swNdbcRow* rows = array->data;
     qsort(rows, array->count, sizeof(swNdbcRow), compareRows);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What is asked of a netCDF file, by way of libnetcdf: variables, texts, and numbers with their scale and gaps.
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "seaway/base.h"
+
+#define SW_NETCDF_MAX_DIMENSIONS 8
+
+typedef struct swNetcdfFile
+{
+    const swHost* host;
+    const char* name; // for messages
+    int id;
+} swNetcdfFile;
+
+// Numbers mean value * scale + offset unless they are a gap.
+typedef struct swNetcdfVariable
+{
+    int id;
+    int dimensionCount;
+    int dimensions[SW_NETCDF_MAX_DIMENSIONS];
+    double scale, offset;
+    bool hasFill[2];
+    double fill[2]; // as stored: _FillValue, missing_value
+} swNetcdfVariable;
+
+// False if there is no variable of that name, or none of at most SW_NETCDF_MAX_DIMENSIONS numbers wide.
+bool swFindNetcdfVariable(const swNetcdfFile* file, const char* name, swNetcdfVariable* variable);
+
+// An attribute's text in lower case, '_' as a space; empty if there is none.
+void swGetNetcdfText(const swNetcdfFile* file, int variable, const char* attribute, char* text, size_t size);
+
+// Length and name of a dimension.
+size_t swGetNetcdfLength(const swNetcdfFile* file, int dimension);
+void swGetNetcdfName(const swNetcdfFile* file, int dimension, char name[257]);
+
+// A block of numbers; gaps and what is not finite become NAN. SW_ERROR_FORMAT with a sentence in the log.
+swResult swReadNetcdfBlock(const swNetcdfFile* file, const swNetcdfVariable* variable, const size_t* start,
+                           const size_t* count, double* values);

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What must be true of every measured sea, whoever wrote the file.
+
+#include <math.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "seaway/measured.h"
+
+static inline void CheckRecord(const swMeasuredSea* sea, int index)
+{
+    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
+    swSpectrumDef def = swDefaultSpectrumDef();
+    def.kind = SW_SPECTRUM_TABLE;
+    def.table = &record.table;
+    swSeaState state;
+    double variance = 0.0;
+    for (int j = 0; j < record.table.frequencyCount; ++j)
+    {
+        FUZZ_CHECK(record.table.frequencies[j] > (j > 0 ? record.table.frequencies[j - 1] : 0.0f));
+        FUZZ_CHECK(record.energy[j] >= 0.0f);
+        variance += (double)record.energy[j] * (double)record.table.bandwidths[j];
+    }
+    if (swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &state) == SW_SUCCESS)
+    {
+        double height = 4.0 * sqrt(variance);
+        FUZZ_CHECK(fabs((double)state.significantHeight - height) <= 1e-3 * height);
+        FUZZ_CHECK(state.spread >= 0.0f && state.spread <= 1.4143f);
+        FUZZ_CHECK(fabsf(state.meanDirection) < 4.0f);
+    }
+    else
+    {
+        FUZZ_CHECK(variance < 1e-6);
+    }
+}
+
+static inline void CheckSea(const swMeasuredSea* sea)
+{
+    int count = swMeasuredSea_GetCount(sea);
+    for (int i = 0; i < count && i < 4; ++i)
+    {
+        CheckRecord(sea, i);
+    }
+    int records = 0;
+    for (int i = 0; i < swMeasuredSea_GetLocationCount(sea); ++i)
+    {
+        swMeasuredLocation location = swMeasuredSea_GetLocation(sea, i);
+        FUZZ_CHECK(memchr(location.name, 0, sizeof(location.name)) != NULL);
+        records += location.recordCount;
+        int before = -1, after = -1;
+        double fraction = -1.0;
+        FUZZ_CHECK(swMeasuredSea_Bracket(sea, i, 1e9, &before, &after, &fraction) == (location.recordCount > 0));
+        FUZZ_CHECK(location.recordCount == 0 || (before >= location.firstRecord && after - before <= 1 &&
+                                                 after >= before && fraction >= 0.0 && fraction <= 1.0));
+    }
+    FUZZ_CHECK(records == count);
+}
