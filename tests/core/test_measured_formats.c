@@ -757,7 +757,7 @@ static void WrongTextsAreNamedWithTheirLine(void** state)
         {WW3, "holds no spectrum"},
         {WW3 "20200101 250000\n", "x:4: 20200101 250000 is no date"},
         {WW3 "20200101 000000\nname\n", "x:5: a point's name in quotes"},
-        {WW3 "20200101 000000\n'a' 95 1\n", "x:5: a point's latitude is 95"},
+        {WW3 "20200101 000000\n'a' x 1\n", "x:5: a point's latitude should be a number"},
         {WW3 "20200101 000000\n'a' 5 1\n1 2 3 4 5 6 7", "x:6: the file ends where a density"},
         {WW3 "20200101 000000\n'a' 5 1\n1 2 3 4 5 6 7 1e9\n", "x:6: a density is 1e+09"},
         {"'WAVEWATCH III SPECTRA' 2 2 1 'x'\n", "x:1: the number of directions is 2"},

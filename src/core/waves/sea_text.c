@@ -257,6 +257,27 @@ bool swMakeSeconds(int year, int month, int day, int hour, int minute, double se
     return true;
 }
 
+int swFindSeaMonth(const char* text, int size)
+{
+    static const char names[] = "janfebmaraprmayjunjulaugsepoctnovdec";
+    for (int i = 0; i + 3 <= size; ++i)
+    {
+        for (int month = 0; month < 12; ++month)
+        {
+            int same = 0;
+            while (same < 3 && ((text[i + same] | 0x20) == names[3 * month + same]))
+            {
+                ++same;
+            }
+            if (same == 3)
+            {
+                return month + 1;
+            }
+        }
+    }
+    return 0;
+}
+
 bool swMakePackedSeconds(double date, double time, double* seconds)
 {
     if (!(date >= 0.0 && date < 1e8 && time >= 0.0 && time < 1e6) || date != floor(date))

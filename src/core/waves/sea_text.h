@@ -92,6 +92,9 @@ int swGetDaysInMonth(int year, int month);
 // Seconds since 1970; false if there is no such date.
 bool swMakeSeconds(int year, int month, int day, int hour, int minute, double second, double* seconds);
 
+// 1 to 12 by the first English name of a month, or its first three letters, in text[0 .. size); 0 if there is none.
+int swFindSeaMonth(const char* text, int size);
+
 // yyyymmdd and hhmmss as numbers; false if there is no such date.
 bool swMakePackedSeconds(double date, double time, double* seconds);
 

@@ -262,27 +262,6 @@ static int splitDate(const char* text, int size, int parts[6], int digits[6])
     return count;
 }
 
-static int findMonth(const char* text, int size)
-{
-    static const char names[] = "janfebmaraprmayjunjulaugsepoctnovdec";
-    for (int i = 0; i + 3 <= size; ++i)
-    {
-        for (int month = 0; month < 12; ++month)
-        {
-            int same = 0;
-            while (same < 3 && ((text[i + same] | 0x20) == names[3 * month + same]))
-            {
-                ++same;
-            }
-            if (same == 3)
-            {
-                return month + 1;
-            }
-        }
-    }
-    return 0;
-}
-
 static int fullYear(int year)
 {
     return year < 50 ? 2000 + year : year < 100 ? 1900 + year : year;
@@ -303,7 +282,7 @@ static bool parseDate(int coding, const char* text, int size, double* seconds)
     }
     if (coding == 2 && count == 5)
     {
-        return swMakeSeconds(fullYear(p[1]), findMonth(text, size), p[0], p[2], p[3], p[4], seconds);
+        return swMakeSeconds(fullYear(p[1]), swFindSeaMonth(text, size), p[0], p[2], p[3], p[4], seconds);
     }
     if (coding == 3 && count == 6)
     {
@@ -390,6 +369,20 @@ static swResult readMatrix(Reader* reader, int quantity)
     return result;
 }
 
+// Directions and spreads go into sines, which want them in range.
+static swResult checkDegrees(const Reader* reader, int quantity, double value)
+{
+    bool isSpread = reader->quantities[quantity] == SPREAD;
+    bool isDegrees = isSpread || reader->quantities[quantity] == NAUTICAL || reader->quantities[quantity] == CARTESIAN;
+    double low = isSpread ? 0.0 : -720.0, high = isSpread ? 180.0 : 720.0;
+    if (!isDegrees || value == reader->exceptions[quantity] || (value >= low && value <= high))
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: a %s is %g degrees; it must be from %g to %g.",
+                  reader->text.name, reader->text.line, isSpread ? "spread" : "direction", value, low, high);
+}
+
 static void keepValue(Reader* reader, int quantity, int row, double value, double direction[1], double spread[1])
 {
     double number = value == reader->exceptions[quantity] ? (double)NAN : value;
@@ -427,7 +420,11 @@ static swResult readLines(Reader* reader)
         {
             double value = 0.0;
             result = swReadSeaNumber(&reader->text, "a value", true, &value);
-            keepValue(reader, j, i, value, &direction, &spread);
+            result = result == SW_SUCCESS ? checkDegrees(reader, j, value) : result;
+            if (result == SW_SUCCESS)
+            {
+                keepValue(reader, j, i, value, &direction, &spread);
+            }
         }
         if (result == SW_SUCCESS && reader->energy[i] > SW_SEA_MAX_ENERGY)
         {

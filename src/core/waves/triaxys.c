@@ -3,7 +3,7 @@
 //
 //   TRIAXYS BUOY DATA REPORT - TAS01970 - TAB01401 - 4857.6668S16631.6837W
 //   TYPE    = DIRECTIONAL SPECTRUM              or NON-DIRECTIONAL SPECTRUM
-//   DATE    = 2018-01-31 21:00(UTC)
+//   DATE    = 2018-01-31 21:00(UTC)             or 2018 Jan 31 21:00(UTC)
 //   NUMBER OF FREQUENCIES = 63                  then INITIAL FREQUENCY (Hz), FREQUENCY SPACING (Hz)
 //   NUMBER OF DIRECTIONS  = 121                 then DIRECTION SPACING (DEG), COLUMNS = 0.00 TO 360.00 DEG
 //
@@ -35,7 +35,7 @@ typedef struct Reader
     double* density;
 } Reader;
 
-static const char s_head[] = "TRIAXYS BUOY DATA REPORT";
+static const char s_head[] = "TRIAXYS BUOY"; // DATA REPORT, or REPORT
 
 bool swIsTriaxys(const char* text, size_t size)
 {
@@ -80,23 +80,45 @@ static void findPosition(Reader* reader)
     }
 }
 
+static bool isLetter(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+// A number of the date or the name of its month, and what parts it from the next.
+static int readDatePart(const char** text, const char* end)
+{
+    const char* begin = *text;
+    int value = 0;
+    while (*text < end && isLetter(**text))
+    {
+        ++*text;
+    }
+    if (*text > begin)
+    {
+        value = swFindSeaMonth(begin, (int)(*text - begin < 40 ? *text - begin : 40));
+    }
+    for (int digits = 0; *text < end && **text >= '0' && **text <= '9' && digits < 4; ++*text, ++digits)
+    {
+        value = 10 * value + (**text - '0');
+    }
+    *text += *text < end ? 1 : 0;
+    return value;
+}
+
 static swResult readDate(Reader* reader)
 {
-    int parts[5] = {0};
+    int parts[5];
     const char* at = reader->text.at;
     for (int i = 0; i < 5; ++i)
     {
-        int digits = 0;
-        for (; at < reader->text.lineEnd && *at >= '0' && *at <= '9' && digits < 4; ++at, ++digits)
-        {
-            parts[i] = 10 * parts[i] + (*at - '0');
-        }
-        at += at < reader->text.lineEnd ? 1 : 0;
+        parts[i] = readDatePart(&at, reader->text.lineEnd);
     }
     if (!swMakeSeconds(parts[0], parts[1], parts[2], parts[3], parts[4], 0.0, &reader->seconds))
     {
-        return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: DATE should be as 2018-01-31 21:00(UTC).",
-                      reader->text.name, reader->text.line);
+        return swFail(reader->text.host, SW_ERROR_FORMAT,
+                      "%s:%d: DATE should be as 2018-01-31 21:00(UTC) or 2018 Jan 31 21:00(UTC).", reader->text.name,
+                      reader->text.line);
     }
     return SW_SUCCESS;
 }
@@ -152,8 +174,7 @@ static swResult readField(Reader* reader)
 // Whether the line belongs to the heading: words do.
 static bool isHeading(swSeaText* text)
 {
-    char first = swPeekSeaChar(text);
-    return (first >= 'A' && first <= 'Z') || (first >= 'a' && first <= 'z');
+    return isLetter(swPeekSeaChar(text));
 }
 
 static swResult readHead(Reader* reader)

@@ -76,10 +76,20 @@ static swResult readHead(Reader* reader)
     return result;
 }
 
+// The last quote of a line that begins with another: names may hold apostrophes, the numbers behind them never do.
+static const char* findLastQuote(const swSeaText* text)
+{
+    const char* at = text->lineEnd - 1;
+    while (at > text->at && *at != '\'')
+    {
+        --at;
+    }
+    return at > text->at ? at : NULL;
+}
+
 swResult swReadSeaName(swSeaText* text, char name[64])
 {
-    const char* end =
-        swPeekSeaChar(text) == '\'' ? memchr(text->at + 1, '\'', (size_t)(text->lineEnd - text->at - 1)) : NULL;
+    const char* end = swPeekSeaChar(text) == '\'' ? findLastQuote(text) : NULL;
     if (end == NULL)
     {
         return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: a point's name in quotes should stand here.", text->name,
@@ -126,11 +136,15 @@ static swResult readPoint(Reader* reader, int index, int* location)
     }
     if (result == SW_SUCCESS)
     {
-        result = swReadSeaRange(text, "a point's latitude", -90.0, 90.0, &latitude);
+        result = swReadSeaNumber(text, "a point's latitude", false, &latitude);
     }
     if (result == SW_SUCCESS)
     {
-        result = swReadSeaRange(text, "a point's longitude", -360.0, 360.0, &longitude);
+        result = swReadSeaNumber(text, "a point's longitude", false, &longitude);
+    }
+    if (fabs(latitude) > 90.0 || fabs(longitude) > 360.0) // kilometres of a grid that is no globe
+    {
+        latitude = longitude = (double)NAN;
     }
     text->at = text->lineEnd; // depth, wind, current
     return result == SW_SUCCESS
