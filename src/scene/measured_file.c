@@ -15,7 +15,7 @@
 
 #define MAX_PATH_LENGTH 1024
 #define START_SIZE 8                     // of a netCDF file, enough to know it
-#define MAX_FILE_SIZE ((size_t)64 << 20) // a year of hourly records has 5 MB
+#define MAX_FILE_SIZE ((size_t)512 << 20) // a year of hourly records has 5 MB as moments, 180 MB by direction
 
 enum
 {

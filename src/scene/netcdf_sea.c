@@ -336,29 +336,46 @@ static double readAtPlace(const Reader* reader, const char* const* names, const 
     return (double)NAN;
 }
 
-// station_name(station, string); without it the place's index, or nothing for a lone place or a point of a grid.
+// Index along the spectrum's dimension that a variable shares; 0 if it shares none.
+static size_t findIndex(const Reader* reader, const swNetcdfVariable* variable, int dimension, const size_t* start)
+{
+    size_t index = 0;
+    for (int j = 0; j < reader->spectrum.dimensionCount; ++j)
+    {
+        index = variable->dimensions[dimension] == reader->spectrum.dimensions[j] ? start[j] : index;
+    }
+    return index;
+}
+
+// station_name(station, string16), or of strings station_name(station).
 static void nameStation(const Reader* reader, const size_t* start, char name[64])
 {
     swNetcdfVariable variable;
     nc_type type = NC_NAT;
     memset(name, 0, 64);
-    bool isThere = (swFindNetcdfVariable(&reader->file, "station_name", &variable) ||
-                    swFindNetcdfVariable(&reader->file, "station_id", &variable)) &&
-                   nc_inq_vartype(reader->file.id, variable.id, &type) == NC_NOERR && type == NC_CHAR &&
-                   variable.dimensionCount == 2;
-    if (!isThere)
+    if ((!swFindNetcdfVariable(&reader->file, "station_name", &variable) &&
+         !swFindNetcdfVariable(&reader->file, "station_id", &variable)) ||
+        nc_inq_vartype(reader->file.id, variable.id, &type) != NC_NOERR)
     {
         return;
     }
-    size_t at[2] = {0, 0}, count[2] = {1, swGetNetcdfLength(&reader->file, variable.dimensions[1])};
-    for (int j = 0; j < reader->spectrum.dimensionCount; ++j)
+    size_t at[2] = {findIndex(reader, &variable, 0, start), 0};
+    if (type == NC_CHAR && variable.dimensionCount == 2)
     {
-        at[0] = variable.dimensions[0] == reader->spectrum.dimensions[j] ? start[j] : at[0];
+        size_t count[2] = {1, swGetNetcdfLength(&reader->file, variable.dimensions[1])};
+        count[1] = count[1] < 63 ? count[1] : 63;
+        if (nc_get_vara_text(reader->file.id, variable.id, at, count, name) != NC_NOERR)
+        {
+            name[0] = '\0';
+        }
     }
-    count[1] = count[1] < 63 ? count[1] : 63;
-    if (nc_get_vara_text(reader->file.id, variable.id, at, count, name) != NC_NOERR)
+    char* string = NULL;
+    if (type == NC_STRING && variable.dimensionCount == 1 &&
+        nc_get_var1_string(reader->file.id, variable.id, at, &string) == NC_NOERR && string != NULL)
     {
-        name[0] = '\0';
+        size_t length = strlen(string);
+        memcpy(name, string, length < 63 ? length : 63);
+        nc_free_string(1, &string);
     }
     for (size_t length = strlen(name); length > 0 && name[length - 1] == ' '; --length)
     {
