@@ -178,8 +178,9 @@ SW_API swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def,
 /// Frames in flight may still use it. What is left of them is destroyed with the swGpuWorld. NULL is allowed.
 SW_API void swDestroyGpuQuery(swGpuQuery* query);
 
-/// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each with its
-/// full precision within 10,000 km of the first, however far that is from the origin. No points: the query rests.
+/// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each to 0.01 mm.
+/// How far the first is from the origin does not matter; the others are best within 1,000 km of it. No points: the query
+/// rests.
 SW_API void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points);
 
 /// Points that are on the GPU already: `count` pairs of floats (x, z), m from `origin`, at byte `offset` (a multiple of 8)
@@ -211,9 +212,9 @@ typedef struct swGpuQueryResults
 } swGpuQueryResults;
 
 /// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says so.
-/// Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 1 mm, plus the slope of the water times both
-/// residuals, in seas of a significant height up to 12 m; in a fold, where the water is above a point more than once, it
-/// may be another of the particles there.
+/// Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the first,
+/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. In a fold, where the water is above
+/// a point more than once, it may be another of the particles there.
 /// @return false while none have arrived
 SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
 

@@ -12,8 +12,12 @@
 // that say nothing about where it leads.
 //
 // Four lanes share a point. Each takes one column of a tile's window of 4 x 4 texels, so that the four read 64 bytes side
-// by side, and every fourth free wave. Sums meet once an evaluation, in shared memory. As soon as a point is done its
-// lanes take the next one; a workgroup ends when all its points are done.
+// by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
+//
+// Measured on an H100, 100,000 points of a default sea: 187 us scattered over 10 km, 125 us on a grid of 0.5 m; points
+// take 2.6 evaluations after the first guess. Slower were: no first guess (228), lanes that take another point as soon as
+// theirs is done (194 with two points a lane, 210 with four), tiles in a storage buffer (6 more), all four weights along x
+// in every lane (13 more), and two tiles at a time (193).
 
 #include "shared/query.h"
 #include "shared/spline.h"
@@ -24,9 +28,9 @@
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
 
-layout(std430, binding = 0) readonly buffer Tiles
+layout(std140, binding = 0) uniform Tiles
 {
-    swQueryTile tiles[];
+    swQueryTile tiles[SW_LIMIT_TILES];
 };
 layout(std430, binding = 1) readonly buffer Waves
 {
@@ -57,7 +61,7 @@ layout(push_constant) uniform Push
     swQueryParams params;
 };
 
-// Displacement of the particle at rest, and its derivatives along x and z. Of a lane: its share.
+// Displacement of a particle by its place at rest, and its derivatives along x and z. Of a lane: its share.
 struct Sum
 {
     vec3 value;
@@ -66,7 +70,7 @@ struct Sum
 };
 
 shared vec3 shares[3][THREADS];
-shared uint isBusy[2];
+shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 // ---- the surface at a rest point ----
 
@@ -76,7 +80,15 @@ uint toTurns(float turns)
     return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
 }
 
-void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
+// The spline's weight of column `lane` of a window as a polynomial of the fraction, lowest power first.
+vec4 splineCubic(uint lane)
+{
+    const vec4 cubics[4] = {vec4(1.0, -3.0, 3.0, -1.0), vec4(4.0, 0.0, -6.0, 3.0), vec4(1.0, 3.0, 3.0, -3.0),
+                            vec4(0.0, 0.0, 0.0, 1.0)};
+    return cubics[lane] / 6.0;
+}
+
+void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Sum sum)
 {
     vec2 way = rest * tile.turnsPerMetre;
     uint turnsX = tile.turnsX + uint(cell.x) * tile.cellTurns + toTurns(way.x);
@@ -94,8 +106,8 @@ void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
     vec3 d = texels[first + ((row + 3) & mask) * pitch].xyz;
     vec4 valueZ = swSplineWeights(fractionZ);
     vec4 slopeZ = swSplineSlopes(fractionZ) * tile.texelsPerMetre;
-    float valueX = swSplineWeights(fractionX)[lane];
-    float slopeX = swSplineSlopes(fractionX)[lane] * tile.texelsPerMetre;
+    float valueX = fma(fma(fma(cubic.w, fractionX, cubic.z), fractionX, cubic.y), fractionX, cubic.x);
+    float slopeX = fma(fma(3.0 * cubic.w, fractionX, 2.0 * cubic.z), fractionX, cubic.y) * tile.texelsPerMetre;
     vec3 value = fma(vec3(valueZ.w), d, fma(vec3(valueZ.z), c, fma(vec3(valueZ.y), b, valueZ.x * a)));
     vec3 slope = fma(vec3(slopeZ.w), d, fma(vec3(slopeZ.z), c, fma(vec3(slopeZ.y), b, slopeZ.x * a)));
     sum.value = fma(vec3(valueX), value, sum.value);
@@ -117,10 +129,11 @@ void addWave(swQueryWave wave, ivec2 cell, vec2 rest, inout Sum sum)
 // A lane's share of the first `tileCount` tiles and `waveCount` free waves.
 Sum addWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane)
 {
+    vec4 cubic = splineCubic(lane);
     Sum sum = Sum(vec3(0.0), vec3(0.0), vec3(0.0));
     for (uint i = 0; i < tileCount; ++i)
     {
-        addTile(tiles[i], cell, rest, lane, sum);
+        addTile(tiles[i], cell, rest, lane, cubic, sum);
     }
     for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
     {
@@ -193,7 +206,8 @@ vec2 newtonStep(vec2 residual, Sum sum)
 
 bool isGuess(Search search)
 {
-    return search.iteration == 0 && (params.longTileCount < params.tileCount || params.longWaveCount < params.waveCount);
+    return search.iteration == 0 &&
+           (params.longTileCount < params.tileCount || params.longWaveCount < params.waveCount);
 }
 
 // Takes in the surface at the tried offset and chooses the next. False when done.
@@ -254,35 +268,32 @@ void store(Search search, uint lane)
 void main()
 {
     uint lane = gl_LocalInvocationIndex % SW_QUERY_LANES;
-    uint point = gl_WorkGroupID.x * (SW_QUERY_POINTS * SW_QUERY_ROUNDS) + gl_LocalInvocationIndex / SW_QUERY_LANES;
-    uint end = min((gl_WorkGroupID.x + 1) * (SW_QUERY_POINTS * SW_QUERY_ROUNDS), params.pointCount);
-    bool hasPoint = point < end;
-    Search search = beginSearch(hasPoint ? point : 0);
+    uint point = gl_WorkGroupID.x * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
+    bool isSearching = point < params.pointCount;
+    Search search = beginSearch(min(point, params.pointCount - 1));
     if (gl_LocalInvocationIndex == 0)
     {
         isBusy[0] = 0;
     }
     for (uint turn = 0;; turn ^= 1)
     {
-        if (hasPoint)
+        if (isSearching)
         {
             bool isFirst = isGuess(search);
             share(addWater(isFirst ? params.longTileCount : params.tileCount,
-                           isFirst ? params.longWaveCount : params.waveCount, search.cell,
-                           search.place + search.offset, lane));
+                           isFirst ? params.longWaveCount : params.waveCount, search.cell, search.place + search.offset,
+                           lane));
         }
         barrier();
-        if (hasPoint && !advance(search, Sum(gather(0), gather(1), gather(2))))
+        if (isSearching)
         {
-            store(search, lane);
-            point += SW_QUERY_POINTS;
-            hasPoint = point < end;
-            if (hasPoint)
+            isSearching = advance(search, Sum(gather(0), gather(1), gather(2)));
+            if (!isSearching)
             {
-                search = beginSearch(point);
+                store(search, lane);
             }
         }
-        if (hasPoint)
+        if (isSearching)
         {
             isBusy[turn] = 1;
         }

@@ -13,9 +13,8 @@
 
 // Lanes that share a point: one for each column of a spline's window.
 #define SW_QUERY_LANES 4
-// Points that a workgroup has in hand at once, and all that it answers one after another.
+// Points of a workgroup.
 #define SW_QUERY_POINTS 16
-#define SW_QUERY_ROUNDS 2
 
 // Bits of swQueryParams::outputs, the same as swGpuQueryOutput.
 #define SW_QUERY_WANTS_SIDEWAYS 1

@@ -13,8 +13,9 @@
 #include "gpu/vk/vk_submit.h"
 #include "support/counting_host.h"
 
-// The bound that gpu.h states.
-#define HEIGHT_M 1e-3
+// The bounds that gpu.h states, near the first point and up to 1,000 km from it. Measured: 0.01 mm and 0.3 mm.
+#define HEIGHT_M 1e-4
+#define FAR_HEIGHT_M 1e-3
 
 #define MOST 20000
 
@@ -131,15 +132,15 @@ static Errors FindErrors(int count)
     return worst;
 }
 
-static Errors CheckAnswers(const char* what, int count)
+static Errors CheckAnswers(const char* what, int count, double tolerance)
 {
     Errors errors = FindErrors(count);
     printf("  %-34s particle %.2g m, search %.2g m, normal %.2g, J %.2g; %d of %d others; converged %d, core %d; "
            "worst residual %.2g m\n",
            what, errors.height, errors.search, errors.normal, errors.jacobian, errors.others, count,
            gpuAnswers.stats.convergedCount, cpuAnswers.stats.convergedCount, (double)gpuAnswers.stats.worstResidual);
-    assert_true(errors.height < HEIGHT_M);
-    assert_true(errors.search < HEIGHT_M);
+    assert_true(errors.height < tolerance);
+    assert_true(errors.search < tolerance);
     return errors;
 }
 
@@ -151,7 +152,7 @@ static void CheckPlaces(Parity* parity, swGpuQuery* query, const char* what, int
     FetchAnswers(parity, query, count);
     swQueryDef def = swDefaultQueryDef();
     AskCore(parity, &def, count);
-    Errors errors = CheckAnswers(what, count);
+    Errors errors = CheckAnswers(what, count, side > 1e5 ? FAR_HEIGHT_M : HEIGHT_M);
     assert_true(errors.others <= count / 500);
     assert_true(gpuAnswers.stats.convergedCount >= cpuAnswers.stats.convergedCount - count / 1000);
     assert_true(errors.normal < 0.02 && errors.jacobian < 0.05);
@@ -202,7 +203,7 @@ static void ASeaThatFoldsHasParticlesToo(void** state)
     FetchAnswers(&parity, query, MOST);
     swQueryDef def = swDefaultQueryDef();
     AskCore(&parity, &def, MOST);
-    CheckAnswers("chop 2, folded", MOST);
+    CheckAnswers("chop 2, folded", MOST, HEIGHT_M);
     assert_true(gpuAnswers.stats.convergedCount >= 0.98 * MOST);
     FreeParity(&parity);
 }
@@ -244,7 +245,7 @@ static void ShortWavesCanBeLeftOut(void** state)
     swQueryDef core = swDefaultQueryDef();
     core.minWavelength = 4.0f;
     AskCore(&parity, &core, 2000);
-    assert_int_equal(CheckAnswers("waves of 4 m and more", 2000).others, 0);
+    assert_int_equal(CheckAnswers("waves of 4 m and more", 2000, HEIGHT_M).others, 0);
     FreeParity(&parity);
 }
 
@@ -289,7 +290,7 @@ static void PointsMayLieInABufferOfTheHosts(void** state)
     FetchAnswers(&parity, query, 3000);
     swQueryDef def = swDefaultQueryDef();
     AskCore(&parity, &def, 3000);
-    CheckAnswers("floats from an origin", 3000);
+    CheckAnswers("floats from an origin", 3000, HEIGHT_M);
     swDestroyGpuWorld(parity.gpuWorld);
     parity.gpuWorld = NULL;
     swDestroyBuffer(parity.gpu, &buffer);
@@ -347,7 +348,7 @@ static void PointsStayUntilOthersAreSet(void** state)
     }
     FetchAnswers(&parity, query, 500);
     AskCore(&parity, &def, 500);
-    CheckAnswers("eight frames later", 500);
+    CheckAnswers("eight frames later", 500, HEIGHT_M);
     swGpuQuery_SetPoints(query, 0, NULL);
     StepParity(&parity, 0.3);
     swGpuQueryResults results;
@@ -457,18 +458,12 @@ static void AWarmQueryAllocatesNothing(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(AnswersAreTheCoresEverywhere),
-        cmocka_unit_test(AGaleWithSwellAgrees),
-        cmocka_unit_test(ASeaThatFoldsHasParticlesToo),
-        cmocka_unit_test(WavesOneByOneAgree),
-        cmocka_unit_test(ShortWavesCanBeLeftOut),
-        cmocka_unit_test(WaterWithoutWavesIsFlat),
-        cmocka_unit_test(PointsMayLieInABufferOfTheHosts),
-        cmocka_unit_test(AnswersCarryTheStampOfTheirFrame),
-        cmocka_unit_test(PointsStayUntilOthersAreSet),
-        cmocka_unit_test(QueriesComeAndGo),
-        cmocka_unit_test(AnswersCanStayOnTheGpu),
-        cmocka_unit_test(AWarmQueryAllocatesNothing),
+        cmocka_unit_test(AnswersAreTheCoresEverywhere),    cmocka_unit_test(AGaleWithSwellAgrees),
+        cmocka_unit_test(ASeaThatFoldsHasParticlesToo),    cmocka_unit_test(WavesOneByOneAgree),
+        cmocka_unit_test(ShortWavesCanBeLeftOut),          cmocka_unit_test(WaterWithoutWavesIsFlat),
+        cmocka_unit_test(PointsMayLieInABufferOfTheHosts), cmocka_unit_test(AnswersCarryTheStampOfTheirFrame),
+        cmocka_unit_test(PointsStayUntilOthersAreSet),     cmocka_unit_test(QueriesComeAndGo),
+        cmocka_unit_test(AnswersCanStayOnTheGpu),          cmocka_unit_test(AWarmQueryAllocatesNothing),
     };
     return cmocka_run_group_tests_name("surface queries: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

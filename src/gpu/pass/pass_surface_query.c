@@ -24,7 +24,7 @@ swResult swCreateSurfaceQuery(swGpu* gpu, swPasses* passes)
     };
     for (uint32_t i = 0; i < def.bindingCount; ++i)
     {
-        def.types[i] = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        def.types[i] = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     }
     return swCreateComputePipeline(gpu, &def, &passes->surfaceQuery);
 }
@@ -66,9 +66,8 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
         bindPlane(query, query->planes.sideways),
         bindPlane(query, query->planes.normals),
     };
-    uint32_t share = SW_QUERY_POINTS * SW_QUERY_ROUNDS;
     swBindPipeline(gpu, commands, &gpuWorld->passes.surfaceQuery, bindings, &params);
-    gpu->vk.CmdDispatch(commands, (params.pointCount + share - 1) / share, 1, 1);
+    gpu->vk.CmdDispatch(commands, (params.pointCount + SW_QUERY_POINTS - 1) / SW_QUERY_POINTS, 1, 1);
 }
 
 void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)

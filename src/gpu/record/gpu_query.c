@@ -43,12 +43,10 @@ static swResult createQueryBuffers(swGpuQuery* query)
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     VkDeviceSize slots = (VkDeviceSize)query->slotCount;
     VkDeviceSize pointSize = alignPlane((VkDeviceSize)query->def.capacity * sizeof(swQueryPoint));
-    swResult result =
-        swCreateBuffer(gpu, slots * pointSize, storage, SW_MEMORY_UPLOAD, "query points", &query->points);
+    swResult result = swCreateBuffer(gpu, slots * pointSize, storage, SW_MEMORY_UPLOAD, "query points", &query->points);
     if (result == SW_SUCCESS)
     {
-        result =
-            swCreateBuffer(gpu, query->answerSize, storage, SW_MEMORY_DEVICE, "query answers", &query->answers);
+        result = swCreateBuffer(gpu, query->answerSize, storage, SW_MEMORY_DEVICE, "query answers", &query->answers);
     }
     if (result == SW_SUCCESS && query->def.readBack)
     {
@@ -251,8 +249,7 @@ static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float 
 {
     int chosen[SW_MAX_TILES];
     int count = chooseTiles(frame, query->def.minWavelength, chosen);
-    swResult result = swReserveUpload(query->gpuWorld->gpu, (VkDeviceSize)(count > 0 ? count : 1) * sizeof(swQueryTile),
-                                      &query->tiles);
+    swResult result = swReserveUpload(query->gpuWorld->gpu, SW_MAX_TILES * sizeof(swQueryTile), &query->tiles);
     swQueryParams* params = &query->params;
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
