@@ -66,7 +66,7 @@ struct swGpuQuery
     // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own.
     int count;
     uint32_t pointsVersion;
-    swPosXZ origin; // in the sea
+    swPosXZ origin; // of cells, or of the floats, in the host's coordinates
     swBuffer points;
     int pointSlot;
     bool isPointSlotUsed; // a recorded frame reads it

@@ -245,8 +245,15 @@ static float findShortestOfGuess(const swFrame* frame, float minWavelength)
     return (float)(4.0 * sqrt(variance));
 }
 
+static swPosXZ originInSea(const swGpuQuery* query)
+{
+    swPosXZ origin = swGetWorldOrigin(query->gpuWorld->world);
+    return (swPosXZ){query->origin.x + origin.x, query->origin.z + origin.z};
+}
+
 static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float shortest)
 {
+    swPosXZ origin = originInSea(query);
     int chosen[SW_MAX_TILES];
     int count = chooseTiles(frame, query->def.minWavelength, chosen);
     swResult result = swReserveUpload(query->gpuWorld->gpu, SW_MAX_TILES * sizeof(swQueryTile), &query->tiles);
@@ -255,7 +262,7 @@ static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float 
     {
         const swTile* tile = &frame->tiles[chosen[i]];
         ((swQueryTile*)query->tiles.data)[i] =
-            makeQueryTile(tile, query->gpuWorld->params[chosen[i]].firstTexel, query->origin);
+            makeQueryTile(tile, query->gpuWorld->params[chosen[i]].firstTexel, origin);
         params->longTileCount += tile->minWavelength >= shortest ? 1 : 0;
     }
     params->tileCount = (uint32_t)count;
@@ -264,6 +271,7 @@ static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float 
 
 static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float shortest)
 {
+    swPosXZ origin = originInSea(query);
     int count = 0;
     while (count < frame->waveCount && frame->waves[count].wavelength >= query->def.minWavelength)
     {
@@ -275,7 +283,7 @@ static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float 
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         const swFreeWave* wave = &frame->waves[i];
-        ((swQueryWave*)query->waves.data)[i] = makeQueryWave(wave, frame->ticks, query->origin);
+        ((swQueryWave*)query->waves.data)[i] = makeQueryWave(wave, frame->ticks, origin);
         params->longWaveCount += wave->wavelength >= shortest ? 1 : 0;
     }
     params->waveCount = (uint32_t)count;
