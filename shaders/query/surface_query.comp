@@ -268,7 +268,8 @@ void store(Search search, uint lane)
 void main()
 {
     uint lane = gl_LocalInvocationIndex % SW_QUERY_LANES;
-    uint point = gl_WorkGroupID.x * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    uint point = group * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
     bool isSearching = point < params.pointCount;
     Search search = beginSearch(min(point, params.pointCount - 1));
     if (gl_LocalInvocationIndex == 0)

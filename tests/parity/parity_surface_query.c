@@ -426,6 +426,39 @@ static void AnswersCanStayOnTheGpu(void** state)
     FreeParity(&parity);
 }
 
+static void AMillionPointsAreAnsweredToTheLast(void** state)
+{
+    enum
+    {
+        COUNT = 1100000 // more than 65,535 workgroups
+    };
+    Parity parity = MakeParity(state);
+    swWaveSystemDef sea = swDefaultWaveSystemDef();
+    sea.minWavelength = 64.0f;
+    AddParitySea(&parity, &sea);
+    swGpuQueryDef def = swDefaultGpuQueryDef();
+    def.capacity = COUNT;
+    swGpuQuery* query = NULL;
+    assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &def, &query), SW_SUCCESS);
+    swPosXZ* many = malloc(sizeof(swPosXZ) * COUNT);
+    assert_non_null(many);
+    for (int i = 0; i < COUNT; ++i)
+    {
+        many[i] = (swPosXZ){0.01 * i, -0.02 * i};
+    }
+    swGpuQuery_SetPoints(query, COUNT, many);
+    StepParity(&parity, 0.7);
+    swGpu_SetFinishedFrame(parity.gpu, parity.gpu->frameIndex);
+    swGpuQueryResults results;
+    assert_true(swGpuQuery_GetResults(query, &results));
+    for (int i = 0; i < COUNT; i += i < COUNT - 100 ? 997 : 1)
+    {
+        assert_float_equal(results.heights[i].height, swWorld_GetHeight(parity.world, many[i].x, many[i].z), 2e-3);
+    }
+    free(many);
+    FreeParity(&parity);
+}
+
 static void AWarmQueryAllocatesNothing(void** state)
 {
     (void)state;
@@ -463,7 +496,8 @@ int main(void)
         cmocka_unit_test(ShortWavesCanBeLeftOut),          cmocka_unit_test(WaterWithoutWavesIsFlat),
         cmocka_unit_test(PointsMayLieInABufferOfTheHosts), cmocka_unit_test(AnswersCarryTheStampOfTheirFrame),
         cmocka_unit_test(PointsStayUntilOthersAreSet),     cmocka_unit_test(QueriesComeAndGo),
-        cmocka_unit_test(AnswersCanStayOnTheGpu),          cmocka_unit_test(AWarmQueryAllocatesNothing),
+        cmocka_unit_test(AnswersCanStayOnTheGpu),          cmocka_unit_test(AMillionPointsAreAnsweredToTheLast),
+        cmocka_unit_test(AWarmQueryAllocatesNothing),
     };
     return cmocka_run_group_tests_name("surface queries: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

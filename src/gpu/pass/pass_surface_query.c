@@ -10,6 +10,9 @@ static const uint32_t surfaceQueryCode[] =
 // What offsets of storage buffers are rounded down to: the most that a device may ask for.
 #define SW_OFFSET_ALIGNMENT 256u
 
+// Workgroups along an axis that every device can have.
+#define SW_MOST_GROUPS 65535u
+
 swResult swCreateSurfaceQuery(swGpu* gpu, swPasses* passes)
 {
     if (passes->surfaceQuery.handle != VK_NULL_HANDLE)
@@ -67,7 +70,9 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
         bindPlane(query, query->planes.normals),
     };
     swBindPipeline(gpu, commands, &gpuWorld->passes.surfaceQuery, bindings, &params);
-    gpu->vk.CmdDispatch(commands, (params.pointCount + SW_QUERY_POINTS - 1) / SW_QUERY_POINTS, 1, 1);
+    uint32_t groups = (params.pointCount + SW_QUERY_POINTS - 1) / SW_QUERY_POINTS;
+    uint32_t columns = groups < SW_MOST_GROUPS ? groups : SW_MOST_GROUPS;
+    gpu->vk.CmdDispatch(commands, columns, (groups + columns - 1) / columns, 1);
 }
 
 void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)

@@ -110,7 +110,6 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     waitForFrameBefore(gpu, commands);
     const swFrame* frame = swGetWorldFrame(gpuWorld->world);
     swResult result = swUploadFrame(gpuWorld, commands, frame);
-    result = result == SW_SUCCESS ? swUploadQueries(gpuWorld, frame) : result;
     if (result != SW_SUCCESS)
     {
         return result;
