@@ -14,10 +14,10 @@
 // Four lanes share a point. Each takes one column of a tile's window of 4 x 4 texels, so that the four read 64 bytes side
 // by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
 //
-// Measured on an H100, 100,000 points of a default sea: 187 us scattered over 10 km, 125 us on a grid of 0.5 m; points
-// take 2.6 evaluations after the first guess. Slower were: no first guess (228), lanes that take another point as soon as
-// theirs is done (194 with two points a lane, 210 with four), tiles in a storage buffer (6 more), all four weights along x
-// in every lane (13 more), and two tiles at a time (193).
+// Measured on an H100, 100,000 points of a default sea: 190 us scattered over 10 km, 125 to 175 us on a grid of 0.5 m;
+// points take 2.6 evaluations after the first guess. Slower were: no first guess (40 more), lanes that take another point
+// as soon as theirs is done (7 more with two points a lane, 10 with four), tiles in a storage buffer (6 more), all four
+// weights along x in every lane (8 more), two tiles at a time (6 more), and workgroups of 128 (4 more).
 
 #include "shared/query.h"
 #include "shared/spline.h"
