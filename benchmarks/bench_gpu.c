@@ -29,7 +29,7 @@ typedef struct Options
 {
     swDeviceChoice choice;
     int deviceIndex;
-    int frames, slices, resolution, tileResolution;
+    int frames, slices, resolution, tileResolution, queryPoints;
     bool json;
 } Options;
 
@@ -40,6 +40,8 @@ typedef struct Bench
     swWorld* world;
     swView* view;
     swGpuWorld* gpuWorld;
+    swPosXZ* points;
+    swGpuQuery* query; // while queries are measured
     uint64_t frameIndex;
     VkCommandPool pool;
     VkCommandBuffer commands[SLOTS];
@@ -261,6 +263,10 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
             swView_SetViewpoint(bench->view, (swPos){x, 2.0, 0.3 * x});
         }
         Check(swWorld_Step(bench->world, 1.0 / 60.0), "a step failed");
+        if (bench->query != NULL)
+        {
+            swGpuQuery_SetPoints(bench->query, bench->options.queryPoints, bench->points);
+        }
         int slot = (int)(bench->frameIndex % SLOTS);
         bool isCounted = i >= warmUp;
         CollectSlot(bench, slot, isCounted ? frame : NULL);
@@ -429,6 +435,98 @@ static Floor FloorOf(const Bench* bench, const char* pass)
                                          : FoamFloor(frame);
 }
 
+// Queries ------------------------------------------------------------------------------------------------------------
+
+// Points that other points are near, and points that are not.
+typedef struct QueryCase
+{
+    const char* name;
+    double side; // m, of the square that they are scattered over; below 0: a grid of points so far apart
+    uint32_t outputs;
+    bool readBack;
+} QueryCase;
+
+static const QueryCase queryCases[] = {
+    {"heights, scattered over 10 km", 1e4, 0, true},
+    {"heights, scattered over 1 km", 1e3, 0, true},
+    {"heights, a grid of 0.5 m", -0.5, 0, true},
+    {"everything, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true},
+    {"everything, scattered, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false},
+};
+#define QUERY_CASES (int)(sizeof(queryCases) / sizeof(queryCases[0]))
+
+typedef struct QueryTimes
+{
+    double pass;  // us, between timestamps around the dispatch
+    double frame; // us that a frame without a view takes longer: the pass, its copies and barriers
+} QueryTimes;
+
+static void PlacePoints(const QueryCase* what, int count, swPosXZ* points)
+{
+    int columns = (int)ceil(sqrt((double)count));
+    uint32_t seed = 12345;
+    for (int i = 0; i < count; ++i)
+    {
+        double place[2] = {-what->side * (i % columns), -what->side * (i / columns)};
+        for (int axis = 0; axis < 2 && what->side > 0.0; ++axis)
+        {
+            seed = seed * 1664525u + 1013904223u;
+            place[axis] = what->side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
+        }
+        points[i] = (swPosXZ){place[0], place[1]};
+    }
+}
+
+static QueryTimes MeasureQuery(Bench* bench, const QueryCase* what, double frameWithout)
+{
+    PlacePoints(what, bench->options.queryPoints, bench->points);
+    swGpuQueryDef def = swDefaultGpuQueryDef();
+    def.capacity = bench->options.queryPoints;
+    def.outputs = what->outputs;
+    def.readBack = what->readBack;
+    Check(swCreateGpuQuery(bench->gpuWorld, &def, &bench->query), "no query");
+    Series frame = {0};
+    Series passes[MAX_PASSES] = {0};
+    RunFrames(bench, NULL, &frame);
+    RunFrames(bench, passes, NULL);
+    QueryTimes times = {.frame = Median(&frame) - frameWithout};
+    for (int i = 0; i < MAX_PASSES; ++i)
+    {
+        if (passes[i].name != NULL && strcmp(passes[i].name, "surface_query") == 0)
+        {
+            times.pass = Median(&passes[i]);
+        }
+        free(passes[i].values);
+    }
+    free(frame.values);
+    swDestroyGpuQuery(bench->query);
+    bench->query = NULL;
+    return times;
+}
+
+// Of one evaluation of a point: 16 texels of 16 bytes a tile, which hardly any memory but caches serve, and 135
+// multiply-adds. A point needs two evaluations at least; the first guess is a part of one.
+static Floor QueryFloor(const Bench* bench, double evaluations)
+{
+    double tiles = swGetWorldFrame(bench->world)->tileCount;
+    double sum = evaluations * bench->options.queryPoints * tiles;
+    return (Floor){.bytes = sum * 256.0, .flops = sum * 270.0};
+}
+
+static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
+{
+    bench->points = malloc(sizeof(swPosXZ) * (size_t)bench->options.queryPoints);
+    if (bench->points == NULL)
+    {
+        Fail("no memory for points");
+    }
+    for (int i = 0; i < QUERY_CASES; ++i)
+    {
+        times[i] = MeasureQuery(bench, &queryCases[i], frameWithout);
+    }
+    free(bench->points);
+}
+
 // Report -------------------------------------------------------------------------------------------------------------
 
 typedef struct Report
@@ -438,6 +536,7 @@ typedef struct Report
     double waves;     // frame without a view: rows, columns, detail
     double frame;     // frame with the view
     Series passes[MAX_PASSES];
+    QueryTimes queries[QUERY_CASES];
 } Report;
 
 static void PrintTable(const Bench* bench, Report* report)
@@ -461,6 +560,19 @@ static void PrintTable(const Bench* bench, Report* report)
     printf("%-16s %10.2f\n\n", "sum", sum);
     printf("frame without a view (rows, columns, detail; 5 barriers): %.2f us\n", report->waves);
     printf("whole frame (5 passes, 5 barriers, no timestamps inside):  %.2f us\n", report->frame);
+    if (bench->options.queryPoints > 0)
+    {
+        Floor least = QueryFloor(bench, 2.0);
+        printf(
+            "\nqueries of %d points; two evaluations a point read %.0f MB of texels (%.0f us were they memory's) and "
+            "take %.0f Mflop\n%-36s %10s %14s\n",
+            bench->options.queryPoints, least.bytes * 1e-6, least.bytes / report->bandwidth, least.flops * 1e-6, "",
+            "pass us", "more frame us");
+    }
+    for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
+    {
+        printf("%-36s %10.2f %14.2f\n", queryCases[i].name, report->queries[i].pass, report->queries[i].frame);
+    }
 }
 
 static void PrintJson(const Bench* bench, Report* report)
@@ -481,6 +593,12 @@ static void PrintJson(const Bench* bench, Report* report)
                i > 0 ? "," : "", report->passes[i].name, time, least.bytes, least.bytes / report->bandwidth,
                least.flops);
     }
+    printf("],\n \"query_points\": %d, \"queries\": [", bench->options.queryPoints);
+    for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
+    {
+        printf("%s\n  {\"name\": \"%s\", \"time_us\": %.3f, \"more_frame_us\": %.3f}", i > 0 ? "," : "",
+               queryCases[i].name, report->queries[i].pass, report->queries[i].frame);
+    }
     printf("]}\n");
 }
 
@@ -489,8 +607,9 @@ static void PrintJson(const Bench* bench, Report* report)
 static void PrintUsage(void)
 {
     puts("seaway-bench-gpu [--device auto|gpu|software|INDEX] [--frames N] [--slices N] [--resolution N]\n"
-         "                 [--tile-resolution N] [--json]\n"
-         "Times each GPU pass of a default sea, beside the bytes, operations and barriers that it needs at least.");
+         "                 [--tile-resolution N] [--query-points N] [--json]\n"
+         "Times each GPU pass of a default sea and queries of its surface, beside the bytes, operations and barriers "
+         "that it needs at least.");
 }
 
 static int ParseNumber(const char* text, const char* option)
@@ -523,7 +642,7 @@ static void ParseDevice(const char* text, Options* options)
 
 static Options ParseOptions(int argc, char** argv)
 {
-    Options options = {.frames = 300, .slices = 7, .resolution = 384, .tileResolution = 128};
+    Options options = {.frames = 300, .slices = 7, .resolution = 384, .tileResolution = 128, .queryPoints = 100000};
     for (int i = 1; i < argc; ++i)
     {
         const char* value = i + 1 < argc ? argv[i + 1] : NULL;
@@ -534,7 +653,8 @@ static Options ParseOptions(int argc, char** argv)
         } numbers[] = {{"--frames", &options.frames},
                        {"--slices", &options.slices},
                        {"--resolution", &options.resolution},
-                       {"--tile-resolution", &options.tileResolution}};
+                       {"--tile-resolution", &options.tileResolution},
+                       {"--query-points", &options.queryPoints}};
         bool isKnown = false;
         for (size_t n = 0; n < sizeof(numbers) / sizeof(numbers[0]) && !isKnown; ++n)
         {
@@ -575,13 +695,17 @@ int main(int argc, char** argv)
 
     Series waves = {0}, frame = {0};
     RunFrames(&bench, NULL, &waves);
+    report.waves = Median(&waves);
+    if (bench.options.queryPoints > 0)
+    {
+        MeasureQueries(&bench, report.waves, report.queries);
+    }
     swViewDef viewDef = swDefaultViewDef();
     viewDef.sliceCount = bench.options.slices;
     viewDef.resolution = bench.options.resolution;
     Check(swCreateView(bench.world, &viewDef, &bench.view), "no view");
     RunFrames(&bench, NULL, &frame);
     RunFrames(&bench, report.passes, NULL);
-    report.waves = Median(&waves);
     report.frame = Median(&frame);
 
     if (bench.options.json)

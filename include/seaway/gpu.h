@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include "query.h"
 #include "view.h"
 #include "world.h"
 
@@ -99,6 +100,10 @@ SW_API int swGpu_GetValidationCount(const swGpu* gpu);
 /// Pipeline cache data to store; call with NULL for the size.
 SW_API swResult swGpu_GetPipelineCache(const swGpu* gpu, void* data, size_t* size);
 
+/// Say that the device is done with a frame and all before it: the host has seen its fence or its semaphore. Not needed,
+/// since recording frame n says it of frame n - framesInFlight, but it lets answers of queries arrive sooner.
+SW_API void swGpu_SetFinishedFrame(swGpu* gpu, uint64_t frameIndex);
+
 /// The GPU twin of a world: its spectra, tiles and the layers of its views.
 typedef struct swGpuWorld swGpuWorld;
 
@@ -114,7 +119,7 @@ SW_API void swDestroyGpuWorld(swGpuWorld* gpuWorld);
 /// @return SW_ERROR_NO_MEMORY or SW_ERROR_DEVICE when something new could not be allocated; nothing is recorded then
 SW_API swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex);
 
-/// Bytes of device memory in use.
+/// Bytes of device memory in use, queries included.
 SW_API size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld);
 
 /// Layers that can be read back.
@@ -129,6 +134,104 @@ typedef enum swLayer
 /// Read a slice's layer of the last recorded frame to the host. For tests and tools: submits to the device's queue and
 /// waits, so the recorded work must have been submitted. `texels` has room for resolution^2 * channels floats.
 SW_API swResult swGpuWorld_ReadLayer(swGpuWorld* gpuWorld, const swView* view, swLayer layer, int slice, float* texels);
+
+/// Points whose surface the GPU looks up in every frame: the twin of swWorld_QuerySurface() for many points that may wait
+/// a frame or two, or whose answers other shaders want. A few points at once are better asked of the core, which answers
+/// now. Use it on the thread that uses its swGpu.
+typedef struct swGpuQuery swGpuQuery;
+
+/// What is answered beside height and residual; the bits can be added.
+typedef enum swGpuQueryOutput
+{
+    SW_GPU_QUERY_SIDEWAYS = 1, ///< horizontal displacement of the particle that is there
+    SW_GPU_QUERY_NORMAL = 2    ///< normal and Jacobian
+} swGpuQueryOutput;
+
+/// Must be initialized with swDefaultGpuQueryDef().
+typedef struct swGpuQueryDef
+{
+    /// Most points. Range [1, 4194304]. Default 1024.
+    int capacity;
+
+    /// Bits of swGpuQueryOutput. Each costs memory and time of the bus. Default 0.
+    uint32_t outputs;
+
+    /// As in swQueryDef. minWavelength: m, default 0. tolerance: m, range [1e-5, inf), default 0.0005. maxIterations: range
+    /// [1, 64], default 24.
+    float minWavelength;
+    float tolerance;
+    int maxIterations;
+
+    /// Copy the answers to memory that the host can read. Default true; without it only shaders see them.
+    bool readBack;
+
+    /// Set by swDefaultGpuQueryDef().
+    int internalValue;
+} swGpuQueryDef;
+
+SW_API swGpuQueryDef swDefaultGpuQueryDef(void);
+
+/// A world may have any number of queries, made and destroyed at any time.
+/// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE, SW_ERROR_INVALID
+SW_API swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query);
+
+/// Frames in flight may still use it. What is left of them is destroyed with the swGpuWorld. NULL is allowed.
+SW_API void swDestroyGpuQuery(swGpuQuery* query);
+
+/// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each to 0.01 mm.
+/// How far the first is from the origin does not matter; the others are best within 1,000 km of it. No points: the query
+/// rests.
+SW_API void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points);
+
+/// Points that are on the GPU already: `count` pairs of floats (x, z), m from `origin`, at byte `offset` (a multiple of 8)
+/// of a storage buffer of the host's. The host makes what it writes there visible to compute shaders' storage reads
+/// before swGpuWorld_Record()'s commands, and keeps the buffer until the query has other points and frames that used it are
+/// done. A float's own spacing is all that is lost: 0.1 mm at 1 km from `origin`.
+SW_API void swGpuQuery_SetPointBuffer(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset,
+                                      swPosXZ origin);
+
+/// Of one point.
+typedef struct swGpuHeight
+{
+    float height;   ///< of the water, above sea level, m
+    float residual; ///< as in swSurfaceSamples, m; converged if within the tolerance
+} swGpuHeight;
+
+/// The newest answers that have arrived. Pointers are valid until the next swGpuWorld_Record().
+typedef struct swGpuQueryResults
+{
+    uint64_t frameIndex;    ///< the frame that they were recorded in
+    double time;            ///< of the world then, s
+    double seaLevel;        ///< of the world then, m
+    uint32_t pointsVersion; ///< how often points had been set then: which points these are
+    int count;
+    float tolerance; ///< of the query, m
+    const swGpuHeight* heights;
+    const swVec2* sideways; ///< x and z of displacement, m (y is the height). NULL unless asked for
+    const swVec4* normals;  ///< unit normal, and the Jacobian in w. NULL unless asked for
+} swGpuQueryResults;
+
+/// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says so.
+/// Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the first,
+/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. In a fold, where the water is above
+/// a point more than once, it may be another of the particles there.
+/// @return false while none have arrived
+SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
+
+/// Write results where swWorld_QuerySurface() would: heights include sea level. Arrays of `samples` for which the query
+/// has no output, and velocity and acceleration, must be NULL. `stats` may be NULL; its iterationCount is 0.
+SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples,
+                                     swQueryStats* stats);
+
+/// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any descriptor:
+/// vec2 heights[] (height, residual), vec2 sideways[], vec4 normals[] (w: Jacobian). An offset without an output is 0.
+/// swGpuWorld_Record() leaves them visible to vertex, fragment and compute shaders of the same queue.
+typedef struct swGpuQueryBuffer
+{
+    VkBuffer buffer;
+    VkDeviceSize heights, sideways, normals;
+} swGpuQueryBuffer;
+SW_API swGpuQueryBuffer swGpuQuery_GetBuffer(const swGpuQuery* query);
 
 /// Time of each pass in the latest frame whose timestamps arrived, ms; names are those of passes.inl and of the
 /// renderer's stages.

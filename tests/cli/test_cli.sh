@@ -124,8 +124,12 @@ test_query() {
     run 2 query "$sea" --time 1:0:1
     run 2 query "$sea" --time soon
     err 'T or A:B:STEP'
-    run 2 query "$sea" --backend gpu
-    err 'not in this version'
+    run 0 query "$sea" --points points.csv --time 3 --backend gpu
+    paste -d, first out | awk -F, 'NR > 1 { for (i = 4; i <= 7; ++i) { d = $i - $(i + 12); if (d * d > 4e-6) exit 1 } }' ||
+        fail "the GPU gives other answers"
+    [ "$(wc -l <out)" -eq 3 ] || fail "the GPU gives two points other than three lines"
+    run 2 query "$sea" --points points.csv --backend gpu --device 99
+    err 'seaway devices'
     [ ! -e /dev/full ] || {
         "$seaway" query "$sea" --points points.csv >/dev/full 2>err
         [ $? -eq 1 ] || fail "a full disk is not exit code 1"

@@ -93,7 +93,7 @@ static void APipelineCacheComesBackAndADamagedOneIsIgnored(void** state)
     free(cache);
 }
 
-// Create a device, a world on it with waves and a view, and record a frame. True if all of it succeeded.
+// Create a device, a world on it with waves, a view and a query, and record a frame. True if all of it succeeded.
 static bool RunEverything(const swHost* host, const swWorld* world)
 {
     swGpuDef def = PlainDef();
@@ -104,6 +104,13 @@ static bool RunEverything(const swHost* host, const swWorld* world)
     }
     swGpuWorld* gpuWorld = NULL;
     bool isGood = swCreateGpuWorld(gpu, world, &gpuWorld) == SW_SUCCESS;
+    swGpuQueryDef queryDef = swDefaultGpuQueryDef();
+    swGpuQuery* query = NULL;
+    isGood = isGood && swCreateGpuQuery(gpuWorld, &queryDef, &query) == SW_SUCCESS;
+    if (isGood)
+    {
+        swGpuQuery_SetPoints(query, 1, &(swPosXZ){0.0, 0.0});
+    }
     VkCommandBuffer commands = VK_NULL_HANDLE;
     if (isGood && swBeginSubmit(gpu, &commands) == SW_SUCCESS)
     {
@@ -150,6 +157,10 @@ static void PassTimesHaveTheNamesOfThePasses(void** state)
     swWaveSystemDef sea = swDefaultWaveSystemDef();
     AddParitySea(&parity, &sea);
     AddParityView(&parity, 2, 64, (swPos){0.0, 2.0, 0.0});
+    swGpuQueryDef queryDef = swDefaultGpuQueryDef();
+    swGpuQuery* query = NULL; // the pass is there with the first query
+    assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
+    swGpuQuery_SetPoints(query, 1, &(swPosXZ){0.0, 0.0});
     for (int i = 0; i < 4; ++i)
     {
         StepParity(&parity, 0.1);

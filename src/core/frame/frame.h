@@ -171,6 +171,8 @@ SW_SEAM_BEGIN
 // The frame of the last step. Implemented by world/.
 const swFrame* swGetWorldFrame(const swWorld* world);
 const swHost* swGetWorldHost(const swWorld* world);
+// Of the host's coordinates, in the sea.
+swPosXZ swGetWorldOrigin(const swWorld* world);
 
 // Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_FOAM_SOURCES sources.
 void swFindFoamSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,

@@ -5,4 +5,5 @@ SW_PASS(WAVES_ROWS, waves_rows, "Spectra at this time, and the FFT's first axis"
 SW_PASS(WAVES_COLUMNS, waves_columns, "The FFT's second axis: tiles of spline coefficients")
 SW_PASS(DETAIL, detail, "Slopes of each tile with mips, for shading")
 SW_PASS(SLICES, slices, "Displacement and derivatives of all slices")
+SW_PASS(SURFACE_QUERY, surface_query, "Surface at the points of queries")
 SW_PASS(FOAM, foam, "Foam of all slices")

@@ -67,3 +67,8 @@ const swHost* swGetWorldHost(const swWorld* world)
 {
     return &world->host;
 }
+
+swPosXZ swGetWorldOrigin(const swWorld* world)
+{
+    return world->origin;
+}

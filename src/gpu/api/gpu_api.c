@@ -107,6 +107,16 @@ swResult swGpu_GetPipelineCache(const swGpu* gpu, void* data, size_t* size)
     return swCheckVk(gpu, result, "reading the pipeline cache");
 }
 
+void swGpu_SetFinishedFrame(swGpu* gpu, uint64_t frameIndex)
+{
+    SW_ASSERT(gpu != NULL);
+    if (gpu != NULL)
+    {
+        gpu->finishedFrame = gpu->hasFinished && gpu->finishedFrame > frameIndex ? gpu->finishedFrame : frameIndex;
+        gpu->hasFinished = true;
+    }
+}
+
 swResult swCreateGpuWorld(swGpu* gpu, const swWorld* world, swGpuWorld** gpuWorld)
 {
     SW_ASSERT(gpu != NULL && world != NULL && gpuWorld != NULL);
@@ -141,6 +151,10 @@ size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld)
         const swGpuView* view = &gpuWorld->views[i];
         bytes += (size_t)(view->displacement.memory.size + view->derivatives.memory.size + view->foam[0].memory.size +
                           view->foam[1].memory.size);
+    }
+    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        bytes += swGetQueryMemory(query);
     }
     return bytes;
 }

@@ -10,6 +10,7 @@
 #include "gpu/vk/vk_device.h"
 #include "gpu/vk/vk_pipeline.h"
 #include "shared/limits.h"
+#include "shared/query.h"
 #include "shared/waves.h"
 
 // Side of the detail layers, texels: the largest tile resolution, kept within these.
@@ -42,6 +43,50 @@ typedef struct swGpuView
     bool foamMoves;       // the foam pass has something to do
 } swGpuView;
 
+// What a frame leaves of a query, and the points that it was asked. There is one slot more than frames in flight, so that
+// the newest that has arrived can be read while all others are on their way.
+#define SW_QUERY_SLOTS (SW_MAX_FRAMES_IN_FLIGHT + 1)
+typedef struct swGpuQuerySlot
+{
+    bool isRecorded;
+    uint64_t frameIndex;
+    double time;
+    double seaLevel;
+    uint32_t pointsVersion;
+    int count;
+} swGpuQuerySlot;
+
+struct swGpuQuery
+{
+    swGpuWorld* gpuWorld;
+    swGpuQuery *previous, *next; // in the world's list
+    swGpuQueryDef def;
+    int slotCount;
+
+    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own.
+    int count;
+    uint32_t pointsVersion;
+    swPosXZ origin; // of cells, or of the floats, in the host's coordinates
+    swBuffer points;
+    int pointSlot;
+    bool isPointSlotUsed; // a recorded frame reads it
+    VkBuffer hostPoints;  // null: `points`
+    VkDeviceSize hostOffset;
+
+    // Answers: planes of `capacity` elements, see swGpuQueryBuffer.
+    swBuffer answers;
+    swGpuQueryBuffer planes;
+    VkDeviceSize answerSize; // of all planes
+    swBuffer copies;         // of the answers, for each slot; none unless def.readBack
+    int answerSlot;          // of the last recorded frame
+    swGpuQuerySlot slots[SW_QUERY_SLOTS];
+
+    // Set by each swGpuWorld_Record(), valid for this frame.
+    swUpload tiles; // swQueryTile[]
+    swUpload waves; // swQueryWave[]
+    swQueryParams params;
+};
+
 // Pipelines of the passes, by log2(resolution) - 4 where a tile's resolution is built in.
 #define SW_TILE_SIZES 6
 typedef struct swPasses
@@ -51,6 +96,7 @@ typedef struct swPasses
     swPipeline detail;
     swPipeline slices;
     swPipeline foam;
+    swPipeline surfaceQuery; // made with the first query
 } swPasses;
 
 struct swGpuWorld
@@ -84,6 +130,7 @@ struct swGpuWorld
     uint32_t groupFirst[SW_TILE_SIZES]; // of each resolution, in order
     uint32_t groupCount[SW_TILE_SIZES];
     swGpuView views[SW_MAX_VIEWS];
+    swGpuQuery* firstQuery;
 };
 
 // The layers of a view, or NULL if it was not recorded.

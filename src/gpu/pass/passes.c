@@ -11,6 +11,7 @@ void swDestroyPasses(swGpu* gpu, swPasses* passes)
     swDestroyPipeline(gpu, &passes->detail);
     swDestroyPipeline(gpu, &passes->slices);
     swDestroyPipeline(gpu, &passes->foam);
+    swDestroyPipeline(gpu, &passes->surfaceQuery);
 }
 
 const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view)

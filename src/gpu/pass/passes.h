@@ -12,6 +12,7 @@ swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes);
 swResult swCreateDetail(swGpu* gpu, swPasses* passes);
 swResult swCreateSlices(swGpu* gpu, swPasses* passes);
 swResult swCreateFoam(swGpu* gpu, swPasses* passes);
+swResult swCreateSurfaceQuery(swGpu* gpu, swPasses* passes); // a second call does nothing
 void swDestroyPasses(swGpu* gpu, swPasses* passes);
 
 void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
@@ -19,6 +20,7 @@ void swRecordWavesColumns(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordDetail(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 
 // log2(resolution) - 4: the index of a tile resolution's pipelines.
 static inline int swTileSizeIndex(int resolution)

@@ -3,6 +3,7 @@ target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_surface_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_waves_columns.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_waves_rows.c
     ${CMAKE_CURRENT_LIST_DIR}/passes.c)
@@ -11,4 +12,5 @@ list(APPEND SW_SHADERS
     waves/waves_columns.comp
     waves/detail.comp
     sim/slices.comp
-    sim/foam.comp)
+    sim/foam.comp
+    query/surface_query.comp)

@@ -60,6 +60,10 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld)
         return;
     }
     swGpu* gpu = gpuWorld->gpu;
+    while (gpuWorld->firstQuery != NULL)
+    {
+        swFreeGpuQuery(gpuWorld->firstQuery);
+    }
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         swGpuView* view = &gpuWorld->views[i];
@@ -104,7 +108,8 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     swGpu* gpu = gpuWorld->gpu;
     swBeginGpuFrame(gpu, commands, frameIndex);
     waitForFrameBefore(gpu, commands);
-    swResult result = swUploadFrame(gpuWorld, commands, swGetWorldFrame(gpuWorld->world));
+    const swFrame* frame = swGetWorldFrame(gpuWorld->world);
+    swResult result = swUploadFrame(gpuWorld, commands, frame);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -118,8 +123,10 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     swComputeBarrier(gpu, commands);
     swRecordDetail(gpuWorld, commands); // beside the slices: both read tiles only
     swRecordSlices(gpuWorld, commands);
+    swRecordSurfaceQuery(gpuWorld, commands); // likewise
     swComputeBarrier(gpu, commands);
     swRecordFoam(gpuWorld, commands);
+    swRecordQueryCopies(gpuWorld, commands, frame);
     showToDrawing(gpu, commands);
     return SW_SUCCESS;
 }

@@ -14,6 +14,21 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
 // Bring buffers, images and this frame's parameters up to the frame. Records copies of what changed.
 swResult swUploadFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame);
 
+// Queries of a world; see gpu_query.c.
+swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query);
+void swFreeGpuQuery(swGpuQuery* query);
+void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points);
+void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin);
+// This frame's parameters of all queries. Nothing is recorded.
+swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame);
+// After the query pass: copy answers to where the host reads them, and stamp them.
+void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame);
+// The newest slot whose frame is known to be done, or NULL.
+const swGpuQuerySlot* swFindQueryAnswers(const swGpuQuery* query);
+void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swGpuQueryResults* results);
+void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats);
+size_t swGetQueryMemory(const swGpuQuery* query);
+
 // Copy one slice of a layer to the host; waits.
 swResult swReadLayer(swGpuWorld* gpuWorld, const swGpuView* view, swLayer layer, int slice, float* texels);
 // Copy one mip of one tile's detail to the host, 4 floats a texel; waits. For tests.

@@ -538,6 +538,7 @@ swResult swUploadFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swF
         result = result == SW_SUCCESS ? uploadSlices(gpuWorld, frame, &frame->views[i], views[i]) : result;
         result = result == SW_SUCCESS ? uploadFoam(gpuWorld, frame, &frame->views[i], views[i]) : result;
     }
+    result = result == SW_SUCCESS ? swUploadQueries(gpuWorld, frame) : result;
     for (int i = 0; i < frame->viewCount && result == SW_SUCCESS; ++i)
     {
         commitFoam(&frame->views[i], views[i]);

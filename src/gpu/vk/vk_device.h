@@ -65,6 +65,8 @@ struct swGpu
     bool hasFrame;       // a frame was begun
     uint64_t frameIndex; // of the frame being recorded
     int frameSlot;       // frameIndex % framesInFlight
+    bool hasFinished;    // the host said that a frame is done
+    uint64_t finishedFrame;
     swUploadRing uploads[SW_MAX_FRAMES_IN_FLIGHT];
     swPassTimer timer;
     int retiredCount, retiredCapacity;
