@@ -23,6 +23,7 @@
 #define MAX_FREQUENCIES 1025
 #define MAX_DIRECTIONS 720
 #define MAX_PLACES 1000000
+#define MAX_SPECTRA 4000000
 #define DEGREE (SW_PI / 180.0)
 
 typedef enum Role
@@ -133,6 +134,10 @@ static swResult findDimensions(Reader* reader)
             return fail(reader, "it holds no place, or more than 1000000 of them.");
         }
         reader->placeCount *= reader->lengths[i];
+    }
+    if (reader->timeAt >= 0 && reader->lengths[reader->timeAt] > MAX_SPECTRA / reader->placeCount)
+    {
+        return fail(reader, "it holds more than 4000000 spectra; cut it in time or space.");
     }
     bool isWhole = reader->frequencyAt >= 0 && reader->directionAt >= 0;
     size_t frequencies = isWhole ? reader->lengths[reader->frequencyAt] : 0;
