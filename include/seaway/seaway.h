@@ -9,6 +9,7 @@
 #include "math.h"
 #include "measured.h"
 #include "query.h"
+#include "replay.h"
 #include "sea.h"
 #include "spectrum.h"
 #include "view.h"

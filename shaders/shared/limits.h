@@ -16,17 +16,11 @@
 // Texels of a slice that one workgroup makes: a thread owns a run of SW_SLICE_RUN (4) texels along z. See slices.comp.
 #define SW_SLICE_WIDTH 64
 #define SW_SLICE_RUN 4
-#define SW_SLICE_RUNS 4
-#define SW_SLICE_HEIGHT 16
+#define SW_SLICE_RUNS 2
+#define SW_SLICE_HEIGHT 8
 // Tiles whose weights along z are in shared memory at once, and tile rows that a run may touch.
-#define SW_SLICE_BATCH 8
+#define SW_SLICE_BATCH 16
 #define SW_SLICE_ROWS 8
-// Long tiles: shortest wave in texels of the slice, most samples a texel, and how many are in shared memory at once with
-// how many columns each: SW_SLICE_WIDTH times that many samples, and four.
-#define SW_SLICE_LONG_WAVE 64.0f
-#define SW_SLICE_LONG_STEP 0.125f
-#define SW_SLICE_LONG_BATCH 8
-#define SW_SLICE_LONG_COLUMNS 12
 
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32

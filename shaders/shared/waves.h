@@ -57,20 +57,15 @@ SW_PARAMS(swSliceWave)
 };
 SW_PARAMS_SIZE(swSliceWave, 48);
 
-// The waves of a slice: tiles[first .. first + count), of which the last longCount are long, see slices.comp; and
-// waves[firstWave .. firstWave + waveCount), of which the first longWaveCount are long.
+// The waves of a slice: tiles[first .. first + count) and waves[firstWave .. firstWave + waveCount).
 SW_PARAMS(swSliceList)
 {
     sw_uint first;
     sw_uint count;
-    sw_uint longCount;
     sw_uint firstWave;
     sw_uint waveCount;
-    sw_uint longWaveCount;
-    float nodeSide; // four texels, m
-    float unused0;
 };
-SW_PARAMS_SIZE(swSliceList, 32);
+SW_PARAMS_SIZE(swSliceList, 16);
 
 // Foam of one slice over one frame; see foam.h.
 SW_PARAMS(swFoamSliceParams)

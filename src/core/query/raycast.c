@@ -116,7 +116,7 @@ static float makeGap(const swQuery* query, const March* march, const Look* look)
 // The surface below each march's next look.
 static void lookAtOnce(const swQuery* query, int count, March* const* marches, Look* looks)
 {
-    swPosXZ places[SW_QUERY_BLOCK];
+    swPosXZ places[SW_QUERY_BLOCK] = {{0.0, 0.0}}; // compilers do not see that count is not 0
     bool needsNormals = false;
     for (int i = 0; i < count; ++i)
     {

@@ -239,6 +239,18 @@ static swResult replaceLayers(swWorld* world, int slot, swWaveSet* set)
     return SW_SUCCESS;
 }
 
+swResult swShowSet(swWorld* world, swWaveSystem* system, swWaveSet* set)
+{
+    return replaceLayers(world, (int)(system - world->systems), set);
+}
+
+void swShareLayer(swWaveSystem* system, float share)
+{
+    swWaveLayer* layer = &system->layers[system->layerCount - 1];
+    layer->share = makeConstant(share);
+    layer->isShared = layer->set->mix != NULL;
+}
+
 static swResult changeWaves(swWorld* world, int slot, swWaveSet* set, double seconds)
 {
     if (seconds == 0.0)
@@ -292,6 +304,13 @@ static void finishMix(swWorld* world, swWaveLayer* layer)
     swReleaseSet(world, mix);
 }
 
+static void shareMix(swWorld* world, swWaveLayer* layer)
+{
+    swShareMix(layer->set, swGetRamp(&layer->share, world->frame.ticks));
+    world->version += 1;
+    layer->set->version = world->version;
+}
+
 static void advanceMix(swWorld* world, swWaveLayer* layer)
 {
     int64_t ticks = world->frame.ticks;
@@ -300,9 +319,7 @@ static void advanceMix(swWorld* world, swWaveLayer* layer)
         finishMix(world, layer);
         return;
     }
-    swShareMix(layer->set, swGetRamp(&layer->share, ticks));
-    world->version += 1;
-    layer->set->version = world->version;
+    shareMix(world, layer);
 }
 
 static void advanceSystem(swWorld* world, swWaveSystem* system)
@@ -315,6 +332,10 @@ static void advanceSystem(swWorld* world, swWaveSystem* system)
         if (layer->isMixing)
         {
             advanceMix(world, layer);
+        }
+        else if (layer->isShared)
+        {
+            shareMix(world, layer);
         }
         bool isGone = i == gone && i + 1 < system->layerCount && layer->fade.to == 0.0f &&
                       getProgress(&layer->fade, ticks) >= 1.0;

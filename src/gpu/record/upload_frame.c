@@ -371,21 +371,14 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
     return out;
 }
 
-// Whether a tile's waves and samples are long against the slice's texels, see slices.comp.
-static bool isLongTile(const swSlice* slice, const swTile* tile)
-{
-    return tile->minWavelength >= SW_SLICE_LONG_WAVE * (float)slice->texel &&
-           slice->texel * tile->resolution <= (double)SW_SLICE_LONG_STEP * tile->side;
-}
-
-// Tiles that are long, or those that are not. Everything is written once, in order: uploads are slow to read.
-static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice, bool isLong,
+// Everything is written once, in order: uploads are slow to read.
+static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice,
                                swSliceTile* tiles)
 {
     uint32_t count = 0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
-        if (frame->tiles[i].minWavelength < slice->minWavelength || isLongTile(slice, &frame->tiles[i]) != isLong)
+        if (frame->tiles[i].minWavelength < slice->minWavelength)
         {
             continue;
         }
@@ -431,8 +424,6 @@ static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWa
     for (int i = 0; i < frame->waveCount && frame->waves[i].wavelength >= slice->minWavelength; ++i)
     {
         waves[list->waveCount++] = makeSliceWave(slice, &frame->waves[i], frame->ticks);
-        bool isLong = frame->waves[i].wavelength >= SW_SLICE_LONG_WAVE * (float)slice->texel;
-        list->longWaveCount += isLong ? 1 : 0;
     }
 }
 
@@ -457,11 +448,8 @@ static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const s
         swSliceList* list = &lists[i];
         swSliceTile* tiles = (swSliceTile*)view->sliceTiles.data + tileCount;
         list->first = tileCount;
-        list->count = fillSliceTiles(gpuWorld, frame, slice, false, tiles);
-        list->longCount = fillSliceTiles(gpuWorld, frame, slice, true, tiles + list->count);
-        list->count += list->longCount;
+        list->count = fillSliceTiles(gpuWorld, frame, slice, tiles);
         list->firstWave = waveCount;
-        list->nodeSide = (float)(4.0 * slice->texel);
         fillSliceWaves(frame, slice, (swSliceWave*)view->sliceWaves.data + waveCount, list);
         tileCount += list->count;
         waveCount += list->waveCount;
