@@ -48,8 +48,10 @@ SW_PARAMS(swSliceList)
 {
     sw_uint first;
     sw_uint count;
+    float texelsPerMetre;
+    sw_uint unused0;
 };
-SW_PARAMS_SIZE(swSliceList, 8);
+SW_PARAMS_SIZE(swSliceList, 16);
 
 // Foam of one slice over one frame; see foam.h.
 SW_PARAMS(swFoamSliceParams)

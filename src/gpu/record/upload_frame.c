@@ -409,6 +409,7 @@ static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const s
         lists[i].first = count;
         lists[i].count =
             fillSliceTiles(gpuWorld, frame, &viewFrame->slices[i], (swSliceTile*)view->sliceTiles.data + count);
+        lists[i].texelsPerMetre = (float)(1.0 / viewFrame->slices[i].texel);
         count += lists[i].count;
     }
     return swUploadData(gpu, lists, sizeof(lists), &view->sliceLists);
