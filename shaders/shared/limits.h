@@ -13,12 +13,14 @@
 // Columns that one workgroup of the FFT's second axis transforms, see waves_columns.comp.
 #define SW_COLUMN_BLOCK 4
 
-// Texels of a slice that one workgroup makes: a thread owns a run of SW_SLICE_RUN (4) texels along z. See slices.comp.
-#define SW_SLICE_WIDTH 64
+// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_RUNS runs of SW_SLICE_RUN (4) texels along
+// z. See slices.comp.
+#define SW_SLICE_WIDTH 128
 #define SW_SLICE_RUN 4
 #define SW_SLICE_RUNS 2
 #define SW_SLICE_HEIGHT 8
-// Tiles whose weights along z are in shared memory at once, and tile rows that a run may touch.
+// Tiles whose weights along z are in shared memory at once (at most 32, the bits of a mask), and tile rows that a run may
+// touch.
 #define SW_SLICE_BATCH 16
 #define SW_SLICE_ROWS 8
 

@@ -64,8 +64,10 @@ SW_PARAMS(swSliceList)
     sw_uint count;
     sw_uint firstWave;
     sw_uint waveCount;
+    float texelsPerMetre;
+    sw_uint unused0, unused1, unused2;
 };
-SW_PARAMS_SIZE(swSliceList, 16);
+SW_PARAMS_SIZE(swSliceList, 32);
 
 // Foam of one slice over one frame; see foam.h.
 SW_PARAMS(swFoamSliceParams)

@@ -41,7 +41,7 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
         };
         uint32_t resolution = (uint32_t)view->resolution;
         swBindPipeline(gpu, commands, &gpuWorld->passes.slices, bindings, NULL);
-        gpu->vk.CmdDispatch(commands, resolution / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
+        gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
                             (uint32_t)view->sliceCount);
     }
     swEndPass(gpu, commands);

@@ -453,6 +453,7 @@ static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const s
         fillSliceWaves(frame, slice, (swSliceWave*)view->sliceWaves.data + waveCount, list);
         tileCount += list->count;
         waveCount += list->waveCount;
+        list->texelsPerMetre = (float)(1.0 / slice->texel);
     }
     return swUploadData(gpu, lists, sizeof(lists), &view->sliceLists);
 }
