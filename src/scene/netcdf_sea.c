@@ -19,6 +19,7 @@
 #include "core/base/host.h"
 #include "scene/measured_formats.h"
 #include "scene/netcdf_file.h"
+#include "scene/netcdf_header.h"
 
 #define MAX_FREQUENCIES 1025
 #define MAX_DIRECTIONS 720
@@ -545,6 +546,11 @@ static swResult read(Reader* reader)
 swResult swReadNetcdfSea(const swHost* host, const char* path, swMeasuredSea** sea)
 {
     *sea = NULL;
+    swResult checked = swCheckNetcdfFile(host, path);
+    if (checked != SW_SUCCESS)
+    {
+        return checked;
+    }
     Reader* reader = swAllocateZero(host, sizeof(*reader));
     if (reader == NULL)
     {
