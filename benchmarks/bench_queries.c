@@ -31,11 +31,11 @@ typedef enum Question
     QUESTION_HEIGHTS_AND_NORMALS,
     QUESTION_PARTICLES,
     QUESTION_PARTICLES_AND_NORMALS,
-    QUESTION_HEIGHTS_4M,     // waves of 4 m and more
-    QUESTION_MOTION,         // velocities from texels
-    QUESTION_ANOTHER_TIME,   // wave by wave
-    QUESTION_BELOW,          // velocity and pressure 5 m below still water
-    QUESTION_RAYS,           // 45 degrees down from 20 m above
+    QUESTION_HEIGHTS_4M,   // waves of 4 m and more
+    QUESTION_MOTION,       // velocities from texels
+    QUESTION_ANOTHER_TIME, // wave by wave
+    QUESTION_BELOW,        // velocity and pressure 5 m below still water
+    QUESTION_RAYS,         // 45 degrees down from 20 m above
     QUESTION_COUNT
 } Question;
 
@@ -149,9 +149,15 @@ static int CountBands(const Scenario* scenario)
 
 static void Measure(const Scenario* scenario, const char* name, Question question, double side, Answers* answers)
 {
-    static const char* const names[QUESTION_COUNT] = {
-        "heights", "heights_and_normals", "particles",       "particles_and_normals",
-        "heights_4m", "heights_and_velocities", "heights_another_time", "motion_5m_below", "rays"};
+    static const char* const names[QUESTION_COUNT] = {"heights",
+                                                      "heights_and_normals",
+                                                      "particles",
+                                                      "particles_and_normals",
+                                                      "heights_4m",
+                                                      "heights_and_velocities",
+                                                      "heights_another_time",
+                                                      "motion_5m_below",
+                                                      "rays"};
     double seconds[ROUNDS];
     swQueryStats stats;
     Scatter(answers, side);

@@ -49,9 +49,9 @@ SW_PARAMS(swSliceWave)
 {
     sw_uint phase;
     sw_uint stepX, stepZ;
-    float amplitude; // m
-    float dx, dz;    // chop k / |k|
-    float kx, kz;    // rad/m
+    float amplitude;  // m
+    float dx, dz;     // chop k / |k|
+    float kx, kz;     // rad/m
     float cosZ, sinZ; // of stepZ
     float unused0, unused1;
 };

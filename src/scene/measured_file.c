@@ -14,7 +14,7 @@
 #include "seaway/scene.h"
 
 #define MAX_PATH_LENGTH 1024
-#define START_SIZE 8                     // of a netCDF file, enough to know it
+#define START_SIZE 8                      // of a netCDF file, enough to know it
 #define MAX_FILE_SIZE ((size_t)512 << 20) // a year of hourly records has 5 MB as moments, 180 MB by direction
 
 enum

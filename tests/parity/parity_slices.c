@@ -96,6 +96,52 @@ static void TwoSystemsAgreeAfterAMonth(void** state)
     FreeParity(&parity);
 }
 
+static void FreeWavesAgree(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef sea = Breeze();
+    sea.method = SW_WAVES_GERSTNER;
+    AddParitySea(&parity, &sea);
+    AddParityView(&parity, 5, 128, (swPos){-55.0, 8.0, 1e4});
+    StepParity(&parity, 3.0);
+    CheckSlices(&parity, "106 free waves");
+    swWaveSystemDef tiles = Breeze();
+    tiles.spectrum.direction = 2.0f;
+    tiles.spectrum.depth = 20.0f;
+    AddParitySea(&parity, &tiles);
+    swView_SetViewpoint(parity.view, (swPos){1.0e6 + 0.3, 40.0, -1.0e6 - 0.7});
+    swWorld_SetTime(parity.world, 30.0 * 86400.0);
+    StepParity(&parity, 0.0);
+    CheckSlices(&parity, "free waves and tiles, 1,000 km out after 30 days");
+    FreeParity(&parity);
+}
+
+// Mixes and cross-fades change modes and tiles from frame to frame.
+static void ASeaThatChangesAgrees(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef sea = Breeze();
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(parity.world, &sea, &id), SW_SUCCESS);
+    AddParityView(&parity, 3, 128, (swPos){5.0, 8.0, 5.0});
+    StepParity(&parity, 1.0);
+    sea.spectrum.windSpeed = 14.0f;
+    assert_int_equal(swWaveSystem_Set(parity.world, id, &sea, 1.0), SW_SUCCESS);
+    for (int i = 0; i < 3; ++i)
+    {
+        StepParity(&parity, 0.4);
+        CheckSlices(&parity, "turning into a gale");
+    }
+    sea.seed = 9;
+    assert_int_equal(swWaveSystem_Set(parity.world, id, &sea, 1.0), SW_SUCCESS);
+    for (int i = 0; i < 3; ++i)
+    {
+        StepParity(&parity, 0.4);
+        CheckSlices(&parity, "another seed");
+    }
+    FreeParity(&parity);
+}
+
 static void WaterWithoutWavesIsFlat(void** state)
 {
     Parity parity = MakeParity(state);
@@ -156,7 +202,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ADefaultViewAgrees),         cmocka_unit_test(ViewersEverywhereAgree),
-        cmocka_unit_test(TwoSystemsAgreeAfterAMonth), cmocka_unit_test(WaterWithoutWavesIsFlat),
+        cmocka_unit_test(TwoSystemsAgreeAfterAMonth), cmocka_unit_test(FreeWavesAgree),
+        cmocka_unit_test(ASeaThatChangesAgrees),      cmocka_unit_test(WaterWithoutWavesIsFlat),
         cmocka_unit_test(SlicesFollowAMovingViewer),  cmocka_unit_test(ViewsComeAndGo),
     };
     return cmocka_run_group_tests_name("slices: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);

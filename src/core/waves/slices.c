@@ -2,6 +2,7 @@
 #include "core/waves/slices.h"
 
 #include "core/base/host.h"
+#include "core/waves/waves_sum.h"
 #include "shared/surface_normal.h"
 
 // Texels sampled at once: keeps points and results in the first-level cache.
@@ -14,6 +15,9 @@ typedef struct swSliceJob
     int resolution;
     int tileCount;
     swTile tiles[SW_MAX_TILES];
+    int64_t ticks;
+    int waveCount;
+    const swFreeWave* waves;
     float* displacement;
     float* derivatives;
 } swSliceJob;
@@ -31,6 +35,36 @@ int swSelectSliceTiles(const swFrame* frame, float minWavelength, swTile* out)
     return count;
 }
 
+// Free waves, added to what tiles gave.
+static void addFreeWaves(const swSliceJob* job, int count, const swPosXZ* points, float* displacement,
+                         float (*gradients)[8])
+{
+    if (job->waveCount == 0)
+    {
+        return;
+    }
+    const swSurfaceSums sums = {.displacement = (float(*)[4])displacement, .gradients = gradients};
+    const swWaveSumJob sum = {
+        .waveCount = job->waveCount,
+        .waves = job->waves,
+        .ticks = job->ticks,
+        .count = count,
+        .points = points,
+        .surface = &sums,
+    };
+    swSumWaves(job->kernels, &sum);
+}
+
+static int countLongWaves(const swFrame* frame, float minWavelength)
+{
+    int count = 0;
+    while (count < frame->waveCount && frame->waves[count].wavelength >= minWavelength)
+    {
+        count += 1;
+    }
+    return count;
+}
+
 static void sampleBlock(const swSliceJob* job, int row, int column, int count)
 {
     const swSlice* slice = job->slice;
@@ -43,6 +77,7 @@ static void sampleBlock(const swSliceJob* job, int row, int column, int count)
     }
     size_t first = ((size_t)row * (size_t)job->resolution + (size_t)column) * 4;
     swSampleTiles(job->kernels, job->tileCount, job->tiles, count, points, job->displacement + first, gradients[0]);
+    addFreeWaves(job, count, points, job->displacement + first, gradients);
     float* derivatives = job->derivatives + first;
     for (int i = 0; i < count; ++i)
     {
@@ -78,6 +113,9 @@ void swSampleSlices(const swHost* host, const swWaveKernels* kernels, const swFr
             .kernels = kernels,
             .slice = &view->slices[i],
             .resolution = view->resolution,
+            .ticks = frame->ticks,
+            .waveCount = countLongWaves(frame, view->slices[i].minWavelength),
+            .waves = frame->waves,
             .displacement = displacement + (size_t)i * sliceSize,
             .derivatives = derivatives + (size_t)i * sliceSize,
         };

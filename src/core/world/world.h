@@ -63,8 +63,8 @@ typedef struct swRamp
 typedef struct swWaveLayer
 {
     swWaveSet* set;
-    swRamp fade;  // weight, along a quarter of a sine so that energy stays
-    swRamp share; // of a mix
+    swRamp fade;   // weight, along a quarter of a sine so that energy stays
+    swRamp share;  // of a mix
     bool isMixing; // the share runs to 1, and then the mix is over
     bool isShared; // the share is set from outside, by a replay
 } swWaveLayer;
@@ -159,8 +159,8 @@ void swAdvanceSystems(swWorld* world); // layers and mixes to the frame's time, 
 void swFreeAllSystems(swWorld* world);
 void swRampWeight(swWorld* world, swWaveSystem* system, float weight, double seconds);
 swResult swShowSet(swWorld* world, swWaveSystem* system, swWaveSet* set); // as the only layer, at once
-void swShareLayer(swWaveSystem* system, float share); // of a mix that does not run by itself
-const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
+void swShareLayer(swWaveSystem* system, float share);                     // of a mix that does not run by itself
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system);        // what was asked for last
 float swGetRamp(const swRamp* ramp, int64_t ticks);
 
 // tile_list.c

@@ -74,6 +74,11 @@ static void setWater(const swPicture* picture, const swFrame* frame, swPictureFr
         variance += frame->tiles[i].variance;
         slopes += frame->tiles[i].slopeVarianceX + frame->tiles[i].slopeVarianceZ;
     }
+    for (int i = 0; i < frame->waveCount; ++i)
+    {
+        variance += 0.5f * frame->waves[i].amplitude * frame->waves[i].amplitude;
+        slopes += swGetFreeWaveSlope(&frame->waves[i]);
+    }
     float deviation = sqrtf(variance);
     p->absorption = withW(water->absorption, water->refractiveIndex);
     p->scattering = withW(water->scattering, deviation);
@@ -136,6 +141,30 @@ static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* 
     }
 }
 
+// What slices leave out of free waves is roughness, an octave at a time: bands that are always below what a pixel resolves.
+static void setFreeWaves(const swFrame* frame, swPictureFrame* built)
+{
+    int octave = -1000;
+    for (int i = frame->waveCount - 1; i >= 0; --i)
+    {
+        const swFreeWave* wave = &frame->waves[i];
+        int exponent;
+        frexpf(wave->wavelength, &exponent);
+        if (exponent != octave)
+        {
+            octave = exponent;
+            built->bands[built->params.bandCount++] =
+                (swDetailParams){.minWavelength = wave->wavelength, .weight = 1.0f};
+        }
+        swDetailParams* band = &built->bands[built->params.bandCount - 1];
+        float square = wave->dx * wave->dx + wave->dz * wave->dz;
+        float slope = swGetFreeWaveSlope(wave);
+        float partX = square > 0.0f ? wave->dx * wave->dx / square : 0.5f;
+        band->slopeVarianceX += partX * slope;
+        band->slopeVarianceZ += (1.0f - partX) * slope;
+    }
+}
+
 static void setTime(const swPicture* picture, swPictureFrame* built)
 {
     swPictureParams* p = &built->params;
@@ -159,6 +188,7 @@ void swBuildPicture(const swPicture* picture, const swFrame* frame, const swView
     setWater(picture, frame, built);
     setMesh(picture, frame, view, built);
     setBands(frame, detailSide, built);
+    setFreeWaves(frame, built);
     setTime(picture, built);
     built->params.foamAtRest = view->foamAtRest;
 }

@@ -12,7 +12,7 @@ typedef struct swPictureFrame
 {
     swPictureParams params;
     swMeshRings rings;
-    swDetailParams bands[SW_MAX_TILES];
+    swDetailParams bands[SW_MAX_TILES + SW_MAX_BANDS]; // of tiles, then octaves of free waves, which have no layer
     swUpload paramsUpload;
     swUpload slicesUpload;
     swUpload tilesUpload;

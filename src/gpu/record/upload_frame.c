@@ -402,8 +402,8 @@ static uint32_t toPhase(double turns)
 static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
 {
     uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
-    double place = wave->turnsX * ((double)slice->firstX * slice->texel) +
-                   wave->turnsZ * ((double)slice->firstZ * slice->texel);
+    double place =
+        wave->turnsX * ((double)slice->firstX * slice->texel) + wave->turnsZ * ((double)slice->firstZ * slice->texel);
     swSliceWave out = {
         .phase = toPhase(place) + wave->phase - passed,
         .stepX = toPhase(wave->turnsX * slice->texel + 0x1p-33),
