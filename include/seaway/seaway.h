@@ -10,6 +10,7 @@
 #include "measured.h"
 #include "query.h"
 #include "replay.h"
+#include "save.h"
 #include "sea.h"
 #include "spectrum.h"
 #include "view.h"

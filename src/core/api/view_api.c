@@ -22,7 +22,7 @@ static bool isPowerOfTwoTexel(float texel)
     return texel >= 1.0f / 64.0f && texel <= 16.0f && frexpf(texel, &exponent) == 0.5f;
 }
 
-static swResult checkViewDef(const swWorld* world, const swViewDef* def)
+swResult swCheckViewDef(const swWorld* world, const swViewDef* def)
 {
     const swHost* host = &world->host;
     if (def->sliceCount < 2 || def->sliceCount > SW_MAX_SLICES)
@@ -61,7 +61,7 @@ swResult swCreateView(swWorld* world, const swViewDef* def, swView** view)
         return SW_ERROR_INVALID;
     }
     *view = NULL;
-    swResult result = checkViewDef(world, def);
+    swResult result = swCheckViewDef(world, def);
     return result == SW_SUCCESS ? swAddView(world, def, view) : result;
 }
 

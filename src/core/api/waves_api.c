@@ -113,7 +113,7 @@ static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
     return SW_SUCCESS;
 }
 
-static swResult checkDef(const swHost* host, const swWaveSystemDef* def)
+swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def)
 {
     if ((unsigned)def->method >= SW_WAVE_METHOD_COUNT)
     {
@@ -138,7 +138,7 @@ swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSy
         return SW_ERROR_INVALID;
     }
     *idOut = (swWaveSystemId){0, 0};
-    swResult result = checkDef(&world->host, def);
+    swResult result = swCheckWaveSystemDef(&world->host, def);
     swId id;
     result = result == SW_SUCCESS ? swAddSystem(world, def, &id) : result;
     if (result == SW_SUCCESS)
@@ -184,7 +184,7 @@ swResult swWaveSystem_Set(swWorld* world, swWaveSystemId id, const swWaveSystemD
     {
         return SW_ERROR_INVALID;
     }
-    swResult result = checkDef(&world->host, def);
+    swResult result = swCheckWaveSystemDef(&world->host, def);
     return result == SW_SUCCESS ? swChangeSystem(world, system, def, seconds) : result;
 }
 

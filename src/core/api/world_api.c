@@ -38,7 +38,7 @@ static bool isFoamValid(const swFoamDef* foam)
            isWithin(foam->gain, 0.0f, 1000.0f);
 }
 
-static swResult checkWorldDef(const swHost* host, const swWorldDef* def)
+swResult swCheckWorldDef(const swHost* host, const swWorldDef* def)
 {
     if (!(def->gravity > 0.0f && def->gravity <= 100.0f))
     {
@@ -78,7 +78,7 @@ swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld** worl
     {
         return SW_ERROR_INVALID;
     }
-    swResult result = checkWorldDef(host, def);
+    swResult result = swCheckWorldDef(host, def);
     if (result != SW_SUCCESS)
     {
         return result;

@@ -224,3 +224,105 @@ void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands)
         applyBand(&mix->bands[i], share, &bands[i]);
     }
 }
+
+// ---- as bytes ----
+
+static void streamBand(swStream* stream, int maxBin, swBandModes* band)
+{
+    swStreamRange(stream, &band->maxBin, 0, maxBin);
+    swStreamI64(stream, &band->loopTicks);
+    swStreamF32(stream, &band->minWavelength);
+    swStreamF32(stream, &band->maxWavelength);
+    swStreamF32(stream, &band->variance);
+    swStreamF32(stream, &band->slopeVarianceX);
+    swStreamF32(stream, &band->slopeVarianceZ);
+    swStreamF32(stream, &band->strainVariance);
+    swStreamF32(stream, &band->depth);
+}
+
+// Bins within the tile's lattice, the half plane only, in order.
+static void streamMode(swStream* stream, int maxBin, const swMode* before, swMode* mode)
+{
+    int qx = mode->qx, qz = mode->qz;
+    swStreamRange(stream, &qx, -maxBin, maxBin);
+    swStreamRange(stream, &qz, 0, maxBin);
+    if (swIsReading(stream))
+    {
+        mode->qx = (int16_t)qx;
+        mode->qz = (int16_t)qz;
+    }
+    bool isInHalf = qz > 0 || qx > 0;
+    if (!isInHalf || (before != NULL && compareModes(before, mode) >= 0))
+    {
+        stream->isBroken = true;
+    }
+    swStreamU32(stream, &mode->frequencyLow);
+    swStreamU32(stream, &mode->frequencyHigh);
+}
+
+static swResult streamBandMix(swStream* stream, const swHost* host, int most, int maxBin, BandMix* mix,
+                              swBandModes* band)
+{
+    int count = mix->count;
+    swStreamRange(stream, &count, 0, most);
+    streamBand(stream, maxBin, &mix->from);
+    streamBand(stream, maxBin, &mix->to);
+    streamBand(stream, maxBin, band);
+    swStreamF64(stream, &mix->variance0);
+    swStreamF64(stream, &mix->variance1);
+    swStreamF64(stream, &mix->covariance);
+    if (swIsReading(stream) && count > 0 && !stream->isBroken)
+    {
+        band->modes = swAllocateZero(host, (size_t)count * sizeof(swMode));
+        band->modeCount = band->modes != NULL ? count : 0;
+        mix->pairs = swAllocateZero(host, (size_t)count * sizeof(Pair));
+        mix->count = mix->pairs != NULL ? count : 0;
+        if (band->modes == NULL || mix->pairs == NULL)
+        {
+            return SW_ERROR_NO_MEMORY;
+        }
+    }
+    for (int i = 0; i < mix->count && !stream->isBroken; ++i)
+    {
+        streamMode(stream, maxBin, i > 0 ? &band->modes[i - 1] : NULL, &band->modes[i]);
+        swStreamFloats(stream, mix->pairs[i].from, MIXED);
+        swStreamFloats(stream, mix->pairs[i].to, MIXED);
+    }
+    return SW_SUCCESS;
+}
+
+swResult swStreamModeMix(swStream* stream, const swHost* host, int tileWaves, int resolution, swBandModes* bands,
+                         swModeMix** mixPointer)
+{
+    swModeMix* mix = *mixPointer;
+    if (swIsReading(stream))
+    {
+        memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
+        mix = swAllocateZero(host, sizeof *mix);
+        *mixPointer = mix;
+        if (mix == NULL)
+        {
+            return SW_ERROR_NO_MEMORY;
+        }
+    }
+    int maxBin = tileWaves < resolution / 4 ? tileWaves : resolution / 4;
+    int most = (2 * maxBin + 1) * (maxBin + 1);
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_MAX_BANDS && result == SW_SUCCESS && !stream->isBroken; ++i)
+    {
+        result = streamBandMix(stream, host, most, maxBin, &mix->bands[i], &bands[i]);
+        if (swIsReading(stream))
+        {
+            bands[i].band = i;
+            bands[i].side = swGetTileSide(i, tileWaves);
+        }
+    }
+    result = result == SW_SUCCESS && stream->isBroken ? SW_ERROR_FORMAT : result;
+    if (result != SW_SUCCESS && swIsReading(stream))
+    {
+        swFreeModes(host, bands);
+        swFreeModeMix(host, mix);
+        *mixPointer = NULL;
+    }
+    return result;
+}

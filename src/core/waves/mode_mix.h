@@ -4,6 +4,7 @@
 // A sea that turns into another one, wave by wave. Both have the same waves with the same phases, so that any mixture of
 // amplitudes is a sea: nothing jumps, whatever the spectra.
 
+#include "core/base/stream.h"
 #include "core/waves/waves_fft.h"
 
 typedef struct swModeMix swModeMix;
@@ -18,3 +19,8 @@ void swFreeModeMix(const swHost* host, swModeMix* mix);
 // Set the bands' amplitudes and variances: 0 is the first sea, 1 the second. The energy of a band runs linearly between
 // its energies in both.
 void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands);
+
+// A mix and its bands as bytes. Reading makes both, as swMakeModeMix() does; SW_ERROR_FORMAT if they are no mix of bands
+// on `tileWaves` and `resolution`.
+swResult swStreamModeMix(swStream* stream, const swHost* host, int tileWaves, int resolution, swBandModes* bands,
+                         swModeMix** mix);

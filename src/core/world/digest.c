@@ -7,6 +7,25 @@
 #include "core/base/hash.h"
 #include "core/world/world.h"
 
+static void addDouble(swHash* hash, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    swAddHash(hash, bits);
+}
+
+static void addFreeWave(swHash* hash, const swFreeWave* wave)
+{
+    addDouble(hash, wave->turnsX);
+    addDouble(hash, wave->turnsZ);
+    addDouble(hash, (double)wave->amplitude);
+    addDouble(hash, (double)wave->dx);
+    addDouble(hash, (double)wave->dz);
+    swAddHash(hash, wave->frequency);
+    swAddHash(hash, (uint64_t)wave->loopTicks);
+    swAddHash(hash, wave->phase);
+}
+
 uint64_t swHashWorld(const swWorld* world)
 {
     swHash hash = swBeginHash();
@@ -23,6 +42,10 @@ uint64_t swHashWorld(const swWorld* world)
             size_t pitch = (size_t)tile->resolution + 3;
             swAddHashFloats(&hash, tile->texels, pitch * pitch * 4);
         }
+    }
+    for (int i = 0; i < world->frame.waveCount; ++i)
+    {
+        addFreeWave(&hash, &world->frame.waves[i]);
     }
     return swEndHash(&hash);
 }

@@ -57,13 +57,12 @@ static float getFade(const swRamp* fade, int64_t ticks)
 // ---- limits ----
 
 // Tiles and free waves of a system that are not also those of an earlier system or layer.
-static void countWaves(const swWorld* world, const swWaveSystem* systems, int* tiles, int* waves)
+static void countWaves(const swWaveSystem* systems, int* tiles, int* waves)
 {
     const swWaveSet* seen[SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS];
     int seenCount = 0;
     *tiles = 0;
     *waves = 0;
-    (void)world;
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
         for (int i = 0; i < systems[slot].layerCount; ++i)
@@ -84,28 +83,33 @@ static void countWaves(const swWorld* world, const swWaveSystem* systems, int* t
     }
 }
 
+bool swIsWithinLimits(swWorld* world)
+{
+    int tiles, waves;
+    countWaves(world->systems, &tiles, &waves);
+    if (tiles > SW_MAX_TILES)
+    {
+        swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d tiles; %d are possible", tiles, SW_MAX_TILES);
+        return false;
+    }
+    if (waves > SW_MAX_FREE_WAVES)
+    {
+        swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d free waves; %d are possible", waves,
+               SW_MAX_FREE_WAVES);
+        return false;
+    }
+    return true;
+}
+
 // Put a system into a slot if the world then keeps to its limits.
 static swResult placeSystem(swWorld* world, int slot, const swWaveSystem* system)
 {
     swWaveSystem before = world->systems[slot];
     world->systems[slot] = *system;
-    int tiles, waves;
-    countWaves(world, world->systems, &tiles, &waves);
-    swResult result = SW_SUCCESS;
-    if (tiles > SW_MAX_TILES)
-    {
-        result =
-            swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d tiles; %d are possible", tiles, SW_MAX_TILES);
-    }
-    else if (waves > SW_MAX_FREE_WAVES)
-    {
-        result = swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d free waves; %d are possible", waves,
-                        SW_MAX_FREE_WAVES);
-    }
-    if (result != SW_SUCCESS)
+    if (!swIsWithinLimits(world))
     {
         world->systems[slot] = before;
-        return result;
+        return SW_ERROR_LIMIT;
     }
     world->isTileListStale = true;
     return SW_SUCCESS;

@@ -294,3 +294,37 @@ void swShareMix(swWaveSet* set, float share)
 {
     swApplyModeMix(set->mix, share, set->bands);
 }
+
+// `set` is read, as a new one, or written.
+swResult swStreamMix(swWorld* world, swStream* stream, swWaveSet* to, swWaveSet** setPointer)
+{
+    const swHost* host = &world->countedHost;
+    const swWaveSystemDef* def = &to->def;
+    swWaveSet* set = *setPointer;
+    if (!swIsReading(stream))
+    {
+        return swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
+    }
+    set = swAllocateZero(host, sizeof *set);
+    if (set == NULL)
+    {
+        return SW_ERROR_NO_MEMORY;
+    }
+    set->def = *def;
+    memcpy(set->response, to->response, sizeof set->response);
+    swResult result = swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
+    if (result == SW_SUCCESS && !allocateTexels(world, set))
+    {
+        result = SW_ERROR_NO_MEMORY;
+    }
+    if (result != SW_SUCCESS)
+    {
+        freeSet(world, set);
+        return result;
+    }
+    set->to = to;
+    to->useCount += 1;
+    numberSet(world, set);
+    *setPointer = set;
+    return SW_SUCCESS;
+}

@@ -8,6 +8,7 @@
 #include <stdatomic.h>
 
 #include "core/base/id_pool.h"
+#include "core/base/stream.h"
 #include "core/frame/frame.h"
 #include "core/lod/stack.h"
 #include "core/sim/foam.h"
@@ -147,6 +148,7 @@ void swFreeWorld(swWorld* world);
 swResult swAcquireSet(swWorld* world, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one
 swResult swMixSets(swWorld* world, swWaveSet* from, swWaveSet* to,
                    swWaveSet** mix); // SW_ERROR_UNSUPPORTED: phases differ
+swResult swStreamMix(swWorld* world, swStream* stream, swWaveSet* to, swWaveSet** set); // a mix that becomes `to`
 void swShareMix(swWaveSet* set, float share);
 void swReleaseSet(swWorld* world, swWaveSet* set); // once unused, it goes with the next step
 void swFreeRetiredSets(swWorld* world);
@@ -166,6 +168,11 @@ float swGetRamp(const swRamp* ramp, int64_t ticks);
 // tile_list.c
 void swListTiles(swWorld* world); // systems and weights to the frame's tiles and free waves
 
+// What defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise. Implemented beside the calls that take them.
+swResult swCheckWorldDef(const swHost* host, const swWorldDef* def);
+swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def);
+swResult swCheckViewDef(const swWorld* world, const swViewDef* def);
+
 // view.c
 swResult swAddView(swWorld* world, const swViewDef* def, swView** view);
 void swRemoveView(swView* view);
@@ -175,6 +182,12 @@ swViewFrame* swFindViewFrame(const swView* view); // NULL before its first step
 
 // step.c
 void swStepWorld(swWorld* world, double dt);
+
+bool swIsWithinLimits(swWorld* world); // of tiles and free waves; a sentence in the log if not
+
+// save.c
+void swStreamWorldDef(swStream* stream, swWorldDef* def);
+swResult swStreamState(swWorld* world, swStream* stream); // everything but the def
 
 // digest.c
 uint64_t swHashWorld(const swWorld* world);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "view.h"
+#include "world.h"
+
+/// @file
+/// The whole state of a world as bytes: to save, to send to a player who joins late, to go back to. A world that is made
+/// of them goes on with the same bits, on any machine, also in the middle of changes.
+
+/// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, views with
+/// their slices and foam. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
+/// @param data room for `*size` bytes; NULL to ask for the size
+/// @param size in: bytes of room; out: bytes needed
+/// @return SW_ERROR_LIMIT if there is too little room; nothing useful is written then
+SW_API swResult swWorld_Save(const swWorld* world, void* data, size_t* size);
+
+/// Make a world of saved bytes. Wave systems have the handles that they had; views are found by swWorld_GetView(). Damaged
+/// bytes, and those of another version, are refused with a sentence in the log; nothing is left behind.
+/// @param isa as in swWorldDef; any gives the same bits
+/// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED
+SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa isa, swWorld** world);
+
+/// Views in the order of their making, for a world that was restored.
+SW_API int swWorld_GetViewCount(const swWorld* world);
+SW_API swView* swWorld_GetView(swWorld* world, int index);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The bytes of a saved world: a mark, a version, the state, and a hash over all of it.
+
+#include <string.h>
+
+#include "core/base/assert.h"
+#include "core/base/hash.h"
+#include "core/base/host.h"
+#include "core/world/world.h"
+#include "seaway/save.h"
+
+#define SAVE_MARK 0x5741534159415753u // "SWAYASAW"
+#define SAVE_VERSION 1u
+#define HASH_SIZE 8
+
+static uint64_t hashBytes(const uint8_t* data, size_t size)
+{
+    swHash hash = swBeginHash();
+    for (size_t i = 0; i < size; i += 8)
+    {
+        uint64_t word = 0;
+        for (size_t k = 0; k < 8 && i + k < size; ++k)
+        {
+            word |= (uint64_t)data[i + k] << (8 * k);
+        }
+        swAddHash(&hash, word);
+    }
+    swAddHash(&hash, size);
+    return swEndHash(&hash);
+}
+
+static void streamHead(swStream* stream, uint64_t* mark, uint32_t* version, swWorldDef* def)
+{
+    swStreamU64(stream, mark);
+    swStreamU32(stream, version);
+    swStreamWorldDef(stream, def);
+}
+
+// Writing reads the world only; streams are one for both ways.
+static void writeWorld(swWorld* world, swStream* stream)
+{
+    uint64_t mark = SAVE_MARK;
+    uint32_t version = SAVE_VERSION;
+    swWorldDef def = world->def;
+    streamHead(stream, &mark, &version, &def);
+    swStreamState(world, stream);
+}
+
+swResult swWorld_Save(const swWorld* world, void* data, size_t* size)
+{
+    bool isValid = world != NULL && size != NULL;
+    SW_ASSERT(isValid);
+    if (!isValid)
+    {
+        return SW_ERROR_INVALID;
+    }
+    swStream stream = {.purpose = SW_STREAM_COUNT};
+    writeWorld((swWorld*)world, &stream);
+    size_t room = *size;
+    *size = stream.at + HASH_SIZE;
+    if (data == NULL)
+    {
+        return SW_SUCCESS;
+    }
+    if (room < *size)
+    {
+        return swFail(&world->host, SW_ERROR_LIMIT, "saving the world takes %zu bytes; there is room for %zu", *size,
+                      room);
+    }
+    stream = (swStream){.purpose = SW_STREAM_WRITE, .data = data, .size = *size};
+    writeWorld((swWorld*)world, &stream);
+    uint64_t hash = hashBytes(data, stream.at);
+    swStreamU64(&stream, &hash);
+    return SW_SUCCESS;
+}
+
+static swResult failFormat(const swHost* host, const char* what)
+{
+    return swFail(host, SW_ERROR_FORMAT, "the bytes of a saved world %s", what);
+}
+
+static swResult checkBytes(const swHost* host, const uint8_t* data, size_t size)
+{
+    if (size < HASH_SIZE + 12)
+    {
+        return failFormat(host, "are too few to be one");
+    }
+    swStream stream = {.purpose = SW_STREAM_READ, .data = (uint8_t*)data, .size = size};
+    uint64_t mark, hash;
+    uint32_t version;
+    swStreamU64(&stream, &mark);
+    swStreamU32(&stream, &version);
+    if (mark != SAVE_MARK)
+    {
+        return failFormat(host, "do not begin as one does");
+    }
+    if (version != SAVE_VERSION)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "a saved world is of version %u; this library reads version %u", version,
+                      SAVE_VERSION);
+    }
+    stream.at = size - HASH_SIZE;
+    swStreamU64(&stream, &hash);
+    return hash == hashBytes(data, size - HASH_SIZE) ? SW_SUCCESS : failFormat(host, "are damaged");
+}
+
+swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa isa, swWorld** worldOut)
+{
+    bool isValid = swIsHostValid(host) && data != NULL && worldOut != NULL;
+    SW_ASSERT(isValid);
+    if (!isValid)
+    {
+        return SW_ERROR_INVALID;
+    }
+    *worldOut = NULL;
+    swResult result = checkBytes(host, data, size);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swStream stream = {.purpose = SW_STREAM_READ, .data = (uint8_t*)data, .size = size - HASH_SIZE};
+    uint64_t mark;
+    uint32_t version;
+    swWorldDef def = swDefaultWorldDef();
+    streamHead(&stream, &mark, &version, &def);
+    def.isa = isa;
+    if (stream.isBroken || swCheckWorldDef(host, &def) != SW_SUCCESS)
+    {
+        return failFormat(host, "hold a world that cannot be");
+    }
+    swWorld* world = NULL;
+    result = swCreateWorld(host, &def, &world);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    result = swStreamState(world, &stream);
+    if (result == SW_SUCCESS && stream.at != stream.size)
+    {
+        result = SW_ERROR_FORMAT;
+    }
+    if (result != SW_SUCCESS)
+    {
+        swDestroyWorld(world);
+        return result == SW_ERROR_FORMAT ? failFormat(host, "hold a state that cannot be") : result;
+    }
+    *worldOut = world;
+    return SW_SUCCESS;
+}
+
+int swWorld_GetViewCount(const swWorld* world)
+{
+    return world->viewCount;
+}
+
+swView* swWorld_GetView(swWorld* world, int index)
+{
+    bool isValid = world != NULL && index >= 0 && index < world->viewCount;
+    SW_ASSERT(isValid);
+    return isValid ? world->views[index] : NULL;
+}

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+
+// Worlds as bytes: what is restored goes on with the same bits.
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+#include "core/world/world.h"
+#include "support/counting_host.h"
+#include <seaway/seaway.h>
+
+enum
+{
+    POINTS = 100
+};
+
+static swWaveSystemDef MakeDef(void)
+{
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.resolution = 32;
+    def.tileWaves = 8;
+    def.minWavelength = 2.0f;
+    return def;
+}
+
+// Tiles, free waves by spectrum and by hand, a table, a system that was destroyed, a view with foam, an origin.
+static swWorld* MakeWorld(const swHost* host)
+{
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.seaLevel = 2.5;
+    worldDef.enableVelocity = true;
+    swWorld* world;
+    assert_int_equal(swCreateWorld(host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef def = MakeDef();
+    swWaveSystemId id, gone;
+    assert_int_equal(swCreateWaveSystem(world, &def, &gone), SW_SUCCESS);
+    def.seed = 7;
+    def.loopPeriod = 300.0f;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    swDestroyWaveSystem(world, gone);
+    def = MakeDef();
+    def.method = SW_WAVES_GERSTNER;
+    def.componentsPerOctave = 3;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    const swWaveComponent wave = {60.0f, 1.0f, 0.3f, 0.2f};
+    def.components = &wave;
+    def.componentCount = 1;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    const float frequencies[3] = {0.1f, 0.15f, 0.2f}, widths[3] = {0.05f, 0.05f, 0.05f};
+    float density[3 * 4] = {0.1f, 0.5f, 0.1f, 0.0f, 0.2f, 0.9f, 0.2f, 0.0f, 0.1f, 0.4f, 0.1f, 0.0f};
+    swSpectrumTable table = {.frequencyCount = 3,
+                             .directionCount = 4,
+                             .frequencies = frequencies,
+                             .bandwidths = widths,
+                             .density = density};
+    def = MakeDef();
+    def.spectrum.kind = SW_SPECTRUM_TABLE;
+    def.spectrum.table = &table;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = 3;
+    viewDef.resolution = 64;
+    viewDef.enableCpuLayers = true;
+    swView* view;
+    assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+    swView_SetViewpoint(view, (swPos){10.0, 30.0, -4.0});
+    for (int i = 0; i < 20; ++i)
+    {
+        swWorld_Step(world, 0.05);
+    }
+    return world;
+}
+
+static swWaveSystemId GetSystem(const swWorld* world, int slot)
+{
+    return (swWaveSystemId){slot + 1, world->systemIds.generations[slot]};
+}
+
+static swWorld* SaveAndRestore(const swWorld* world, swIsa isa)
+{
+    size_t size = 0;
+    assert_int_equal(swWorld_Save(world, NULL, &size), SW_SUCCESS);
+    void* data = malloc(size);
+    assert_non_null(data);
+    assert_int_equal(swWorld_Save(world, data, &size), SW_SUCCESS);
+    swHost host = swDefaultHost();
+    swWorld* restored = NULL;
+    assert_int_equal(swRestoreWorld(&host, data, size, isa, &restored), SW_SUCCESS);
+    size_t again = size;
+    void* other = malloc(size);
+    assert_non_null(other);
+    assert_int_equal(swWorld_Save(restored, other, &again), SW_SUCCESS);
+    assert_int_equal(again, size);
+    assert_memory_equal(data, other, size);
+    free(data);
+    free(other);
+    return restored;
+}
+
+static void CompareWorlds(swWorld* a, swWorld* b)
+{
+    assert_true(swWorld_GetDigest(a) == swWorld_GetDigest(b));
+    swPosXZ points[POINTS];
+    float heights[2][POINTS];
+    swVec3 velocities[2][POINTS];
+    for (int i = 0; i < POINTS; ++i)
+    {
+        points[i] = (swPosXZ){3.7 * i - 100.0, 0.9 * i * i};
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+        swQueryDef def = swDefaultQueryDef();
+        swSurfaceSamples samples = {.height = heights[k], .velocity = velocities[k]};
+        swWorld_QuerySurface(k == 0 ? a : b, &def, POINTS, points, &samples, NULL);
+    }
+    assert_memory_equal(heights[0], heights[1], sizeof heights[0]);
+    assert_memory_equal(velocities[0], velocities[1], sizeof velocities[0]);
+    assert_int_equal(swWorld_GetViewCount(a), swWorld_GetViewCount(b));
+    for (int v = 0; v < swWorld_GetViewCount(a); ++v)
+    {
+        swView *va = swWorld_GetView(a, v), *vb = swWorld_GetView(b, v);
+        for (int slice = 0; slice < swView_GetSliceCount(va); ++slice)
+        {
+            size_t texels = (size_t)64 * 64;
+            assert_memory_equal(swView_GetDisplacement(va, slice), swView_GetDisplacement(vb, slice),
+                                texels * 4 * sizeof(float));
+            assert_memory_equal(swView_GetFoam(va, slice), swView_GetFoam(vb, slice), texels * sizeof(float));
+        }
+    }
+}
+
+static void GoOnTogether(swWorld* a, swWorld* b)
+{
+    for (int step = 0; step < 40; ++step)
+    {
+        swWorld* worlds[2] = {a, b};
+        for (int k = 0; k < 2; ++k)
+        {
+            swView_SetViewpoint(swWorld_GetView(worlds[k], 0), (swPos){10.0 + 0.3 * step, 30.0 + step, -4.0});
+            assert_int_equal(swWorld_Step(worlds[k], 0.11), SW_SUCCESS);
+        }
+        if (step % 8 == 0)
+        {
+            CompareWorlds(a, b);
+        }
+    }
+    CompareWorlds(a, b);
+}
+
+static void ARestoredWorldGoesOnWithTheSameBits(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorld* world = MakeWorld(&host);
+    swWorld* restored = SaveAndRestore(world, SW_ISA_SCALAR);
+    CompareWorlds(world, restored);
+    for (int slot = 0; slot < 4; ++slot)
+    {
+        assert_int_equal(swWaveSystem_IsValid(world, GetSystem(world, slot)),
+                         swWaveSystem_IsValid(restored, GetSystem(world, slot)));
+    }
+    GoOnTogether(world, restored);
+    swDestroyWorld(world);
+    swDestroyWorld(restored);
+}
+
+static void ChangesUnderWayGoOn(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorld* world = MakeWorld(&host);
+    swWaveSystemId id = GetSystem(world, 1);
+    swWaveSystemDef def = swWaveSystem_Get(world, id);
+    def.spectrum.windSpeed = 15.0f;
+    def.weight = 0.6f;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 3.0), SW_SUCCESS); // a mix
+    swWorld_Step(world, 0.7);
+    def.spectrum.direction = 1.0f;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 3.0), SW_SUCCESS); // a mix of a mix
+    def.seed = 12;
+    swWorld_Step(world, 0.4);
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 2.0), SW_SUCCESS); // a cross-fade over both
+    swWorld_Step(world, 0.5);
+    swWorld* restored = SaveAndRestore(world, SW_ISA_BEST);
+    CompareWorlds(world, restored);
+    GoOnTogether(world, restored);
+    swDestroyWorld(world);
+    swDestroyWorld(restored);
+}
+
+static void DamagedBytesAreRefused(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swWorld* world = MakeWorld(&host);
+    size_t size = 0;
+    swWorld_Save(world, NULL, &size);
+    unsigned char* data = malloc(size);
+    assert_non_null(data);
+    size_t less = size - 1;
+    assert_int_equal(swWorld_Save(world, data, &less), SW_ERROR_LIMIT);
+    assert_int_equal(swWorld_Save(world, data, &size), SW_SUCCESS);
+    swDestroyWorld(world);
+    swWorld* restored;
+    for (size_t at = 0; at < size; at += 1 + at / 7)
+    {
+        data[at] ^= 0x10;
+        assert_int_equal(swRestoreWorld(&host, data, size, SW_ISA_BEST, &restored), SW_ERROR_FORMAT);
+        assert_null(restored);
+        data[at] ^= 0x10;
+        assert_int_equal(swRestoreWorld(&host, data, at, SW_ISA_BEST, &restored), SW_ERROR_FORMAT);
+    }
+    for (int fail = 0;; ++fail)
+    {
+        assert_true(fail < 1000);
+        atomic_store(&memory.failAt, atomic_load(&memory.allocations) + fail);
+        swResult result = swRestoreWorld(&host, data, size, SW_ISA_BEST, &restored);
+        atomic_store(&memory.failAt, -1);
+        if (result == SW_SUCCESS)
+        {
+            break;
+        }
+        assert_int_equal(result, SW_ERROR_NO_MEMORY);
+    }
+    swDestroyWorld(restored);
+    free(data);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ARestoredWorldGoesOnWithTheSameBits),
+        cmocka_unit_test(ChangesUnderWayGoOn),
+        cmocka_unit_test(DamagedBytesAreRefused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

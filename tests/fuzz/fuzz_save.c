@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Saved worlds. The hash at the end would keep a fuzzer out, so it is made right here.
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/hash.h"
+#include "fuzz.h"
+#include "seaway/seaway.h"
+
+static void FixHash(uint8_t* data, size_t size)
+{
+    swHash hash = swBeginHash();
+    for (size_t i = 0; i < size; i += 8)
+    {
+        uint64_t word = 0;
+        for (size_t k = 0; k < 8 && i + k < size; ++k)
+        {
+            word |= (uint64_t)data[i + k] << (8 * k);
+        }
+        swAddHash(&hash, word);
+    }
+    swAddHash(&hash, size);
+    uint64_t value = swEndHash(&hash);
+    for (int k = 0; k < 8; ++k)
+    {
+        data[size + (size_t)k] = (uint8_t)(value >> (8 * k));
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t* input, size_t size)
+{
+    if (size < 8 || size > 1 << 20)
+    {
+        return 0;
+    }
+    uint8_t* data = malloc(size);
+    if (data == NULL)
+    {
+        return 0;
+    }
+    memcpy(data, input, size);
+    FixHash(data, size - 8);
+    swHost host = swDefaultHost();
+    host.log = NULL;
+    swWorld* world = NULL;
+    if (swRestoreWorld(&host, data, size, SW_ISA_BEST, &world) == SW_SUCCESS)
+    {
+        swWorld_Step(world, 0.1);
+        swWorld_GetHeight(world, 1.0, 2.0);
+        swDestroyWorld(world);
+    }
+    free(data);
+    return 0;
+}
