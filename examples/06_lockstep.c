@@ -136,7 +136,9 @@ int main(void)
         bool joined = second < JOIN_SECOND || Agrees(late[0], digest);
         printf("second %d: %016llx, the player %s%s\n", second + 1, (unsigned long long)digest,
                first ? "agrees" : "DIFFERS",
-               second < JOIN_SECOND ? "" : joined ? ", who joined late agrees" : ", who joined late DIFFERS");
+               second < JOIN_SECOND ? ""
+               : joined             ? ", who joined late agrees"
+                                    : ", who joined late DIFFERS");
         isSame = isSame && first && joined;
     }
     while (wait(NULL) > 0)

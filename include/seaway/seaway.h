@@ -5,6 +5,7 @@
 /// The core: everything that a server without a GPU needs. gpu.h and draw.h are included by name.
 
 #include "base.h"
+#include "clock.h"
 #include "id.h"
 #include "math.h"
 #include "measured.h"

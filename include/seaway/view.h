@@ -48,7 +48,8 @@ SW_API void swDestroyView(swView* view);
 SW_API void swView_SetViewpoint(swView* view, swPos position);
 SW_API swPos swView_GetViewpoint(const swView* view);
 
-/// One slice as the last step left it. Texel (column, row) rests at ((firstX + column) * texel, (firstZ + row) * texel).
+/// One slice as the last step left it. Texel (column, row) rests at ((firstX + column) * texel, (firstZ + row) * texel) in
+/// the sea; less swWorld_GetOrigin() that is a place in the host's coordinates.
 typedef struct swSliceInfo
 {
     double texel;           ///< m

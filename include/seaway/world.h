@@ -96,6 +96,18 @@ SW_API void swWorld_SetTime(swWorld* world, double time);
 /// Time of the last step's surface, s.
 SW_API double swWorld_GetTime(const swWorld* world);
 
+/// Step to a time, s, exactly: machines whose frames have other lengths have the same bits there. Going back, or more than
+/// an hour on, is a jump as by swWorld_SetTime(). See clock.h for where the time may come from.
+/// @return as swWorld_Step()
+SW_API swResult swWorld_StepTo(swWorld* world, double time);
+
+/// Where in the sea the host's coordinates begin, m. All places that the host gives or gets (queries, viewpoints, cameras)
+/// are relative to it. A host that moves its coordinates along with the player, so that floats stay small, moves this by as
+/// much: the sea stays where it is, to the bit where the sums of doubles are exact and to 1e-9 m within 1,000 km elsewhere.
+/// Takes effect at once; viewpoints keep their place in the sea. Range [-1e9, 1e9]. Default 0.
+SW_API void swWorld_SetOrigin(swWorld* world, swPosXZ origin);
+SW_API swPosXZ swWorld_GetOrigin(const swWorld* world);
+
 /// Change how foam is born and fades, from the next step on. Foam that is there stays.
 SW_API void swWorld_SetFoam(swWorld* world, const swFoamDef* foam);
 

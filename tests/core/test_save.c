@@ -53,11 +53,8 @@ static swWorld* MakeWorld(const swHost* host)
     assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
     const float frequencies[3] = {0.1f, 0.15f, 0.2f}, widths[3] = {0.05f, 0.05f, 0.05f};
     float density[3 * 4] = {0.1f, 0.5f, 0.1f, 0.0f, 0.2f, 0.9f, 0.2f, 0.0f, 0.1f, 0.4f, 0.1f, 0.0f};
-    swSpectrumTable table = {.frequencyCount = 3,
-                             .directionCount = 4,
-                             .frequencies = frequencies,
-                             .bandwidths = widths,
-                             .density = density};
+    swSpectrumTable table = {
+        .frequencyCount = 3, .directionCount = 4, .frequencies = frequencies, .bandwidths = widths, .density = density};
     def = MakeDef();
     def.spectrum.kind = SW_SPECTRUM_TABLE;
     def.spectrum.table = &table;

@@ -80,13 +80,15 @@ void swView_SetViewpoint(swView* view, swPos position)
     SW_ASSERT(isValid);
     if (isValid)
     {
-        view->viewpoint = position;
+        swPosXZ origin = view->world->origin;
+        view->viewpoint = (swPos){position.x + origin.x, position.y, position.z + origin.z};
     }
 }
 
 swPos swView_GetViewpoint(const swView* view)
 {
-    return view->viewpoint;
+    swPosXZ origin = view->world->origin;
+    return (swPos){view->viewpoint.x - origin.x, view->viewpoint.y, view->viewpoint.z - origin.z};
 }
 
 int swView_GetSliceCount(const swView* view)

@@ -121,6 +121,33 @@ void swWorld_SetTime(swWorld* world, double time)
     }
 }
 
+swResult swWorld_StepTo(swWorld* world, double time)
+{
+    bool isValid = world != NULL && fabs(time) <= SW_LARGEST_TIME;
+    SW_ASSERT(isValid);
+    if (!isValid)
+    {
+        return SW_ERROR_INVALID;
+    }
+    swStepWorldTo(world, time);
+    return SW_SUCCESS;
+}
+
+void swWorld_SetOrigin(swWorld* world, swPosXZ origin)
+{
+    bool isValid = world != NULL && fabs(origin.x) <= 1e9 && fabs(origin.z) <= 1e9;
+    SW_ASSERT(isValid);
+    if (isValid)
+    {
+        world->origin = origin;
+    }
+}
+
+swPosXZ swWorld_GetOrigin(const swWorld* world)
+{
+    return world->origin;
+}
+
 double swWorld_GetTime(const swWorld* world)
 {
     return world->frame.time;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/clock.c
     ${CMAKE_CURRENT_LIST_DIR}/hash.c
     ${CMAKE_CURRENT_LIST_DIR}/host.c
     ${CMAKE_CURRENT_LIST_DIR}/id_pool.c

@@ -352,8 +352,8 @@ static void streamPlace(swStream* stream, swPos* place)
     swStreamF64(stream, &place->x);
     swStreamF64(stream, &place->y);
     swStreamF64(stream, &place->z);
-    bool isNear = place->x <= 1e12 && place->x >= -1e12 && place->y <= 1e12 && place->y >= -1e12 &&
-                  place->z <= 1e12 && place->z >= -1e12;
+    bool isNear = place->x <= 1e12 && place->x >= -1e12 && place->y <= 1e12 && place->y >= -1e12 && place->z <= 1e12 &&
+                  place->z >= -1e12;
     stream->isBroken = stream->isBroken || !isNear;
 }
 

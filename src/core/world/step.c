@@ -7,10 +7,11 @@
 #include "core/world/world.h"
 
 // Time, systems and the list of tiles, then the views, which need to know what waves there are.
-static void beginFrame(swWorld* world, double dt)
+static void beginFrame(swWorld* world, double time)
 {
     int64_t before = world->frame.ticks;
-    world->time += dt;
+    double dt = time - world->time;
+    world->time = time;
     world->frame.time = world->time;
     world->frame.ticks = (int64_t)floor(world->time * SW_TICKS_PER_SECOND + 0.5);
     world->frame.dt = dt;
@@ -53,9 +54,14 @@ static void stepSystems(swWorld* world)
     }
 }
 
+void swStepWorldTo(swWorld* world, double time)
+{
+    beginFrame(world, time); // time, tiles, slices snapped to texels
+    stepSystems(world);      // spectra to tiles
+    swStepLayers(world);     // tiles to slices, then foam
+}
+
 void swStepWorld(swWorld* world, double dt)
 {
-    beginFrame(world, dt); // time, tiles, slices snapped to texels
-    stepSystems(world);    // spectra to tiles
-    swStepLayers(world);   // tiles to slices, then foam
+    swStepWorldTo(world, world->time + dt);
 }

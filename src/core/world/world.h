@@ -182,6 +182,7 @@ swViewFrame* swFindViewFrame(const swView* view); // NULL before its first step
 
 // step.c
 void swStepWorld(swWorld* world, double dt);
+void swStepWorldTo(swWorld* world, double time);
 
 bool swIsWithinLimits(swWorld* world); // of tiles and free waves; a sentence in the log if not
 
