@@ -17,6 +17,8 @@
 typedef struct PointList
 {
     swPosXZ* points;
+    double* heights; // y of each point; 0 where the file has none
+    bool hasHeights;
     int count, capacity;
 } PointList;
 
@@ -29,8 +31,16 @@ typedef struct TimeRange
 
 typedef struct Columns
 {
-    int x, z, count; // which column holds what; count 0: not known yet
+    int x, y, z, count; // which column holds what, y -1 if none does; count 0: not known yet
 } Columns;
+
+// What is asked for.
+typedef enum Question
+{
+    QUESTION_SURFACE,
+    QUESTION_MOTION, // and how the particle there moves
+    QUESTION_BELOW   // the water at the points' own heights
+} Question;
 
 static const char tooManyTimes[] = "query: --time %s asks for more than a million times";
 
@@ -114,7 +124,7 @@ static bool FindColumns(const char* name, int lineNumber, char** fields, int fie
     *isHeader = !ParseNumber(fields[0], &number);
     if (!*isHeader)
     {
-        *columns = (Columns){0, fieldCount - 1, fieldCount};
+        *columns = (Columns){.x = 0, .y = fieldCount == 3 ? 1 : -1, .z = fieldCount - 1, .count = fieldCount};
         if (fieldCount != 2 && fieldCount != 3)
         {
             Complain("%s:%d: a line without a header has 2 columns (x,z) or 3 (x,y,z), not %d", name, lineNumber,
@@ -123,10 +133,11 @@ static bool FindColumns(const char* name, int lineNumber, char** fields, int fie
         }
         return true;
     }
-    *columns = (Columns){-1, -1, fieldCount};
+    *columns = (Columns){-1, -1, -1, fieldCount};
     for (int i = 0; i < fieldCount && i < MAX_COLUMNS; ++i)
     {
         columns->x = strcmp(fields[i], "x") == 0 || strcmp(fields[i], "x_m") == 0 ? i : columns->x;
+        columns->y = strcmp(fields[i], "y") == 0 || strcmp(fields[i], "y_m") == 0 ? i : columns->y;
         columns->z = strcmp(fields[i], "z") == 0 || strcmp(fields[i], "z_m") == 0 ? i : columns->z;
     }
     if (columns->x < 0 || columns->z < 0)
@@ -137,20 +148,23 @@ static bool FindColumns(const char* name, int lineNumber, char** fields, int fie
     return true;
 }
 
-static bool AppendPoint(PointList* list, swPosXZ point)
+static bool AppendPoint(PointList* list, swPosXZ point, double y)
 {
     if (list->count == list->capacity)
     {
         int capacity = list->capacity > 0 ? 2 * list->capacity : 1024;
         swPosXZ* points = realloc(list->points, (size_t)capacity * sizeof(swPosXZ));
-        if (points == NULL)
+        list->points = points != NULL ? points : list->points;
+        double* heights = realloc(list->heights, (size_t)capacity * sizeof(double));
+        list->heights = heights != NULL ? heights : list->heights;
+        if (points == NULL || heights == NULL)
         {
             Complain("query: no memory for %d points", capacity);
             return false;
         }
-        list->points = points;
         list->capacity = capacity;
     }
+    list->heights[list->count] = y;
     list->points[list->count++] = point;
     return true;
 }
@@ -186,9 +200,11 @@ static bool ReadLine(const char* name, int lineNumber, char* line, Columns* colu
         return false;
     }
     swPosXZ point;
-    const int wanted[2] = {columns->x, columns->z};
-    double* values[2] = {&point.x, &point.z};
-    for (int i = 0; i < 2; ++i)
+    double y = 0.0;
+    const int wanted[3] = {columns->x, columns->z, columns->y};
+    double* values[3] = {&point.x, &point.z, &y};
+    list->hasHeights = columns->y >= 0;
+    for (int i = 0; i < (columns->y >= 0 ? 3 : 2); ++i)
     {
         if (!ParseNumber(fields[wanted[i]], values[i]))
         {
@@ -196,7 +212,7 @@ static bool ReadLine(const char* name, int lineNumber, char* line, Columns* colu
             return false;
         }
     }
-    return AppendPoint(list, point);
+    return AppendPoint(list, point, y);
 }
 
 static bool ReadPoints(const char* path, PointList* list)
@@ -244,6 +260,7 @@ static bool ReadPoints(const char* path, PointList* list)
 // Who answers; gpu is NULL if the core does.
 typedef struct Source
 {
+    Question question;
     swWorld* world;
     const swQueryDef* def;
     GpuAnswers* gpu;
@@ -259,13 +276,21 @@ static bool Ask(const Source* source, int count, const swPosXZ* points, const sw
     return true;
 }
 
+static void PrintVector(swVec3 v)
+{
+    printf(",%.6g,%.6g,%.6g", (double)v.x, (double)v.y, (double)v.z);
+}
+
 // The surface at one time, a block of points at once.
 static bool PrintSurface(const Source* source, const PointList* list)
 {
     static float height[BLOCK], jacobian[BLOCK], residual[BLOCK];
-    static swVec3 displacement[BLOCK], normal[BLOCK];
-    const swSurfaceSamples samples = {
+    static swVec3 displacement[BLOCK], normal[BLOCK], velocity[BLOCK], acceleration[BLOCK];
+    swSurfaceSamples samples = {
         .height = height, .displacement = displacement, .normal = normal, .jacobian = jacobian, .residual = residual};
+    bool withMotion = source->question == QUESTION_MOTION;
+    samples.velocity = withMotion ? velocity : NULL;
+    samples.acceleration = withMotion ? acceleration : NULL;
     double time = swWorld_GetTime(source->world);
     for (int begin = 0; begin < list->count; begin += BLOCK)
     {
@@ -276,18 +301,64 @@ static bool PrintSurface(const Source* source, const PointList* list)
         }
         for (int i = 0; i < count; ++i)
         {
-            printf("%.10g,%.10g,%.10g,%.7g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.3g\n", time, list->points[begin + i].x,
-                   list->points[begin + i].z, (double)height[i], (double)displacement[i].x, (double)displacement[i].y,
-                   (double)displacement[i].z, (double)normal[i].x, (double)normal[i].y, (double)normal[i].z,
-                   (double)jacobian[i], (double)residual[i]);
+            printf("%.10g,%.10g,%.10g,%.7g", time, list->points[begin + i].x, list->points[begin + i].z,
+                   (double)height[i]);
+            PrintVector(displacement[i]);
+            PrintVector(normal[i]);
+            printf(",%.6g,%.3g", (double)jacobian[i], (double)residual[i]);
+            if (withMotion)
+            {
+                PrintVector(velocity[i]);
+                PrintVector(acceleration[i]);
+            }
+            putchar('\n');
         }
     }
     return true;
 }
 
+// The water at the points' own heights.
+static bool PrintBelow(const Source* source, const PointList* list)
+{
+    static swPos places[BLOCK];
+    static float depth[BLOCK], head[BLOCK];
+    static swVec3 velocity[BLOCK], acceleration[BLOCK];
+    const swVolumeSamples samples = {
+        .depth = depth, .velocity = velocity, .acceleration = acceleration, .pressureHead = head};
+    double time = swWorld_GetTime(source->world);
+    for (int begin = 0; begin < list->count; begin += BLOCK)
+    {
+        int count = list->count - begin < BLOCK ? list->count - begin : BLOCK;
+        for (int i = 0; i < count; ++i)
+        {
+            places[i] = (swPos){list->points[begin + i].x, list->heights[begin + i], list->points[begin + i].z};
+        }
+        swWorld_QueryVolume(source->world, source->def, count, places, &samples);
+        for (int i = 0; i < count; ++i)
+        {
+            printf("%.10g,%.10g,%.10g,%.10g,%.6g", time, places[i].x, places[i].y, places[i].z, (double)depth[i]);
+            PrintVector(velocity[i]);
+            PrintVector(acceleration[i]);
+            printf(",%.6g\n", (double)head[i]);
+        }
+    }
+    return true;
+}
+
+static void PrintHeading(Question question)
+{
+    if (question == QUESTION_BELOW)
+    {
+        puts("t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m");
+        return;
+    }
+    printf("t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m%s\n",
+           question == QUESTION_MOTION ? ",vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2" : "");
+}
+
 static int PrintTimes(const Source* source, const PointList* list, TimeRange times)
 {
-    puts("t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m");
+    PrintHeading(source->question);
     BeginProgress("times", times.count);
     for (int i = 0; i < times.count; ++i)
     {
@@ -299,7 +370,8 @@ static int PrintTimes(const Source* source, const PointList* list, TimeRange tim
             ComplainAboutResult(result, "the sea could not be stepped");
             return EXIT_PROBLEM;
         }
-        if (!PrintSurface(source, list))
+        bool isPrinted = source->question == QUESTION_BELOW ? PrintBelow(source, list) : PrintSurface(source, list);
+        if (!isPrinted)
         {
             EndProgress();
             return EXIT_PROBLEM;
@@ -315,10 +387,10 @@ static int PrintTimes(const Source* source, const PointList* list, TimeRange tim
 }
 
 // `device` NULL: the core answers.
-static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName* device, const PointList* list,
-                        TimeRange times)
+static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName* device, Question question,
+                        const PointList* list, TimeRange times)
 {
-    Source source = {.world = world, .def = def};
+    Source source = {.world = world, .def = def, .question = question};
     if (device != NULL)
     {
         source.gpu = OpenGpuAnswers(device, world, def, list->count < BLOCK ? list->count : BLOCK);
@@ -333,7 +405,7 @@ static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName*
 }
 
 static int QueryScene(const char* scenePath, const char* timeText, const swQueryDef* def, const DeviceName* device,
-                      const PointList* list)
+                      Question question, const PointList* list)
 {
     swHost host = MakeHost();
     swTaskPool* pool = AttachThreads(&host, 0);
@@ -344,13 +416,14 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
     if (result == SW_SUCCESS)
     {
         scene->world.enableQueries = device == NULL;
+        scene->world.enableVelocity = scene->world.enableAcceleration = question == QUESTION_MOTION;
         result = swCreateSceneWorld(&host, scene, &world);
     }
     if (result == SW_SUCCESS)
     {
         TimeRange times = {scene->time, 1.0, 1};
         bool isFine = timeText == NULL || ParseTimes(timeText, &times);
-        exitCode = isFine ? AnswerPoints(world, def, device, list, times) : EXIT_USAGE;
+        exitCode = isFine ? AnswerPoints(world, def, device, question, list, times) : EXIT_USAGE;
     }
     else
     {
@@ -365,11 +438,13 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
 int RunQuery(int argumentCount, char** arguments)
 {
     static const char* const backends[] = {"cpu", "gpu", NULL};
+    static const char* const stretchings[] = {"wheeler", "linear", NULL};
     const char* scenePath = NULL;
     const char* pointsPath = "-";
     const char* timeText = NULL;
     double minWavelength = 0.0, tolerance = 0.0005;
-    int backend = 0;
+    int backend = 0, stretching = 0;
+    bool withMotion = false, isBelow = false;
     DeviceName device = {.choice = SW_DEVICE_AUTO};
     const Option options[] = {
         {.name = "points",
@@ -395,6 +470,20 @@ int RunQuery(int argumentCount, char** arguments)
          .help = "largest horizontal error of the search, m (default 0.0005)",
          .min = 1e-5,
          .max = 10.0},
+        {.name = "motion",
+         .kind = OPTION_FLAG,
+         .value = &withMotion,
+         .help = "also velocity and acceleration of the particle there"},
+        {.name = "below",
+         .kind = OPTION_FLAG,
+         .value = &isBelow,
+         .help = "the water at the points' own heights y instead of the surface above them"},
+        {.name = "stretching",
+         .kind = OPTION_CHOICE,
+         .value = &stretching,
+         .placeholder = "wheeler",
+         .help = "of --below: how linear theory meets the surface, wheeler or linear (default wheeler)",
+         .choices = stretchings},
         {.name = "backend",
          .kind = OPTION_CHOICE,
          .value = &backend,
@@ -410,12 +499,16 @@ int RunQuery(int argumentCount, char** arguments)
     const Verb verb = {
         .name = "query",
         .synopsis = "SCENE [--points FILE] [--time T|A:B:STEP] [options]",
-        .text = "Ask for the surface above points. The points come as CSV lines x,z or x,y,z in metres (x east, z\n"
-                "south, y up and not used), with or without a header line. The answers go to standard output:\n"
-                "  t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m\n"
-                "height above sea level's datum, displacement of the particle there, normal, Jacobian (1 flat, below\n"
-                "0 folded over), and how far the answering particle is from the point asked for. The GPU gives the\n"
-                "same answers to 0.1 mm, plus what the residuals allow.",
+        .text =
+            "Ask for the surface above points. The points come as CSV lines x,z or x,y,z in metres (x east, z\n"
+            "south, y up and used by --below only), with or without a header line. The answers go to standard output:\n"
+            "  t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m\n"
+            "height above sea level's datum, displacement of the particle there, normal, Jacobian (1 flat, below\n"
+            "0 folded over), and how far the answering particle is from the point asked for. The GPU gives the\n"
+            "same answers to 0.1 mm, plus what the residuals allow.\n"
+            "--motion appends vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2. --below answers with\n"
+            "  t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m\n"
+            "depth below the surface, motion of the water, and dynamic pressure in metres of water.",
         .options = options,
         .optionCount = sizeof(options) / sizeof(options[0]),
         .positionalMin = 1,
@@ -435,10 +528,29 @@ int RunQuery(int argumentCount, char** arguments)
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = (float)minWavelength;
     def.tolerance = (float)tolerance;
+    def.stretching = (swStretching)stretching;
+    if ((withMotion || isBelow) && backend == 1)
+    {
+        Complain("query: --backend gpu answers about the surface only; leave out %s or ask the cpu",
+                 isBelow ? "--below" : "--motion");
+        return EXIT_USAGE;
+    }
+    if (withMotion && isBelow)
+    {
+        Complain("query: --below has the motion already; leave out --motion");
+        return EXIT_USAGE;
+    }
+    Question question = isBelow ? QUESTION_BELOW : withMotion ? QUESTION_MOTION : QUESTION_SURFACE;
     PointList list = {0};
     const DeviceName* answering = backend == 1 ? &device : NULL;
     bool isRead = ReadPoints(pointsPath, &list);
-    int exitCode = isRead ? QueryScene(scenePath, timeText, &def, answering, &list) : EXIT_PROBLEM;
+    if (isRead && isBelow && !list.hasHeights)
+    {
+        Complain("query: --below needs points x,y,z; y is the height above the scene's datum, m");
+        isRead = false;
+    }
+    int exitCode = isRead ? QueryScene(scenePath, timeText, &def, answering, question, &list) : EXIT_PROBLEM;
     free(list.points);
+    free(list.heights);
     return exitCode;
 }

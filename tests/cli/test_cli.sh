@@ -103,6 +103,14 @@ test_query() {
     cmp -s out first || fail "x,y,z gives other answers"
     "$seaway" query "$sea" --time 3 <points.csv >out 2>err
     cmp -s out first || fail "standard input gives other answers"
+    run 0 query "$sea" --points points.csv --time 3 --motion
+    grep -q 'residual_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2$' out || fail "query --motion has no columns of motion"
+    printf 'x,y,z\n1,-8,2\n' >deep.csv
+    run 0 query "$sea" --points deep.csv --time 3 --below --stretching linear
+    grep -q '^3,1,-8,2,' out || fail "query --below does not answer at the point's height"
+    run 1 query "$sea" --points points.csv --below
+    run 2 query "$sea" --points deep.csv --below --motion
+    run 2 query "$sea" --points deep.csv --below --backend gpu
     run 0 query "$sea" --points points.csv --time 1:2:0.5
     [ "$(wc -l <out)" -eq 7 ] || fail "three times of two points are not seven lines"
     out '^1.5,10.5,-3,'
