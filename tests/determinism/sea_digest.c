@@ -58,7 +58,25 @@ static swResult AddWaves(swWorld* world)
     swell.tileWaves = 8;
     swell.minWavelength = 64.0f;
     swell.seed = 7;
-    return result != SW_SUCCESS ? result : swCreateWaveSystem(world, &swell, &id);
+    result = result != SW_SUCCESS ? result : swCreateWaveSystem(world, &swell, &id);
+
+    swWaveSystemDef cross = swDefaultWaveSystemDef();
+    cross.method = SW_WAVES_GERSTNER;
+    cross.spectrum.significantHeight = 0.8f;
+    cross.spectrum.direction = -1.0f;
+    cross.componentsPerOctave = 4;
+    cross.reverseWeight = 0.3f;
+    return result != SW_SUCCESS ? result : swCreateWaveSystem(world, &cross, &id);
+}
+
+// The wind turns wave by wave, and later another sea takes over.
+static swResult ChangeWaves(swWorld* world, int step)
+{
+    swWaveSystemId first = {1, 1};
+    swWaveSystemDef def = swWaveSystem_Get(world, first);
+    def.spectrum.direction = 0.1f * (float)step;
+    def.seed += step % 40 == 0 ? 1 : 0;
+    return swWaveSystem_Set(world, first, &def, 6.0 * STEP_SECONDS);
 }
 
 static uint64_t HashQueries(uint64_t hash, const swWorld* world)
@@ -75,7 +93,29 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
     swSurfaceSamples samples = {.height = heights, .normal = normals};
     swWorld_QuerySurface(world, &def, POINT_COUNT, points, &samples, NULL);
     hash = Hash(hash, heights, sizeof(heights));
-    return Hash(hash, normals, sizeof(normals));
+    hash = Hash(hash, normals, sizeof(normals));
+
+    // A few at another time, and of the water below, wave by wave.
+    enum
+    {
+        FEW = 8
+    };
+    swVec3 motion[FEW];
+    swPos places[FEW];
+    def.time = -12345.678;
+    samples = (swSurfaceSamples){.height = heights, .acceleration = motion};
+    swWorld_QuerySurface(world, &def, FEW, points, &samples, NULL);
+    hash = Hash(hash, heights, FEW * sizeof(float));
+    hash = Hash(hash, motion, sizeof(motion));
+    def.time = SW_QUERY_NOW;
+    for (int i = 0; i < FEW; ++i)
+    {
+        places[i] = (swPos){points[i].x, -1.0 - 2.0 * i, points[i].z};
+    }
+    swVolumeSamples below = {.velocity = motion, .pressureHead = heights};
+    swWorld_QueryVolume(world, &def, FEW, places, &below);
+    hash = Hash(hash, heights, FEW * sizeof(float));
+    return Hash(hash, motion, sizeof(motion));
 }
 
 static uint64_t HashLayers(uint64_t hash, const swView* view)
@@ -105,6 +145,10 @@ static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* dig
         }
         uint64_t tiles = swWorld_GetDigest(world);
         hash = Hash(hash, &tiles, sizeof(tiles));
+        if (step % 20 == 0 && ChangeWaves(world, step) != SW_SUCCESS)
+        {
+            return SW_ERROR_LIMIT;
+        }
         if (step % 10 == 0)
         {
             hash = HashLayers(HashQueries(hash, world), view);
