@@ -248,8 +248,15 @@ enum
     DEPTH,
     LOOP_PERIOD,
     SEED,
+    METHOD,
+    COMPONENTS_PER_OCTAVE,
+    REVERSE_WEIGHT,
+    DIRECTION_VARIANCE,
     WAVES_FIELD_COUNT
 };
+
+// In the order of swWaveMethod.
+static const char* const methodWords[] = {"fft", "gerstner", NULL};
 
 static swResult readOctavesKey(swYaml* yaml, yaml_node_t* node, void* target)
 {
@@ -314,6 +321,19 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [LOOP_PERIOD] =
         {.key = "loop_period_s", .type = SW_YAML_FLOAT, .offset = SYSTEM(loopPeriod), .low = 0.0, .high = 86400.0},
     [SEED] = {.key = "seed", .type = SW_YAML_UINT, .offset = SYSTEM(seed), .low = 0.0, .high = 4294967295.0},
+    [METHOD] = {.key = "method", .type = SW_YAML_CHOICE, .offset = SYSTEM(method), .words = methodWords},
+    [COMPONENTS_PER_OCTAVE] = {.key = "components_per_octave",
+                               .type = SW_YAML_INT,
+                               .offset = SYSTEM(componentsPerOctave),
+                               .low = 1.0,
+                               .high = 32.0},
+    [REVERSE_WEIGHT] =
+        {.key = "reverse_weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(reverseWeight), .low = 0.0, .high = 1.0},
+    [DIRECTION_VARIANCE] = {.key = "direction_variance_deg",
+                            .type = SW_YAML_DEGREES,
+                            .offset = SYSTEM(directionVariance),
+                            .low = 0.0,
+                            .high = 180.0},
 };
 
 static const char* getKindWord(int kind)
@@ -395,6 +415,16 @@ static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes
             return swFailYaml(yaml, node, "%s has no effect on the spectrum '%s'; remove it%s.",
                               wavesFields[rules[i].field].key, getKindWord(text->kind),
                               rules[i].field == DIRECTION ? ", or turn the measured sea with turn_deg" : "");
+        }
+    }
+    static const int gerstnerFields[] = {COMPONENTS_PER_OCTAVE, REVERSE_WEIGHT, DIRECTION_VARIANCE};
+    for (int i = 0; i < COUNT(gerstnerFields) && text->def.method != SW_WAVES_GERSTNER; ++i)
+    {
+        const yaml_node_t* node = nodes->nodes[gerstnerFields[i]];
+        if (node != NULL)
+        {
+            return swFailYaml(yaml, node, "%s has an effect with 'method: gerstner' only; add that or remove it.",
+                              wavesFields[gerstnerFields[i]].key);
         }
     }
     // Wind seas by one knob have a spreading of their own.
