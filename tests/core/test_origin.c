@@ -90,7 +90,12 @@ static void AShiftOfTheOriginChangesNothing(void** state)
             double distance = far ? 1e6 : 1234.567;
             swPosXZ origin = {distance * cos(0.3 + heading * 0.785), distance * sin(0.3 + heading * 0.785)};
             Ask(world, view, origin, centre, &got);
-            assert_memory_equal(got.slices, wanted.slices, sizeof got.slices);
+            for (int s = 0; s < SLICES; ++s)
+            {
+                assert_true(got.slices[s].firstX == wanted.slices[s].firstX);
+                assert_true(got.slices[s].firstZ == wanted.slices[s].firstZ);
+                assert_true(got.slices[s].texel == wanted.slices[s].texel);
+            }
             assert_memory_equal(got.displacement, wanted.displacement, sizeof got.displacement);
             assert_memory_equal(got.foam, wanted.foam, sizeof got.foam);
             swPos viewpoint = swView_GetViewpoint(view);
