@@ -50,7 +50,7 @@ static void ChangeWind(swWorld* world)
     }
 }
 
-// One second of frames.
+// One second of frames. Stepping to times that all compute alike, not by dt: sums of 1/60 and 1/144 drift apart.
 static void StepSecond(swWorld* world, int second, int framesPerSecond)
 {
     if (second == 2)
@@ -59,7 +59,7 @@ static void StepSecond(swWorld* world, int second, int framesPerSecond)
     }
     for (int frame = 0; frame < framesPerSecond; ++frame)
     {
-        if (swWorld_Step(world, 1.0 / framesPerSecond) != SW_SUCCESS)
+        if (swWorld_StepTo(world, second + (frame + 1.0) / framesPerSecond) != SW_SUCCESS)
         {
             exit(1);
         }
@@ -118,6 +118,7 @@ int main(void)
     {
         Play(MakeSea(&host), 0, 60, early[1]);
     }
+    close(early[1]); // so that reading ends if the player does
     swWorld* server = MakeSea(&host);
     bool isSame = true;
     for (int second = 0; second < SECONDS; ++second)
@@ -129,6 +130,7 @@ int main(void)
             {
                 JoinLate(&host, server, late[1]);
             }
+            close(late[1]);
         }
         StepSecond(server, second, 20);
         uint64_t digest = swWorld_GetDigest(server);

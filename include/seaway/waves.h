@@ -85,7 +85,7 @@ typedef struct swWaveSystemDef
     /// Factor on displacement. Range [0, 10]. Default 1.
     float weight;
 
-    /// The waves repeat exactly after this time, s. Default 0: never.
+    /// The waves repeat exactly after this time, s. Range [0, 2.7e11]. Default 0: never.
     float loopPeriod;
 
     /// Another seed is another sea of the same statistics. Default 1.

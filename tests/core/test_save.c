@@ -190,6 +190,40 @@ static void ChangesUnderWayGoOn(void** state)
     swDestroyWorld(restored);
 }
 
+// Foam of a first step has no past, whether a save came before it or not.
+static void AViewMadeSinceTheLastStepHasNoPast(void** state)
+{
+    (void)state;
+    for (int stepCount = 0; stepCount < 2; ++stepCount)
+    {
+        swHost host = swDefaultHost();
+        swWorldDef worldDef = swDefaultWorldDef();
+        swWorld* world;
+        assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+        swWaveSystemDef def = swDefaultWaveSystemDef();
+        def.spectrum.windSpeed = 25.0f; // foam everywhere
+        def.chop = 1.6f;
+        swWaveSystemId id;
+        assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+        for (int i = 0; i < stepCount; ++i)
+        {
+            swWorld_Step(world, 1.0);
+        }
+        swViewDef viewDef = swDefaultViewDef();
+        viewDef.sliceCount = 3;
+        viewDef.resolution = 64;
+        viewDef.enableCpuLayers = true;
+        swView* view;
+        assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+        swWorld* restored = SaveAndRestore(world, SW_ISA_BEST);
+        swWorld_Step(world, 0.5);
+        swWorld_Step(restored, 0.5);
+        CompareWorlds(world, restored);
+        swDestroyWorld(world);
+        swDestroyWorld(restored);
+    }
+}
+
 static void DamagedBytesAreRefused(void** state)
 {
     (void)state;
@@ -235,6 +269,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ARestoredWorldGoesOnWithTheSameBits),
         cmocka_unit_test(ChangesUnderWayGoOn),
+        cmocka_unit_test(AViewMadeSinceTheLastStepHasNoPast),
         cmocka_unit_test(DamagedBytesAreRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

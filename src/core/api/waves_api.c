@@ -105,10 +105,10 @@ static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
         return swFail(host, SW_ERROR_INVALID, "a wave system's weight is %g; it must be in [0, 10]",
                       (double)def->weight);
     }
-    if (!(def->loopPeriod >= 0.0f && def->loopPeriod < INFINITY))
+    if (!(def->loopPeriod >= 0.0f && (double)def->loopPeriod <= SW_LARGEST_TIME))
     {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's loop period is %g s; it must be 0 or more",
-                      (double)def->loopPeriod);
+        return swFail(host, SW_ERROR_INVALID, "a wave system's loop period is %g s; it must be in [0, %g]",
+                      (double)def->loopPeriod, SW_LARGEST_TIME);
     }
     return SW_SUCCESS;
 }

@@ -3,6 +3,7 @@
 // of a mix, by its waves, whose first sea may be gone. Then systems, then views. What a step works out is not saved: a step
 // of no time makes it again.
 
+#include <math.h>
 #include <string.h>
 
 #include "core/base/host.h"
@@ -11,6 +12,7 @@
 #define MAX_SETS (2 * SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS)
 #define MAX_TABLE_FREQUENCIES 1024
 #define MAX_TABLE_DIRECTIONS 720
+#define LARGEST_TICKS ((int64_t)1 << 62) // SW_LARGEST_TIME
 
 // ---- defs ----
 
@@ -273,7 +275,10 @@ static void streamRamp(swStream* stream, swRamp* ramp)
     swStreamF32(stream, &ramp->to);
     swStreamI64(stream, &ramp->begin);
     swStreamI64(stream, &ramp->length);
-    bool isFine = ramp->from >= 0.0f && ramp->from <= 10.0f && ramp->to >= 0.0f && ramp->to <= 10.0f;
+    // Ticks of times in range, so that differences of two fit.
+    bool isTime = ramp->begin < LARGEST_TICKS && ramp->begin > -LARGEST_TICKS && ramp->length >= 0 &&
+                  ramp->length <= (int64_t)(SW_MAX_TRANSITION * SW_TICKS_PER_SECOND);
+    bool isFine = isTime && ramp->from >= 0.0f && ramp->from <= 10.0f && ramp->to >= 0.0f && ramp->to <= 10.0f;
     stream->isBroken = stream->isBroken || !isFine;
 }
 
@@ -368,6 +373,10 @@ static void streamView(swStream* stream, swView* view, swPos* last)
     swStreamI64(stream, &view->foamState.remainder);
     swStreamI64(stream, &view->foamState.clock);
     swStreamU32(stream, &view->foamState.resetCount);
+    const swFoamState* foam = &view->foamState;
+    bool isClock = foam->remainder >= 0 && foam->remainder < (int64_t)SW_TICKS_PER_SECOND && foam->clock >= 0 &&
+                   foam->clock < LARGEST_TICKS;
+    stream->isBroken = stream->isBroken || !isClock;
     if (view->def.enableCpuLayers)
     {
         size_t side = (size_t)view->def.resolution;
@@ -438,7 +447,8 @@ static swResult streamViews(swWorld* world, swStream* stream, swPos last[SW_MAX_
 
 // ---- all of it ----
 
-// Work out what the last step left: a step of no time from its viewpoints, to its time.
+// Work out what the last step left: a step of no time from its viewpoints, to its time. Views that were made since, which
+// come last, have no past: their first step is still to come.
 static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VIEWS])
 {
     double time = world->time;
@@ -448,9 +458,15 @@ static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VI
         next[i] = world->views[i]->viewpoint;
         world->views[i]->viewpoint = last[i];
     }
+    int viewCount = world->viewCount;
+    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->stack.isPlaced)
+    {
+        world->viewCount -= 1;
+    }
     world->time = stepped;
     swStepWorld(world, 0.0);
     world->time = time;
+    world->viewCount = viewCount;
     for (int i = 0; i < world->viewCount; ++i)
     {
         world->views[i]->viewpoint = next[i];
@@ -467,7 +483,8 @@ swResult swStreamState(swWorld* world, swStream* stream)
     swStreamF64(stream, &world->origin.z);
     bool isFine = world->time <= SW_LARGEST_TIME && world->time >= -SW_LARGEST_TIME && stepped <= SW_LARGEST_TIME &&
                   stepped >= -SW_LARGEST_TIME && world->origin.x <= 1e12 && world->origin.x >= -1e12 &&
-                  world->origin.z <= 1e12 && world->origin.z >= -1e12;
+                  world->origin.z <= 1e12 && world->origin.z >= -1e12 &&
+                  world->frame.ticks == (int64_t)floor(stepped * SW_TICKS_PER_SECOND + 0.5);
     if (!isFine)
     {
         return SW_ERROR_FORMAT;
