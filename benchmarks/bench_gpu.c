@@ -300,12 +300,15 @@ static void CreateTouch(Bench* bench, VkDeviceSize bytes, swPipeline* pipeline, 
           "no buffer");
 }
 
+// A thread of touch.comp moves 16 bytes, a workgroup has 256.
+#define TOUCH_BYTES (256 * 16)
+
 // Bytes per microsecond, read and written, of a shader that adds one to every word of a large buffer: best of ten.
 static double MeasureBandwidth(Bench* bench)
 {
     swGpu* gpu = bench->gpu;
-    const uint32_t columns = 4096, rows = swGpu_IsSoftware(gpu) ? 16 : 256;
-    VkDeviceSize bytes = (VkDeviceSize)columns * 64 * rows * sizeof(uint32_t);
+    const uint32_t columns = 4096, rows = swGpu_IsSoftware(gpu) ? 1 : 64;
+    VkDeviceSize bytes = (VkDeviceSize)columns * rows * TOUCH_BYTES;
     swPipeline pipeline;
     swBuffer words;
     CreateTouch(bench, bytes, &pipeline, &words);
@@ -333,7 +336,7 @@ static double MeasureBarrier(Bench* bench)
     swGpu* gpu = bench->gpu;
     swPipeline pipeline;
     swBuffer words;
-    CreateTouch(bench, 4096, &pipeline, &words);
+    CreateTouch(bench, 16 * TOUCH_BYTES, &pipeline, &words);
     const swBinding binding = swBindBuffer(&words);
     Series times = {0};
     for (int i = 0; i < 20; ++i)
@@ -387,8 +390,8 @@ static Floor DetailFloor(const Bench* bench, const swFrame* frame)
     return least;
 }
 
-// A run of texels reads the rows that its windows touch: 24 multiply-adds each for value and slope along x, then 36 for each
-// texel; weights are extra.
+// Where a tile is smooth, a column of texels adds four weighted cubics of six numbers to its own, 96 multiply-adds; each texel
+// then evaluates three values, their slopes along x and z. Where it is not, more.
 static Floor SlicesFloor(const swFrame* frame)
 {
     const swViewFrame* view = &frame->views[0];
@@ -397,15 +400,11 @@ static Floor SlicesFloor(const swFrame* frame)
     for (int s = 0; s < view->sliceCount; ++s)
     {
         least.bytes += texels * 24.0;
+        least.flops += texels * 2.0 * 27.0;
         for (int i = 0; i < frame->tileCount; ++i)
         {
-            const swTile* tile = &frame->tiles[i];
-            if (tile->minWavelength >= view->slices[s].minWavelength)
-            {
-                double step = view->slices[s].texel * tile->resolution / tile->side;
-                double rows = 4.0 + (SW_SLICE_RUN - 1) * step; // on average
-                least.flops += texels * (72.0 + 48.0 * rows / SW_SLICE_RUN);
-            }
+            bool isCarried = frame->tiles[i].minWavelength >= view->slices[s].minWavelength;
+            least.flops += isCarried ? texels * 2.0 * 96.0 / SW_SLICE_HEIGHT : 0.0;
         }
     }
     for (int i = 0; i < frame->tileCount; ++i)

@@ -3,14 +3,14 @@
 
 // Next to nothing: what a dispatch and a barrier cost by themselves, and over a large buffer what memory gives.
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 256) in;
 
 layout(std430, binding = 0) buffer Words
 {
-    uint words[];
+    uvec4 words[];
 };
 
 void main()
 {
-    words[gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 64 + gl_GlobalInvocationID.x] += 1u;
+    words[gl_GlobalInvocationID.y * gl_NumWorkGroups.x * 256 + gl_GlobalInvocationID.x] += 1u;
 }

@@ -19,10 +19,12 @@
 #define SW_SLICE_RUN 4
 #define SW_SLICE_RUNS 2
 #define SW_SLICE_HEIGHT 8
-// Tiles whose weights along z are in shared memory at once (at most 32, the bits of a mask), and tile rows that a run may
-// touch.
+// Tiles that are laid out in shared memory at once (at most 32, the bits of a mask), tile rows that a run may touch, tile
+// columns that a block may touch (laid out by a thread a row), and the vec4s that a tile takes: 2 a run and row, or 3 a column.
 #define SW_SLICE_BATCH 16
-#define SW_SLICE_ROWS 8
+#define SW_SLICE_ROWS 6
+#define SW_SLICE_COLUMNS SW_SLICE_HEIGHT
+#define SW_SLICE_LAYOUT 24
 
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32

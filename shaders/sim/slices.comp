@@ -7,33 +7,37 @@
 //
 // The axes of slices and tiles are parallel, so the spline is separable over the whole slice: all texels of a column
 // share their weights along x, all texels of a row their weights along z. A thread owns a column of eight texels, two runs
-// of four, and takes the tile rows that they touch one by one, each interpolated along x (value and slope). Columns of
-// texels lie side by side, so whether a tile has a knot between two rows of texels is the same for a whole workgroup. A
-// tile is added in one of three ways:
+// of four. Columns of texels lie side by side, a workgroup's make a block, so whether a tile has a knot between two rows of
+// texels is the same for the whole block. A tile is added in one of four ways:
 //
-//   no knot in the eight texels  The spline along z is one cubic there: its four coefficients are added to the column's.
-//                                That costs the same however many texels there are, and slopes along z come with it.
-//   no knot in a run             The same, for the run's cubic.
-//   else                         Row by row, to the texels whose windows of four rows may hold it: at most five rows for
-//                                most, up to eight for the shortest. Weights along z lie in shared memory, by tile row,
-//                                with zeros where a row is outside a texel's window, so that no branch depends on them.
+//   no knot in the eight rows, and the block touches few of the tile's columns
+//                       The spline along z is one cubic there. The tile's columns are turned into cubics once, in shared
+//                       memory, and each thread adds four of them, weighted along x, to the coefficients of its own.
+//   no knot in the eight rows
+//                       The same, but each thread takes the four tile rows itself, each interpolated along x (value and
+//                       slope). That costs the same however many texels there are, and slopes along z come with it.
+//   no knot in a run    The same, for the run's cubic.
+//   else                Row by row, to the texels whose windows of four rows may hold it: at most five rows for most, six for
+//                       the shortest waves. Weights along z lie in shared memory, by tile row, with zeros where a row is
+//                       outside a texel's window, so that no branch depends on them.
 //
-// A cubic is exact, not an approximation. In a default view six of the nine tiles of an average slice are added as cubics;
-// the two shortest never are.
+// A cubic is exact, not an approximation. In a default view three or four of an average slice's eight tiles are added as
+// blocks, two as cubics; the shortest never is.
 //
 // Free waves are evaluated one by one, with their phases in integers: a run turns the first texel's sine and cosine on.
 //
-// Measured on an H100, a default view: 53.5 us. Stores alone take 22, and 9 if lanes trade texels by shuffles so that
-// stores fill whole sectors, yet in the whole shader trading gains nothing; without stores it takes 48, without loads 35,
-// without what is added row by row 31. Registers decide: 128 a thread here. The compiler takes more where more shared memory
-// keeps workgroups away anyway: 176 and 63 us with a batch of 32. Slower were, of the same sums: every tile row by row (63),
-// 64 columns (61, 168 registers), columns of sixteen (58), weights along z in registers and four rows kept from texel to
-// texel (69 to 79), loops over rows instead of blocks of five (54 to 58), workgroups of 768 and 1,024 threads, which hold the
-// compiler to 80 and 64 registers (70, 77 to 99), a cubic shared by two threads through shared memory (65 to 77), tile texels
-// in shared memory (129). Runs of four alone were as fast (53, 96 registers) and 1.7 times as slow on a CPU. A load of a
-// tile's texel takes the load unit four cycles a warp, whatever the addresses; a vec4 of weights from shared memory two.
-// Waves of 64 texels and more summed with their derivatives at every fourth texel, with bicubic Hermite polynomials between,
-// were slower as well (74: barriers, shared memory and registers), and not exact.
+// Measured on an H100, a default view: 39 us. Without stores 33 or so, stores alone 15 more than an empty pass (12); what is
+// added row by row takes 14 to 18. Registers decide: 128 a thread here, and the compiler takes 168 (47 us) where a block's
+// shared memory is 12 KB instead of 7, whatever would fit; so cubics and weights share theirs. Tiles' parameters from
+// shared memory instead of the buffer save 1.4 us of the load unit. Slower were, of the same sums and before blocks (44.6):
+// one run a thread (48), batches of eight (47), every tile row by row, 64 columns (43 with blocks), 256 columns (54), columns
+// of sixteen texels, weights along z in registers and four rows kept from texel to texel, workgroups of 768 and 1,024
+// threads, which hold the compiler to 80 and 64 registers, a cubic shared by two threads through shared memory, tile texels
+// in shared memory, and the slices in another order (42). Lanes that trade texels by shuffles, so that stores fill whole
+// sectors, save 1.2 us; not every device can. A load of a tile's texel takes the load unit four cycles a warp, whatever the
+// addresses; a vec4 of weights from shared memory two. Waves of 64 texels and more summed with their derivatives at every
+// fourth texel, with bicubic Hermite polynomials between, were slower as well (barriers, shared memory and registers), and
+// not exact.
 
 #include "lib/turns.glsl"
 #include "shared/spline.h"
@@ -61,14 +65,74 @@ layout(std430, binding = 5) readonly buffer Waves
     swSliceWave waves[];
 };
 
-// Of each tile, run and tile row: weights of the run's four texels for values, and for slopes.
-shared vec4 weightsZ[SW_SLICE_BATCH][SW_SLICE_RUNS][SW_SLICE_ROWS][2];
+// The tiles of the batch.
+shared swSliceTile batchTiles[SW_SLICE_BATCH];
+// What is laid out of each tile. Of one that is added row by row: by run and tile row, the weights of the run's four texels
+// for values and for slopes. Of one that is added as a block: its columns' cubics along z, of x, y and z.
+shared vec4 layouts[SW_SLICE_BATCH][SW_SLICE_LAYOUT];
 // Of each tile and run: its first row (not wrapped), and how many rows it touches.
 shared uvec2 rowsZ[SW_SLICE_BATCH][SW_SLICE_RUNS];
-// Bit b: how tile b of the batch is added, to the whole column or to a run.
+// Bit b: how tile b of the batch is added, to the block, to the whole column or to a run.
+shared uint blockCubics;
 shared uint columnCubics;
 shared uint runCubics[SW_SLICE_RUNS];
 shared uint rowByRow[SW_SLICE_RUNS];
+
+// Cubics along z -----------------------------------------------------------------------------------------------------
+
+// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from where the cubic begins, y and z the same; slopeX to
+// slopeZ are its slope along x.
+struct Cubic
+{
+    vec4 x, y, z;
+    vec4 slopeX, slopeY, slopeZ;
+};
+
+const Cubic FLAT = Cubic(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+
+// The spline's piece t beyond a knot is a cubic: what each of its four coefficients adds to it, as Taylor polynomials.
+mat4 cubicPieces(float t, float step)
+{
+    float halfSquare = 0.5 * step * step;
+    vec4 w1 = swSplineSlopes(t) * step;
+    vec4 w2 = vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t) * halfSquare;
+    vec4 w3 = vec4(-1.0, 3.0, -3.0, 1.0) * (halfSquare * step * (1.0 / 3.0));
+    return transpose(mat4(swSplineWeights(t), w1, w2, w3));
+}
+
+void addCubic(inout Cubic cubic, vec4 piece, vec3 value, vec3 slope)
+{
+    cubic.x = fma(piece, vec4(value.x), cubic.x);
+    cubic.y = fma(piece, vec4(value.y), cubic.y);
+    cubic.z = fma(piece, vec4(value.z), cubic.z);
+    cubic.slopeX = fma(piece, vec4(slope.x), cubic.slopeX);
+    cubic.slopeY = fma(piece, vec4(slope.y), cubic.slopeY);
+    cubic.slopeZ = fma(piece, vec4(slope.z), cubic.slopeZ);
+}
+
+// The same polynomial, beginning a run later.
+vec4 movePowers(vec4 c)
+{
+    const float RUN = float(SW_SLICE_RUN);
+    return vec4(c.x + RUN * (c.y + RUN * (c.z + RUN * c.w)), c.y + RUN * (2.0 * c.z + 3.0 * RUN * c.w),
+                c.z + 3.0 * RUN * c.w, c.w);
+}
+
+Cubic moveByRun(Cubic c)
+{
+    return Cubic(movePowers(c.x), movePowers(c.y), movePowers(c.z), movePowers(c.slopeX), movePowers(c.slopeY),
+                 movePowers(c.slopeZ));
+}
+
+float evaluate(vec4 c, float t)
+{
+    return fma(fma(fma(c.w, t, c.z), t, c.y), t, c.x);
+}
+
+float evaluateSlope(vec4 c, float t)
+{
+    return fma(fma(3.0 * c.w, t, 2.0 * c.z), t, c.y);
+}
 
 // Tiles of a batch ---------------------------------------------------------------------------------------------------
 
@@ -78,10 +142,33 @@ float splineZ(swSliceTile tile, uint row)
     return fma(float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row), tile.step, tile.fractionZ);
 }
 
+float splineX(swSliceTile tile, uint column)
+{
+    return fma(float(column), tile.step, tile.fractionX);
+}
+
+// First tile column that the block touches, not wrapped.
+float firstOfBlock(swSliceTile tile)
+{
+    return floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH));
+}
+
+// Whether the block touches few columns of the tile.
+bool isNarrow(swSliceTile tile)
+{
+    float last = floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH + SW_SLICE_WIDTH - 1));
+    return last - firstOfBlock(tile) <= float(SW_SLICE_COLUMNS - 4);
+}
+
 // Whether no knot lies between two rows of the block, so that one cubic passes through them and all between.
 bool isCubic(swSliceTile tile, uint firstRow, uint lastRow)
 {
     return tile.runMask == (1u << SW_SLICE_RUN) - 1 && floor(splineZ(tile, firstRow)) == floor(splineZ(tile, lastRow));
+}
+
+uint weightsAt(uint run, uint row)
+{
+    return 2 * (run * SW_SLICE_ROWS + row);
 }
 
 void placeWeights(uint b, uint run, uint t, swSliceTile tile)
@@ -92,8 +179,8 @@ void placeWeights(uint b, uint run, uint t, swSliceTile tile)
     uint first = uint(cell - top);
     for (uint k = 0; k < SW_SLICE_ROWS; ++k)
     {
-        weightsZ[b][run][k][0][t] = 0.0;
-        weightsZ[b][run][k][1][t] = 0.0;
+        layouts[b][weightsAt(run, k)][t] = 0.0;
+        layouts[b][weightsAt(run, k) + 1][t] = 0.0;
     }
     if ((tile.runMask >> t & 1) == 0)
     {
@@ -103,8 +190,8 @@ void placeWeights(uint b, uint run, uint t, swSliceTile tile)
     vec4 slope = swSplineSlopes(s - cell) * tile.perMetre;
     for (uint k = 0; k < 4; ++k)
     {
-        weightsZ[b][run][first + k][0][t] = value[k];
-        weightsZ[b][run][first + k][1][t] = slope[k];
+        layouts[b][weightsAt(run, first + k)][t] = value[k];
+        layouts[b][weightsAt(run, first + k) + 1][t] = slope[k];
     }
     if (t == findMSB(tile.runMask))
     {
@@ -112,11 +199,43 @@ void placeWeights(uint b, uint run, uint t, swSliceTile tile)
     }
 }
 
-void sortTile(uint b, uint run, swSliceTile tile)
+// Lays out column `k` of a tile that is added as a block.
+void placeColumn(uint b, uint k, swSliceTile tile)
 {
+    float s = splineZ(tile, 0);
+    float cell = floor(s);
+    uint top = (tile.base >> 16) + uint(cell);
+    uint mask = tile.resolution - 1;
+    uint at = tile.firstTexel + (((tile.base & 0xffffu) + uint(firstOfBlock(tile)) + k) & mask);
+    mat4 pieces = cubicPieces(s - cell, tile.step);
+    vec4 x = vec4(0.0), y = vec4(0.0), z = vec4(0.0);
+    for (uint row = 0; row < 4; ++row)
+    {
+        vec3 texel = texels[at + ((top + row) & mask) * (tile.resolution + 3)].xyz;
+        x = fma(vec4(texel.x), pieces[row], x);
+        y = fma(vec4(texel.y), pieces[row], y);
+        z = fma(vec4(texel.z), pieces[row], z);
+    }
+    layouts[b][3 * k + 0] = x;
+    layouts[b][3 * k + 1] = y;
+    layouts[b][3 * k + 2] = z;
+}
+
+// Decides how a tile is added to a row's run, and lays out what that takes.
+void placeTile(uint b, uint row, swSliceTile tile)
+{
+    uint run = row / SW_SLICE_RUN;
     if (isCubic(tile, 0, SW_SLICE_HEIGHT - 1))
     {
-        atomicOr(columnCubics, 1u << b);
+        if (isNarrow(tile))
+        {
+            placeColumn(b, row, tile);
+            atomicOr(blockCubics, 1u << b);
+        }
+        else
+        {
+            atomicOr(columnCubics, 1u << b);
+        }
     }
     else if (isCubic(tile, run * SW_SLICE_RUN, run * SW_SLICE_RUN + SW_SLICE_RUN - 1))
     {
@@ -124,15 +243,16 @@ void sortTile(uint b, uint run, swSliceTile tile)
     }
     else
     {
+        placeWeights(b, run, row % SW_SLICE_RUN, tile);
         atomicOr(rowByRow[run], 1u << b);
     }
 }
 
 void prepareTiles(uint first, uint count)
 {
-    barrier(); // nobody reads the last batch any more
     if (gl_LocalInvocationIndex < SW_SLICE_RUNS)
     {
+        blockCubics = 0;
         columnCubics = 0;
         runCubics[gl_LocalInvocationIndex] = 0;
         rowByRow[gl_LocalInvocationIndex] = 0;
@@ -141,13 +261,11 @@ void prepareTiles(uint first, uint count)
     for (uint i = gl_LocalInvocationIndex; i < count * SW_SLICE_HEIGHT; i += SW_SLICE_WIDTH)
     {
         uint b = i / SW_SLICE_HEIGHT;
-        uint row = i % SW_SLICE_HEIGHT;
-        uint run = row / SW_SLICE_RUN;
         swSliceTile tile = tiles[first + b];
-        placeWeights(b, run, row % SW_SLICE_RUN, tile);
-        if (row % SW_SLICE_RUN == 0)
+        placeTile(b, i % SW_SLICE_HEIGHT, tile);
+        if (i % SW_SLICE_HEIGHT == 0)
         {
-            sortTile(b, run, tile);
+            batchTiles[b] = tile;
         }
     }
     barrier();
@@ -165,7 +283,7 @@ struct Window
 Window makeWindow(swSliceTile tile, uint column)
 {
     Window window;
-    float s = fma(float(column), tile.step, tile.fractionX);
+    float s = splineX(tile, column);
     float cell = floor(s);
     window.value = swSplineWeights(s - cell);
     window.slope = swSplineSlopes(s - cell) * tile.perMetre;
@@ -193,26 +311,7 @@ vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
 
 // Cubics along z -----------------------------------------------------------------------------------------------------
 
-// Displacement is v0 + v1 t + v2 t^2 + v3 t^3, t texels from where the cubic begins; x0 to x3 give its slope along x.
-struct Cubic
-{
-    vec3 v0, v1, v2, v3;
-    vec3 x0, x1, x2, x3;
-};
-
-const Cubic FLAT = Cubic(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-
-#define BEND(k, component)                                                                                             \
-    cubic.v0 = fma(vec3(w0.component), value##k, cubic.v0);                                                            \
-    cubic.v1 = fma(vec3(w1.component), value##k, cubic.v1);                                                            \
-    cubic.v2 = fma(vec3(w2.component), value##k, cubic.v2);                                                            \
-    cubic.v3 = fma(vec3(w3.component), value##k, cubic.v3);                                                            \
-    cubic.x0 = fma(vec3(w0.component), slope##k, cubic.x0);                                                            \
-    cubic.x1 = fma(vec3(w1.component), slope##k, cubic.x1);                                                            \
-    cubic.x2 = fma(vec3(w2.component), slope##k, cubic.x2);                                                            \
-    cubic.x3 = fma(vec3(w3.component), slope##k, cubic.x3);
-
-// Adds a tile to the cubic that begins at a row of the block: the Taylor polynomial of the spline's piece there.
+// Adds a tile to the cubic that begins at a row of the block.
 void addToCubic(inout Cubic cubic, swSliceTile tile, uint column, uint row)
 {
     Window window = makeWindow(tile, column);
@@ -223,29 +322,42 @@ void addToCubic(inout Cubic cubic, swSliceTile tile, uint column, uint row)
     LOAD_ROW(1)
     LOAD_ROW(2)
     LOAD_ROW(3)
-    float t = s - cell;
-    float halfSquare = 0.5 * tile.step * tile.step;
-    vec4 w0 = swSplineWeights(t);
-    vec4 w1 = swSplineSlopes(t) * tile.step;
-    vec4 w2 = vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t) * halfSquare;
-    vec4 w3 = vec4(-1.0, 3.0, -3.0, 1.0) * (halfSquare * tile.step * (1.0 / 3.0));
+    mat4 pieces = cubicPieces(s - cell, tile.step);
     WEIGH_ROW(0)
-    BEND(0, x)
+    addCubic(cubic, pieces[0], value0, slope0);
     WEIGH_ROW(1)
-    BEND(1, y)
+    addCubic(cubic, pieces[1], value1, slope1);
     WEIGH_ROW(2)
-    BEND(2, z)
+    addCubic(cubic, pieces[2], value2, slope2);
     WEIGH_ROW(3)
-    BEND(3, w)
+    addCubic(cubic, pieces[3], value3, slope3);
 }
 
-// The same cubic, beginning a run later.
-Cubic moveByRun(Cubic c)
+#define ADD_COLUMN(k, component)                                                                                       \
+    {                                                                                                                  \
+        vec4 x = layouts[b][3 * (first + k) + 0];                                                                      \
+        vec4 y = layouts[b][3 * (first + k) + 1];                                                                      \
+        vec4 z = layouts[b][3 * (first + k) + 2];                                                                      \
+        cubic.x = fma(vec4(value.component), x, cubic.x);                                                              \
+        cubic.y = fma(vec4(value.component), y, cubic.y);                                                              \
+        cubic.z = fma(vec4(value.component), z, cubic.z);                                                              \
+        cubic.slopeX = fma(vec4(slope.component), x, cubic.slopeX);                                                    \
+        cubic.slopeY = fma(vec4(slope.component), y, cubic.slopeY);                                                    \
+        cubic.slopeZ = fma(vec4(slope.component), z, cubic.slopeZ);                                                    \
+    }
+
+// Adds a tile that is added as a block to a column's cubic.
+void addBlock(inout Cubic cubic, uint b, swSliceTile tile, uint column)
 {
-    const float RUN = float(SW_SLICE_RUN);
-    return Cubic(c.v0 + RUN * (c.v1 + RUN * (c.v2 + RUN * c.v3)), c.v1 + RUN * (2.0 * c.v2 + 3.0 * RUN * c.v3),
-                 c.v2 + 3.0 * RUN * c.v3, c.v3, c.x0 + RUN * (c.x1 + RUN * (c.x2 + RUN * c.x3)),
-                 c.x1 + RUN * (2.0 * c.x2 + 3.0 * RUN * c.x3), c.x2 + 3.0 * RUN * c.x3, c.x3);
+    float s = splineX(tile, column);
+    float cell = floor(s);
+    vec4 value = swSplineWeights(s - cell);
+    vec4 slope = swSplineSlopes(s - cell) * tile.perMetre;
+    uint first = uint(cell - firstOfBlock(tile));
+    ADD_COLUMN(0, x)
+    ADD_COLUMN(1, y)
+    ADD_COLUMN(2, z)
+    ADD_COLUMN(3, w)
 }
 
 // Texels of a run ----------------------------------------------------------------------------------------------------
@@ -253,11 +365,12 @@ Cubic moveByRun(Cubic c)
 #define FOR_RUN(DO) DO(0) DO(1) DO(2) DO(3)
 
 #define DECLARE_SUMS(t)                                                                                                \
-    vec3 sum##t = fma(vec3(t), fma(vec3(t), fma(vec3(t), cubic.v3, cubic.v2), cubic.v1), cubic.v0);                    \
-    vec3 alongX##t = fma(vec3(t), fma(vec3(t), fma(vec3(t), cubic.x3, cubic.x2), cubic.x1), cubic.x0);                 \
-    vec3 alongZ##t = list.texelsPerMetre * fma(vec3(t), fma(vec3(3 * t), cubic.v3, 2.0 * cubic.v2), cubic.v1);
+    vec3 sum##t = vec3(evaluate(cubic.x, t), evaluate(cubic.y, t), evaluate(cubic.z, t));                              \
+    vec3 alongX##t = vec3(evaluate(cubic.slopeX, t), evaluate(cubic.slopeY, t), evaluate(cubic.slopeZ, t));            \
+    vec3 alongZ##t =                                                                                                   \
+        list.texelsPerMetre * vec3(evaluateSlope(cubic.x, t), evaluateSlope(cubic.y, t), evaluateSlope(cubic.z, t));
 
-#define WEIGHTS_OF_ROW(k) vec4 v##k = weightsZ[b][run][k][0], w##k = weightsZ[b][run][k][1];
+#define WEIGHTS_OF_ROW(k) vec4 v##k = layouts[b][weightsAt(run, k)], w##k = layouts[b][weightsAt(run, k) + 1];
 
 #define ADD_ROW(k, t, component)                                                                                       \
     sum##t = fma(vec3(v##k.component), value##k, sum##t);                                                              \
@@ -297,6 +410,7 @@ void takeBatch(swSliceList list, uint batch)
 {
     if (list.count > SW_SLICE_BATCH)
     {
+        barrier(); // nobody reads the last batch any more
         prepareTiles(list.first + batch, min(list.count - batch, uint(SW_SLICE_BATCH)));
     }
 }
@@ -314,9 +428,14 @@ void main()
     for (uint batch = 0; batch < list.count; batch += SW_SLICE_BATCH)
     {
         takeBatch(list, batch);
+        for (uint bits = blockCubics; bits != 0; bits &= bits - 1)
+        {
+            uint b = findLSB(bits);
+            addBlock(whole, b, batchTiles[b], column);
+        }
         for (uint bits = columnCubics; bits != 0; bits &= bits - 1)
         {
-            addToCubic(whole, tiles[list.first + batch + findLSB(bits)], column, 0);
+            addToCubic(whole, batchTiles[findLSB(bits)], column, 0);
         }
     }
     for (uint run = 0; run < SW_SLICE_RUNS; ++run)
@@ -327,7 +446,7 @@ void main()
             takeBatch(list, batch);
             for (uint bits = runCubics[run]; bits != 0; bits &= bits - 1)
             {
-                addToCubic(cubic, tiles[list.first + batch + findLSB(bits)], column, run * SW_SLICE_RUN);
+                addToCubic(cubic, batchTiles[findLSB(bits)], column, run * SW_SLICE_RUN);
             }
         }
         FOR_RUN(DECLARE_SUMS)
@@ -337,7 +456,7 @@ void main()
             for (uint bits = rowByRow[run]; bits != 0; bits &= bits - 1)
             {
                 uint b = findLSB(bits);
-                Window window = makeWindow(tiles[list.first + batch + b], column);
+                Window window = makeWindow(batchTiles[b], column);
                 uint top = rowsZ[b][run].x;
                 uint rowCount = rowsZ[b][run].y;
                 // Texel 0's window begins at row 0, texel t's at row t + 1 at the latest: see isSparse in upload_frame.c.
@@ -361,15 +480,6 @@ void main()
                     LOAD_ROW(5)
                     WEIGH_ROW(5)
                     ADD_TO_LAST_THREE(5)
-                    if (rowCount > 6)
-                    {
-                        LOAD_ROW(6)
-                        LOAD_ROW(7)
-                        WEIGH_ROW(6)
-                        ADD_TO_LAST_TWO(6)
-                        WEIGH_ROW(7)
-                        ADD_TO_LAST(7)
-                    }
                 }
             }
         }
