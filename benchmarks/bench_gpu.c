@@ -450,15 +450,17 @@ static const QueryCase queryCases[] = {
     {"heights, scattered over 10 km", 1e4, 0, true},
     {"heights, scattered over 1 km", 1e3, 0, true},
     {"heights, a grid of 0.5 m", -0.5, 0, true},
-    {"everything, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true},
-    {"everything, scattered, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false},
+    {"with normals, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true},
+    {"with normals, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false},
+    {"with velocity, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY, false},
+    {"with acceleration too, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false},
 };
 #define QUERY_CASES (int)(sizeof(queryCases) / sizeof(queryCases[0]))
 
 typedef struct QueryTimes
 {
     double pass;  // us, between timestamps around the dispatch
-    double frame; // us that a frame without a view takes longer: the pass, its copies and barriers
+    double frame; // us that a frame without a view takes longer: the pass, tiles of motion, copies and barriers
 } QueryTimes;
 
 static void PlacePoints(const QueryCase* what, int count, swPosXZ* points)

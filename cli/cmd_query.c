@@ -393,7 +393,8 @@ static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName*
     Source source = {.world = world, .def = def, .question = question};
     if (device != NULL)
     {
-        source.gpu = OpenGpuAnswers(device, world, def, list->count < BLOCK ? list->count : BLOCK);
+        source.gpu =
+            OpenGpuAnswers(device, world, def, question == QUESTION_MOTION, list->count < BLOCK ? list->count : BLOCK);
         if (source.gpu == NULL)
         {
             return EXIT_PROBLEM;
@@ -416,7 +417,7 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
     if (result == SW_SUCCESS)
     {
         scene->world.enableQueries = device == NULL;
-        scene->world.enableVelocity = scene->world.enableAcceleration = question == QUESTION_MOTION;
+        scene->world.enableVelocity = scene->world.enableAcceleration = device == NULL && question == QUESTION_MOTION;
         result = swCreateSceneWorld(&host, scene, &world);
     }
     if (result == SW_SUCCESS)
@@ -529,10 +530,9 @@ int RunQuery(int argumentCount, char** arguments)
     def.minWavelength = (float)minWavelength;
     def.tolerance = (float)tolerance;
     def.stretching = (swStretching)stretching;
-    if ((withMotion || isBelow) && backend == 1)
+    if (isBelow && backend == 1)
     {
-        Complain("query: --backend gpu answers about the surface only; leave out %s or ask the cpu",
-                 isBelow ? "--below" : "--motion");
+        Complain("query: --backend gpu answers about the surface only; leave out --below or ask the cpu");
         return EXIT_USAGE;
     }
     if (withMotion && isBelow)

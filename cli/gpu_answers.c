@@ -29,7 +29,7 @@ static bool Succeed(VkResult result, const char* what)
 }
 
 static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const swWorld* world, const swQueryDef* def,
-                          int capacity)
+                          bool withMotion, int capacity)
 {
     swHost host = MakeHost();
     swGpuDef gpuDef = swDefaultGpuDef();
@@ -40,6 +40,7 @@ static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const s
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     queryDef.capacity = capacity;
     queryDef.outputs = SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL;
+    queryDef.outputs |= withMotion ? SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION : 0;
     queryDef.minWavelength = def->minWavelength;
     queryDef.tolerance = def->tolerance;
     queryDef.maxIterations = def->maxIterations;
@@ -69,7 +70,8 @@ static bool CreateCommands(GpuAnswers* answers)
     return Succeed(calls->AllocateCommandBuffers(answers->device, &info, &answers->commands), "no command buffer");
 }
 
-GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swQueryDef* def, int capacity)
+GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swQueryDef* def, bool withMotion,
+                           int capacity)
 {
     GpuAnswers* answers = calloc(1, sizeof(GpuAnswers));
     if (answers == NULL)
@@ -77,7 +79,7 @@ GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const
         Complain("no memory for a query");
         return NULL;
     }
-    swResult result = CreateSea(answers, device, world, def, capacity);
+    swResult result = CreateSea(answers, device, world, def, withMotion, capacity);
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the GPU cannot be asked; without --backend gpu the CPU answers");

@@ -7,8 +7,9 @@
 
 typedef struct GpuAnswers GpuAnswers;
 
-// NULL after a complaint. The world must outlive it.
-GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swQueryDef* def, int capacity);
+// NULL after a complaint. The world must outlive it. Samples may want velocity and acceleration only `withMotion`.
+GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swQueryDef* def, bool withMotion,
+                           int capacity);
 void CloseGpuAnswers(GpuAnswers* answers);
 
 // At the time of the world's last step, at most `capacity` points.

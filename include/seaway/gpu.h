@@ -144,7 +144,12 @@ typedef struct swGpuQuery swGpuQuery;
 typedef enum swGpuQueryOutput
 {
     SW_GPU_QUERY_SIDEWAYS = 1, ///< horizontal displacement of the particle that is there
-    SW_GPU_QUERY_NORMAL = 2    ///< normal and Jacobian
+    SW_GPU_QUERY_NORMAL = 2,   ///< normal and Jacobian
+
+    /// Velocity and acceleration of the particle that is there. Each makes the frame's transforms of waves once more, and
+    /// tiles of its own, in frames in which a query with points asks for it; their memory stays with the swGpuWorld.
+    SW_GPU_QUERY_VELOCITY = 4,
+    SW_GPU_QUERY_ACCELERATION = 8
 } swGpuQueryOutput;
 
 /// Must be initialized with swDefaultGpuQueryDef().
@@ -209,27 +214,33 @@ typedef struct swGpuQueryResults
     const swGpuHeight* heights;
     const swVec2* sideways; ///< x and z of displacement, m (y is the height). NULL unless asked for
     const swVec4* normals;  ///< unit normal, and the Jacobian in w. NULL unless asked for
+
+    /// m/s and m/s^2; w is 0. NULL unless asked for.
+    const swVec4* velocities;
+    const swVec4* accelerations;
 } swGpuQueryResults;
 
 /// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says so.
 /// Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the first,
-/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. In a fold, where the water is above
+/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. Velocity and acceleration are those
+/// of a world that has enableVelocity and enableAcceleration to 1 mm/s and 1 cm/s^2 likewise. In a fold, where the water is above
 /// a point more than once, it may be another of the particles there.
 /// @return false while none have arrived
 SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
 
 /// Write results where swWorld_QuerySurface() would: heights include sea level. Arrays of `samples` for which the query
-/// has no output, and velocity and acceleration, must be NULL. `stats` may be NULL; its iterationCount is 0.
+/// has no output must be NULL. `stats` may be NULL; its iterationCount is 0.
 SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples,
                                      swQueryStats* stats);
 
 /// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any descriptor:
-/// vec2 heights[] (height, residual), vec2 sideways[], vec4 normals[] (w: Jacobian). An offset without an output is 0.
+/// vec2 heights[] (height, residual), vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4
+/// accelerations[] (w: 0). An offset without an output is 0.
 /// swGpuWorld_Record() leaves them visible to vertex, fragment and compute shaders of the same queue.
 typedef struct swGpuQueryBuffer
 {
     VkBuffer buffer;
-    VkDeviceSize heights, sideways, normals;
+    VkDeviceSize heights, sideways, normals, velocities, accelerations;
 } swGpuQueryBuffer;
 SW_API swGpuQueryBuffer swGpuQuery_GetBuffer(const swGpuQuery* query);
 

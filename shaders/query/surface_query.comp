@@ -14,6 +14,9 @@
 // Four lanes share a point. Each takes one column of a tile's window of 4 x 4 texels, so that the four read 64 bytes side
 // by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
 //
+// Velocity and acceleration are looked up once, where the search ended, in texels of their own. A query that wants neither
+// has a pipeline without them.
+//
 // Measured on an H100, 100,000 points of a default sea: 190 us scattered over 10 km, 125 to 175 us on a grid of 0.5 m;
 // points take 2.6 evaluations after the first guess. Slower were: no first guess (40 more), lanes that take another point
 // as soon as theirs is done (7 more with two points a lane, 10 with four), tiles in a storage buffer (6 more), all four
@@ -27,6 +30,7 @@
 
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
+layout(constant_id = 0) const bool WITH_MOTION = false;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -55,6 +59,14 @@ layout(std430, binding = 5) writeonly buffer Sideways
 layout(std430, binding = 6) writeonly buffer Normals
 {
     vec4 normals[]; // and J
+};
+layout(std430, binding = 7) writeonly buffer Velocities
+{
+    vec4 velocities[]; // and 0
+};
+layout(std430, binding = 8) writeonly buffer Accelerations
+{
+    vec4 accelerations[]; // and 0
 };
 layout(push_constant) uniform Push
 {
@@ -88,38 +100,70 @@ vec4 splineCubic(uint lane)
     return cubics[lane] / 6.0;
 }
 
-void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Sum sum)
+// A lane's column of the window of texels around a rest point.
+struct Column
+{
+    uint first, row, mask, pitch;
+    float fractionX, fractionZ;
+};
+
+Column findColumn(swQueryTile tile, ivec2 cell, vec2 rest, uint lane)
 {
     vec2 way = rest * tile.turnsPerMetre;
     uint turnsX = tile.turnsX + uint(cell.x) * tile.cellTurns + toTurns(way.x);
     uint turnsZ = tile.turnsZ + uint(cell.y) * tile.cellTurns + toTurns(way.y);
-    uint column = turnsX >> (32 - tile.resolutionBits);
-    uint row = turnsZ >> (32 - tile.resolutionBits);
-    float fractionX = float((turnsX << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    float fractionZ = float((turnsZ << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    uint mask = (1u << tile.resolutionBits) - 1u;
-    uint pitch = mask + 4u;
-    uint first = tile.firstTexel + column + lane;
-    vec3 a = texels[first + row * pitch].xyz;
-    vec3 b = texels[first + ((row + 1) & mask) * pitch].xyz;
-    vec3 c = texels[first + ((row + 2) & mask) * pitch].xyz;
-    vec3 d = texels[first + ((row + 3) & mask) * pitch].xyz;
-    vec4 valueZ = swSplineWeights(fractionZ);
-    vec4 slopeZ = swSplineSlopes(fractionZ) * tile.texelsPerMetre;
-    float valueX = fma(fma(fma(cubic.w, fractionX, cubic.z), fractionX, cubic.y), fractionX, cubic.x);
-    float slopeX = fma(fma(3.0 * cubic.w, fractionX, 2.0 * cubic.z), fractionX, cubic.y) * tile.texelsPerMetre;
-    vec3 value = fma(vec3(valueZ.w), d, fma(vec3(valueZ.z), c, fma(vec3(valueZ.y), b, valueZ.x * a)));
-    vec3 slope = fma(vec3(slopeZ.w), d, fma(vec3(slopeZ.z), c, fma(vec3(slopeZ.y), b, slopeZ.x * a)));
+    Column column;
+    column.first = tile.firstTexel + (turnsX >> (32 - tile.resolutionBits)) + lane;
+    column.row = turnsZ >> (32 - tile.resolutionBits);
+    column.mask = (1u << tile.resolutionBits) - 1u;
+    column.pitch = column.mask + 4u;
+    column.fractionX = float((turnsX << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
+    column.fractionZ = float((turnsZ << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
+    return column;
+}
+
+// Texel `i` of four along z; `field` is how far the texels lie from displacement's.
+vec3 texelOf(Column column, uint field, uint i)
+{
+    return texels[column.first + field + ((column.row + i) & column.mask) * column.pitch].xyz;
+}
+
+float weightAlongX(Column column, vec4 cubic)
+{
+    float t = column.fractionX;
+    return fma(fma(fma(cubic.w, t, cubic.z), t, cubic.y), t, cubic.x);
+}
+
+vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
+{
+    return fma(vec3(weights.w), d, fma(vec3(weights.z), c, fma(vec3(weights.y), b, weights.x * a)));
+}
+
+void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Sum sum)
+{
+    Column column = findColumn(tile, cell, rest, lane);
+    vec3 a = texelOf(column, 0, 0), b = texelOf(column, 0, 1), c = texelOf(column, 0, 2), d = texelOf(column, 0, 3);
+    float valueX = weightAlongX(column, cubic);
+    float slopeX =
+        fma(fma(3.0 * cubic.w, column.fractionX, 2.0 * cubic.z), column.fractionX, cubic.y) * tile.texelsPerMetre;
+    vec3 value = weigh(swSplineWeights(column.fractionZ), a, b, c, d);
+    vec3 slope = weigh(swSplineSlopes(column.fractionZ) * tile.texelsPerMetre, a, b, c, d);
     sum.value = fma(vec3(valueX), value, sum.value);
     sum.alongX = fma(vec3(slopeX), value, sum.alongX);
     sum.alongZ = fma(vec3(valueX), slope, sum.alongZ);
 }
 
-void addWave(swQueryWave wave, ivec2 cell, vec2 rest, inout Sum sum)
+// Cosine and sine, times the amplitude.
+vec2 swingOf(swQueryWave wave, ivec2 cell, vec2 rest)
 {
     uint phase = wave.phase + uint(cell.x) * wave.cellTurnsX + uint(cell.y) * wave.cellTurnsZ +
                  toTurns(rest.x * wave.turnsX + rest.y * wave.turnsZ);
-    vec2 unit = wave.amplitude * unitOf(phase); // cosine, sine
+    return wave.amplitude * unitOf(phase);
+}
+
+void addWave(swQueryWave wave, ivec2 cell, vec2 rest, inout Sum sum)
+{
+    vec2 unit = swingOf(wave, cell, rest);
     vec3 slope = vec3(-wave.dx * unit.x, -unit.y, -wave.dz * unit.x) * 6.28318530718;
     sum.value += vec3(-wave.dx * unit.y, unit.x, -wave.dz * unit.y);
     sum.alongX += slope * wave.turnsX;
@@ -140,6 +184,50 @@ Sum addWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane)
         addWave(waves[i], cell, rest, sum);
     }
     return sum;
+}
+
+// Velocity and acceleration of a particle. Of a lane: its share.
+struct Motion
+{
+    vec3 velocity;
+    vec3 acceleration;
+};
+
+void addTileMotion(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Motion motion)
+{
+    Column column = findColumn(tile, cell, rest, lane);
+    float valueX = weightAlongX(column, cubic);
+    vec4 valueZ = swSplineWeights(column.fractionZ);
+    if (params.velocityTexels != 0)
+    {
+        uint field = params.velocityTexels;
+        motion.velocity += valueX * weigh(valueZ, texelOf(column, field, 0), texelOf(column, field, 1),
+                                          texelOf(column, field, 2), texelOf(column, field, 3));
+    }
+    if (params.accelerationTexels != 0)
+    {
+        uint field = params.accelerationTexels;
+        motion.acceleration += valueX * weigh(valueZ, texelOf(column, field, 0), texelOf(column, field, 1),
+                                              texelOf(column, field, 2), texelOf(column, field, 3));
+    }
+}
+
+Motion addMotion(ivec2 cell, vec2 rest, uint lane)
+{
+    vec4 cubic = splineCubic(lane);
+    Motion motion = Motion(vec3(0.0), vec3(0.0));
+    for (uint i = 0; i < params.tileCount; ++i)
+    {
+        addTileMotion(tiles[i], cell, rest, lane, cubic, motion);
+    }
+    for (uint i = lane; i < params.waveCount; i += SW_QUERY_LANES)
+    {
+        swQueryWave wave = waves[i];
+        vec2 rate = wave.rate * swingOf(wave, cell, rest);
+        motion.velocity += vec3(wave.dx * rate.x, rate.y, wave.dz * rate.x);
+        motion.acceleration += wave.rate * vec3(wave.dx * rate.y, -rate.x, wave.dz * rate.y);
+    }
+    return motion;
 }
 
 void share(Sum sum)
@@ -265,6 +353,23 @@ void store(Search search, uint lane)
     }
 }
 
+// How the particle that was found moves. All threads of the workgroup call it together.
+void storeMotion(Search search, uint lane, bool isPoint)
+{
+    Motion motion = addMotion(search.cell, search.place + search.bestOffset, lane);
+    shares[0][gl_LocalInvocationIndex] = motion.velocity;
+    shares[1][gl_LocalInvocationIndex] = motion.acceleration;
+    barrier();
+    if (isPoint && lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
+    {
+        velocities[search.point] = vec4(gather(0), 0.0);
+    }
+    else if (isPoint && lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
+    {
+        accelerations[search.point] = vec4(gather(1), 0.0);
+    }
+}
+
 void main()
 {
     uint lane = gl_LocalInvocationIndex % SW_QUERY_LANES;
@@ -305,7 +410,11 @@ void main()
         barrier();
         if (isBusy[turn] == 0)
         {
-            return;
+            break;
         }
+    }
+    if (WITH_MOTION)
+    {
+        storeMotion(search, lane, point < params.pointCount);
     }
 }

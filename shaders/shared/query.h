@@ -19,6 +19,8 @@
 // Bits of swQueryParams::outputs, the same as swGpuQueryOutput.
 #define SW_QUERY_WANTS_SIDEWAYS 1
 #define SW_QUERY_WANTS_NORMAL 2
+#define SW_QUERY_WANTS_VELOCITY 4
+#define SW_QUERY_WANTS_ACCELERATION 8
 
 SW_PARAMS(swQueryParams)
 {
@@ -31,9 +33,11 @@ SW_PARAMS(swQueryParams)
     sw_uint waveCount;
     sw_uint longWaveCount; // the same for free waves
     sw_uint maxIterations;
-    float toleranceSquare; // m^2
+    float toleranceSquare;  // m^2
+    sw_uint velocityTexels; // from a tile's displacement to its velocity, in texels
+    sw_uint accelerationTexels;
 };
-SW_PARAMS_SIZE(swQueryParams, 40);
+SW_PARAMS_SIZE(swQueryParams, 48);
 
 SW_PARAMS(swQueryPoint)
 {
@@ -63,6 +67,7 @@ SW_PARAMS(swQueryWave)
     float amplitude; // m
     float dx, dz;
     float turnsX, turnsZ; // turns a metre
+    float rate;           // rad/s
 };
-SW_PARAMS_SIZE(swQueryWave, 32);
+SW_PARAMS_SIZE(swQueryWave, 36);
 #endif

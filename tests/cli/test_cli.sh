@@ -136,6 +136,11 @@ test_query() {
     paste -d, first out | awk -F, 'NR > 1 { for (i = 4; i <= 7; ++i) { d = $i - $(i + 12); if (d * d > 4e-6) exit 1 } }' ||
         fail "the GPU gives other answers"
     [ "$(wc -l <out)" -eq 3 ] || fail "the GPU gives two points other than three lines"
+    run 0 query "$sea" --points points.csv --time 3 --motion
+    cp out first
+    run 0 query "$sea" --points points.csv --time 3 --motion --backend gpu
+    paste -d, first out | awk -F, 'NR > 1 { for (i = 13; i <= 18; ++i) { d = $i - $(i + 18); if (d * d > 4e-4) exit 1 } }' ||
+        fail "the GPU gives other motion"
     run 2 query "$sea" --points points.csv --backend gpu --device 99
     err 'seaway devices'
     [ ! -e /dev/full ] || {

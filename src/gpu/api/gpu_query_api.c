@@ -23,7 +23,8 @@ swGpuQueryDef swDefaultGpuQueryDef(void)
 // Comparisons are written so that NaN fails them.
 static bool isDefValid(const swGpuQueryDef* def)
 {
-    const uint32_t known = SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL;
+    const uint32_t known =
+        SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL | SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION;
     return def != NULL && def->internalValue == SW_DEF_COOKIE && def->capacity >= 1 &&
            def->capacity <= SW_MAX_QUERY_POINTS && (def->outputs & ~known) == 0 && def->minWavelength >= 0.0f &&
            def->tolerance >= 1e-5f && def->maxIterations >= 1 && def->maxIterations <= 64;
@@ -103,7 +104,8 @@ void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceS
 {
     bool isValid = results != NULL && samples != NULL && (samples->displacement == NULL || results->sideways != NULL) &&
                    ((samples->normal == NULL && samples->jacobian == NULL) || results->normals != NULL) &&
-                   samples->velocity == NULL && samples->acceleration == NULL;
+                   (samples->velocity == NULL || results->velocities != NULL) &&
+                   (samples->acceleration == NULL || results->accelerations != NULL);
     SW_ASSERT(isValid);
     if (isValid)
     {

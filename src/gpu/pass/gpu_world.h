@@ -56,6 +56,16 @@ typedef struct swGpuQuerySlot
     int count;
 } swGpuQuerySlot;
 
+// What the wave passes make of the tiles this frame. Displacement is always there and comes first; velocity and
+// acceleration are made in frames in which a query wants them, and cost nothing otherwise.
+typedef struct swTileFields
+{
+    uint32_t count;
+    uint32_t derivatives;            // see swWavesParams
+    uint32_t lines, texels;          // of one field
+    uint32_t velocity, acceleration; // which field they are; 0: not made
+} swTileFields;
+
 struct swGpuQuery
 {
     swGpuWorld* gpuWorld;
@@ -96,7 +106,7 @@ typedef struct swPasses
     swPipeline detail;
     swPipeline slices;
     swPipeline foam;
-    swPipeline surfaceQuery; // made with the first query
+    swPipeline surfaceQuery[2]; // without and with velocity or acceleration; made with the first such query
 } swPasses;
 
 struct swGpuWorld
@@ -107,8 +117,8 @@ struct swGpuWorld
     swBuffer roots;  // SW_TWIDDLES complex roots of unity
     swBuffer modes;  // of all tiles, as swMode
     swBuffer rows;   // see swTileParams::firstRow
-    swBuffer lines;  // between the FFT's axes
-    swBuffer texels; // see shaders/shared/waves.h
+    swBuffer lines;  // between the FFT's axes, of each field
+    swBuffer texels; // of each field; see shaders/shared/waves.h
 
     // RGBA16F 2D array, one layer a tile, SW_DETAIL_MIPS mips: (sx, sz, sx^2, sz^2) with s the slope of the tile's height
     // by rest position at sample points; mips are averages, so that slopes lost by filtering have variance s2 - s s.
@@ -123,6 +133,7 @@ struct swGpuWorld
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     int tileCount;
+    swTileFields fields;
     const swTile* tiles;                // the frame's tiles; index = element of tileParams = layer of detail
     swTileParams params[SW_MAX_TILES];  // host copy of tileParams
     swUpload tileParams;                // swTileParams[tileCount]

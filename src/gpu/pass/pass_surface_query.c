@@ -13,23 +13,32 @@ static const uint32_t surfaceQueryCode[] =
 // Workgroups along an axis that every device can have.
 #define SW_MOST_GROUPS 65535u
 
-swResult swCreateSurfaceQuery(swGpu* gpu, swPasses* passes)
+static bool hasMotion(uint32_t outputs)
 {
-    if (passes->surfaceQuery.handle != VK_NULL_HANDLE)
+    return (outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
+}
+
+swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes)
+{
+    const uint32_t withMotion = hasMotion(outputs) ? 1 : 0;
+    swPipeline* pipeline = &passes->surfaceQuery[withMotion];
+    if (pipeline->handle != VK_NULL_HANDLE)
     {
         return SW_SUCCESS;
     }
     swComputeDef def = {
         .shader = SW_SHADER(surfaceQueryCode),
-        .bindingCount = 7,
+        .bindingCount = 9,
         .pushSize = sizeof(swQueryParams),
+        .constantCount = 1,
+        .constants = &withMotion,
         .name = "surface_query",
     };
     for (uint32_t i = 0; i < def.bindingCount; ++i)
     {
         def.types[i] = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     }
-    return swCreateComputePipeline(gpu, &def, &passes->surfaceQuery);
+    return swCreateComputePipeline(gpu, &def, pipeline);
 }
 
 // Points that the host set, or the part of the host's buffer that holds them.
@@ -68,8 +77,11 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
         bindPlane(query, query->planes.heights),
         bindPlane(query, query->planes.sideways),
         bindPlane(query, query->planes.normals),
+        bindPlane(query, query->planes.velocities),
+        bindPlane(query, query->planes.accelerations),
     };
-    swBindPipeline(gpu, commands, &gpuWorld->passes.surfaceQuery, bindings, &params);
+    const swPipeline* pipeline = &gpuWorld->passes.surfaceQuery[hasMotion(query->def.outputs) ? 1 : 0];
+    swBindPipeline(gpu, commands, pipeline, bindings, &params);
     uint32_t groups = (params.pointCount + SW_QUERY_POINTS - 1) / SW_QUERY_POINTS;
     uint32_t columns = groups < SW_MOST_GROUPS ? groups : SW_MOST_GROUPS;
     gpu->vk.CmdDispatch(commands, columns, (groups + columns - 1) / columns, 1);

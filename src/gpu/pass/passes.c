@@ -11,7 +11,8 @@ void swDestroyPasses(swGpu* gpu, swPasses* passes)
     swDestroyPipeline(gpu, &passes->detail);
     swDestroyPipeline(gpu, &passes->slices);
     swDestroyPipeline(gpu, &passes->foam);
-    swDestroyPipeline(gpu, &passes->surfaceQuery);
+    swDestroyPipeline(gpu, &passes->surfaceQuery[0]);
+    swDestroyPipeline(gpu, &passes->surfaceQuery[1]);
 }
 
 const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view)

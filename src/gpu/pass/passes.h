@@ -12,7 +12,7 @@ swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes);
 swResult swCreateDetail(swGpu* gpu, swPasses* passes);
 swResult swCreateSlices(swGpu* gpu, swPasses* passes);
 swResult swCreateFoam(swGpu* gpu, swPasses* passes);
-swResult swCreateSurfaceQuery(swGpu* gpu, swPasses* passes); // a second call does nothing
+swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes); // a second call does nothing
 void swDestroyPasses(swGpu* gpu, swPasses* passes);
 
 void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
@@ -21,6 +21,13 @@ void swRecordDetail(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+
+// Of the tiles of a resolution.
+static inline swWavesParams swMakeWavesParams(const swGpuWorld* gpuWorld, int size)
+{
+    const swTileFields* fields = &gpuWorld->fields;
+    return (swWavesParams){gpuWorld->groupFirst[size], fields->derivatives, fields->lines, fields->texels};
+}
 
 // log2(resolution) - 4: the index of a tile resolution's pipelines.
 static inline int swTileSizeIndex(int resolution)

@@ -20,21 +20,42 @@ static VkDeviceSize alignPlane(VkDeviceSize size)
 
 // ---- making and freeing ----
 
+#define PLANES 5
+
+// What a query's buffer of answers may hold, in order; heights are always there.
+typedef struct Plane
+{
+    uint32_t output; // 0: always
+    size_t size;     // of one answer
+    VkDeviceSize* at;
+} Plane;
+
+static void listPlanes(swGpuQueryBuffer* planes, Plane list[PLANES])
+{
+    list[0] = (Plane){0, sizeof(swGpuHeight), &planes->heights};
+    list[1] = (Plane){SW_GPU_QUERY_SIDEWAYS, sizeof(swVec2), &planes->sideways};
+    list[2] = (Plane){SW_GPU_QUERY_NORMAL, sizeof(swVec4), &planes->normals};
+    list[3] = (Plane){SW_GPU_QUERY_VELOCITY, sizeof(swVec4), &planes->velocities};
+    list[4] = (Plane){SW_GPU_QUERY_ACCELERATION, sizeof(swVec4), &planes->accelerations};
+}
+
+static bool isPlaneWanted(const swGpuQuery* query, const Plane* plane)
+{
+    return plane->output == 0 || (query->def.outputs & plane->output) != 0;
+}
+
 static void layOutPlanes(swGpuQuery* query)
 {
-    VkDeviceSize capacity = (VkDeviceSize)query->def.capacity;
-    VkDeviceSize end = alignPlane(capacity * sizeof(swGpuHeight));
-    if ((query->def.outputs & SW_GPU_QUERY_SIDEWAYS) != 0)
+    Plane planes[PLANES];
+    listPlanes(&query->planes, planes);
+    for (int i = 0; i < PLANES; ++i)
     {
-        query->planes.sideways = end;
-        end += alignPlane(capacity * sizeof(swVec2));
+        if (isPlaneWanted(query, &planes[i]))
+        {
+            *planes[i].at = query->answerSize;
+            query->answerSize += alignPlane((VkDeviceSize)query->def.capacity * planes[i].size);
+        }
     }
-    if ((query->def.outputs & SW_GPU_QUERY_NORMAL) != 0)
-    {
-        query->planes.normals = end;
-        end += alignPlane(capacity * sizeof(swVec4));
-    }
-    query->answerSize = end;
 }
 
 static swResult createQueryBuffers(swGpuQuery* query)
@@ -97,7 +118,7 @@ swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQue
     query->slotCount = gpu->framesInFlight + 1;
     linkQuery(query);
     layOutPlanes(query);
-    swResult result = swCreateSurfaceQuery(gpu, &gpuWorld->passes);
+    swResult result = swCreateSurfaceQuery(gpu, def->outputs, &gpuWorld->passes);
     result = result == SW_SUCCESS ? createQueryBuffers(query) : result;
     if (result != SW_SUCCESS)
     {
@@ -204,6 +225,7 @@ static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ 
         .dz = wave->dz,
         .turnsX = (float)wave->turnsX,
         .turnsZ = (float)wave->turnsZ,
+        .rate = (float)((double)wave->frequency * (SW_TICKS_PER_SECOND * 2.0 * SW_PI * 0x1p-64)),
     };
 }
 
@@ -290,6 +312,22 @@ static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float 
     return result;
 }
 
+uint32_t swFindWantedFields(const swGpuWorld* gpuWorld)
+{
+    uint32_t wanted = 0;
+    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        wanted |= query->count > 0 ? query->def.outputs : 0;
+    }
+    return wanted & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION);
+}
+
+// How far a field's texels lie from displacement's; 0 if the query does not want it.
+static uint32_t findFieldTexels(const swGpuQuery* query, swGpuQueryOutput output, uint32_t field)
+{
+    return (query->def.outputs & output) != 0 ? field * query->gpuWorld->fields.texels : 0;
+}
+
 swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame)
 {
     swResult result = SW_SUCCESS;
@@ -304,6 +342,8 @@ swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame)
             .outputs = query->def.outputs,
             .maxIterations = (uint32_t)query->def.maxIterations,
             .toleranceSquare = query->def.tolerance * query->def.tolerance,
+            .velocityTexels = findFieldTexels(query, SW_GPU_QUERY_VELOCITY, gpuWorld->fields.velocity),
+            .accelerationTexels = findFieldTexels(query, SW_GPU_QUERY_ACCELERATION, gpuWorld->fields.acceleration),
         };
         float shortest = findShortestOfGuess(frame, query->def.minWavelength);
         result = uploadQueryTiles(query, frame, shortest);
@@ -318,15 +358,16 @@ static void recordCopy(swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = query->gpuWorld->gpu;
     VkDeviceSize to = query->answerSize * (VkDeviceSize)query->answerSlot;
-    const VkDeviceSize starts[] = {query->planes.heights, query->planes.sideways, query->planes.normals};
-    const size_t sizes[] = {sizeof(swGpuHeight), sizeof(swVec2), sizeof(swVec4)};
-    VkBufferCopy copies[3];
+    Plane planes[PLANES];
+    listPlanes(&query->planes, planes);
+    VkBufferCopy copies[PLANES];
     uint32_t count = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < PLANES; ++i)
     {
-        if (i == 0 || starts[i] != 0)
+        if (isPlaneWanted(query, &planes[i]))
         {
-            copies[count++] = (VkBufferCopy){starts[i], to + starts[i], (VkDeviceSize)query->count * sizes[i]};
+            VkDeviceSize at = *planes[i].at;
+            copies[count++] = (VkBufferCopy){at, to + at, (VkDeviceSize)query->count * planes[i].size};
         }
     }
     gpu->vk.CmdCopyBuffer(commands, query->answers.handle, query->copies.handle, count, copies);
@@ -408,7 +449,14 @@ void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swG
         .heights = (const swGpuHeight*)(data + planes->heights),
         .sideways = planes->sideways != 0 ? (const swVec2*)(data + planes->sideways) : NULL,
         .normals = planes->normals != 0 ? (const swVec4*)(data + planes->normals) : NULL,
+        .velocities = planes->velocities != 0 ? (const swVec4*)(data + planes->velocities) : NULL,
+        .accelerations = planes->accelerations != 0 ? (const swVec4*)(data + planes->accelerations) : NULL,
     };
+}
+
+static swVec3 takeVector(swVec4 v)
+{
+    return (swVec3){v.x, v.y, v.z};
 }
 
 static void unpackOne(const swGpuQueryResults* results, int i, const swSurfaceSamples* samples)
@@ -428,12 +476,19 @@ static void unpackOne(const swGpuQueryResults* results, int i, const swSurfaceSa
     }
     if (samples->normal != NULL)
     {
-        swVec4 normal = results->normals[i];
-        samples->normal[i] = (swVec3){normal.x, normal.y, normal.z};
+        samples->normal[i] = takeVector(results->normals[i]);
     }
     if (samples->jacobian != NULL)
     {
         samples->jacobian[i] = results->normals[i].w;
+    }
+    if (samples->velocity != NULL)
+    {
+        samples->velocity[i] = takeVector(results->velocities[i]);
+    }
+    if (samples->acceleration != NULL)
+    {
+        samples->acceleration[i] = takeVector(results->accelerations[i]);
     }
 }
 

@@ -19,6 +19,8 @@ swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQue
 void swFreeGpuQuery(swGpuQuery* query);
 void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points);
 void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin);
+// Bits of swGpuQueryOutput that the queries of this frame want of the tiles.
+uint32_t swFindWantedFields(const swGpuWorld* gpuWorld);
 // This frame's parameters of all queries. Nothing is recorded.
 swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame);
 // After the query pass: copy answers to where the host reads them, and stamp them.
