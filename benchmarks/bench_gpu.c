@@ -41,6 +41,7 @@ typedef struct Bench
     swView* view;
     swGpuWorld* gpuWorld;
     swPosXZ* points;
+    swPos* places;
     swGpuQuery* query; // while queries are measured
     uint64_t frameIndex;
     VkCommandPool pool;
@@ -249,6 +250,18 @@ static void AddPassTimes(Bench* bench, Series* passes)
     }
 }
 
+static void SetQueryPoints(Bench* bench)
+{
+    if (bench->query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
+    {
+        swGpuQuery_SetPlaces(bench->query, bench->options.queryPoints, bench->places);
+    }
+    else
+    {
+        swGpuQuery_SetPoints(bench->query, bench->options.queryPoints, bench->points);
+    }
+}
+
 // The warm-up's frames are not counted. `passes` NULL: no timestamps inside a frame.
 static void RunFrames(Bench* bench, Series* passes, Series* frame)
 {
@@ -265,7 +278,7 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
         Check(swWorld_Step(bench->world, 1.0 / 60.0), "a step failed");
         if (bench->query != NULL)
         {
-            swGpuQuery_SetPoints(bench->query, bench->options.queryPoints, bench->points);
+            SetQueryPoints(bench);
         }
         int slot = (int)(bench->frameIndex % SLOTS);
         bool isCounted = i >= warmUp;
@@ -444,26 +457,30 @@ typedef struct QueryCase
     double side; // m, of the square that they are scattered over; below 0: a grid of points so far apart
     uint32_t outputs;
     bool readBack;
+    double deepest; // m; below 0: about the water from there to the surface
+    bool isLevel;   // all of them there
 } QueryCase;
 
 static const QueryCase queryCases[] = {
-    {"heights, scattered over 10 km", 1e4, 0, true},
-    {"heights, scattered over 1 km", 1e3, 0, true},
-    {"heights, a grid of 0.5 m", -0.5, 0, true},
-    {"with normals, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true},
-    {"with normals, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false},
-    {"with velocity, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY, false},
-    {"with acceleration too, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false},
+    {"heights, scattered over 10 km", 1e4, 0, true, 0.0, false},
+    {"heights, scattered over 1 km", 1e3, 0, true, 0.0, false},
+    {"heights, a grid of 0.5 m", -0.5, 0, true, 0.0, false},
+    {"with normals, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true, 0.0, false},
+    {"with normals, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false, 0.0, false},
+    {"with velocity, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY, false, 0.0, false},
+    {"with acceleration too, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false, 0.0, false},
+    {"the water below, 0 to 20 m", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false, -20.0, false},
+    {"the water 5 m below", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false, -5.0, true},
 };
 #define QUERY_CASES (int)(sizeof(queryCases) / sizeof(queryCases[0]))
 
 typedef struct QueryTimes
 {
-    double pass;  // us, between timestamps around the dispatch
+    double pass;  // us, between timestamps around the dispatches of the query
     double frame; // us that a frame without a view takes longer: the pass, tiles of motion, copies and barriers
 } QueryTimes;
 
-static void PlacePoints(const QueryCase* what, int count, swPosXZ* points)
+static void PlacePoints(const QueryCase* what, int count, swPosXZ* points, swPos* places)
 {
     int columns = (int)ceil(sqrt((double)count));
     uint32_t seed = 12345;
@@ -476,14 +493,16 @@ static void PlacePoints(const QueryCase* what, int count, swPosXZ* points)
             place[axis] = what->side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
         }
         points[i] = (swPosXZ){place[0], place[1]};
+        places[i] = (swPos){place[0], what->isLevel ? what->deepest : what->deepest * i / count, place[1]};
     }
 }
 
 static QueryTimes MeasureQuery(Bench* bench, const QueryCase* what, double frameWithout)
 {
-    PlacePoints(what, bench->options.queryPoints, bench->points);
+    PlacePoints(what, bench->options.queryPoints, bench->points, bench->places);
     swGpuQueryDef def = swDefaultGpuQueryDef();
     def.capacity = bench->options.queryPoints;
+    def.kind = what->deepest < 0.0 ? SW_GPU_QUERY_KIND_VOLUME : SW_GPU_QUERY_KIND_SURFACE;
     def.outputs = what->outputs;
     def.readBack = what->readBack;
     Check(swCreateGpuQuery(bench->gpuWorld, &def, &bench->query), "no query");
@@ -494,9 +513,10 @@ static QueryTimes MeasureQuery(Bench* bench, const QueryCase* what, double frame
     QueryTimes times = {.frame = Median(&frame) - frameWithout};
     for (int i = 0; i < MAX_PASSES; ++i)
     {
-        if (passes[i].name != NULL && strcmp(passes[i].name, "surface_query") == 0)
+        if (passes[i].name != NULL &&
+            (strstr(passes[i].name, "query") != NULL || strstr(passes[i].name, "volume") != NULL))
         {
-            times.pass = Median(&passes[i]);
+            times.pass += Median(&passes[i]);
         }
         free(passes[i].values);
     }
@@ -515,10 +535,23 @@ static Floor QueryFloor(const Bench* bench, double evaluations)
     return (Floor){.bytes = sum * 256.0, .flops = sum * 270.0};
 }
 
+// Of the water below at its surface, where every pair of waves counts: some 50 operations each.
+static double VolumeFlops(const Bench* bench)
+{
+    const swFrame* frame = swGetWorldFrame(bench->world);
+    double pairs = 0.0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        pairs += frame->tiles[i].modeCount;
+    }
+    return 50.0 * pairs * bench->options.queryPoints;
+}
+
 static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
 {
     bench->points = malloc(sizeof(swPosXZ) * (size_t)bench->options.queryPoints);
-    if (bench->points == NULL)
+    bench->places = malloc(sizeof(swPos) * (size_t)bench->options.queryPoints);
+    if (bench->points == NULL || bench->places == NULL)
     {
         Fail("no memory for points");
     }
@@ -527,6 +560,7 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
         times[i] = MeasureQuery(bench, &queryCases[i], frameWithout);
     }
     free(bench->points);
+    free(bench->places);
 }
 
 // Report -------------------------------------------------------------------------------------------------------------
@@ -567,9 +601,9 @@ static void PrintTable(const Bench* bench, Report* report)
         Floor least = QueryFloor(bench, 2.0);
         printf(
             "\nqueries of %d points; two evaluations a point read %.0f MB of texels (%.0f us were they memory's) and "
-            "take %.0f Mflop\n%-36s %10s %14s\n",
-            bench->options.queryPoints, least.bytes * 1e-6, least.bytes / report->bandwidth, least.flops * 1e-6, "",
-            "pass us", "more frame us");
+            "take %.0f Mflop;\nall waves one by one, at the top of the water, take %.1f Gflop\n%-36s %10s %14s\n",
+            bench->options.queryPoints, least.bytes * 1e-6, least.bytes / report->bandwidth, least.flops * 1e-6,
+            VolumeFlops(bench) * 1e-9, "", "pass us", "more frame us");
     }
     for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
     {

@@ -24,7 +24,9 @@ SW_PARAMS(swTileParams)
     float maxWavelength;
     float slopeVarianceX; // E[(dh/dx)^2], with weight
     float slopeVarianceZ;
-    float unused0, unused1, unused2;
+    float depth;       // m, of the waves' dispersion
+    sw_uint firstMode; // of all tiles' modes
+    sw_uint modeCount;
 };
 SW_PARAMS_SIZE(swTileParams, 64);
 

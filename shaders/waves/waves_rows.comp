@@ -55,12 +55,6 @@ vec2 fftRoot(uint index)
 #include "lib/fft.glsl"
 #include "lib/turns.glsl"
 
-// rad/s of turns a tick in fractions of 2^64; a second has 2^24 ticks.
-float omegaOf(uint low, uint high)
-{
-    return fma(float(low), 1.0 / 4294967296.0, float(high)) * (6.28318530718 / 256.0);
-}
-
 // Put mode's spectra into the three lines, at bin qx; in row 0 its mirror image too.
 void placeMode(swTileParams tile, uint mode, uint derivative, bool isRowZero)
 {

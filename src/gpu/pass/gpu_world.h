@@ -73,14 +73,17 @@ struct swGpuQuery
     swGpuQueryDef def;
     int slotCount;
 
-    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own.
+    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own. A slot holds swQueryPoint[]
+    // and, of the water below, the places' heights above `level`.
     int count;
     uint32_t pointsVersion;
     swPosXZ origin; // of cells, or of the floats, in the host's coordinates
+    double level;   // m
     swBuffer points;
     int pointSlot;
-    bool isPointSlotUsed; // a recorded frame reads it
-    VkBuffer hostPoints;  // null: `points`
+    bool isPointSlotUsed;  // a recorded frame reads it
+    VkDeviceSize levelsAt; // in a slot
+    VkBuffer hostPoints;   // null: `points`
     VkDeviceSize hostOffset;
 
     // Answers: planes of `capacity` elements, see swGpuQueryBuffer.
@@ -95,6 +98,8 @@ struct swGpuQuery
     swUpload tiles; // swQueryTile[]
     swUpload waves; // swQueryWave[]
     swQueryParams params;
+    swUpload volumeTiles; // swVolumeTile[]; of the water below
+    swVolumeParams volume;
 };
 
 // Pipelines of the passes, by log2(resolution) - 4 where a tile's resolution is built in.
@@ -106,7 +111,9 @@ typedef struct swPasses
     swPipeline detail;
     swPipeline slices;
     swPipeline foam;
-    swPipeline surfaceQuery[2]; // without and with velocity or acceleration; made with the first such query
+    // Made with the first query that needs them.
+    swPipeline surfaceQuery[2]; // without and with velocity or acceleration
+    swPipeline volumeWaves, volumeQuery;
 } swPasses;
 
 struct swGpuWorld
@@ -114,11 +121,12 @@ struct swGpuWorld
     swGpu* gpu;
     const swWorld* world;
     swPasses passes;
-    swBuffer roots;  // SW_TWIDDLES complex roots of unity
-    swBuffer modes;  // of all tiles, as swMode
-    swBuffer rows;   // see swTileParams::firstRow
-    swBuffer lines;  // between the FFT's axes, of each field
-    swBuffer texels; // of each field; see shaders/shared/waves.h
+    swBuffer roots;       // SW_TWIDDLES complex roots of unity
+    swBuffer modes;       // of all tiles, as swMode
+    swBuffer rows;        // see swTileParams::firstRow
+    swBuffer lines;       // between the FFT's axes, of each field
+    swBuffer texels;      // of each field; see shaders/shared/waves.h
+    swBuffer volumeWaves; // of each mode, swVolumeWave; none before a query of the water below
 
     // RGBA16F 2D array, one layer a tile, SW_DETAIL_MIPS mips: (sx, sz, sx^2, sz^2) with s the slope of the tile's height
     // by rest position at sample points; mips are averages, so that slopes lost by filtering have variance s2 - s s.
@@ -142,6 +150,7 @@ struct swGpuWorld
     uint32_t groupCount[SW_TILE_SIZES];
     swGpuView views[SW_MAX_VIEWS];
     swGpuQuery* firstQuery;
+    bool hasVolume; // a query of this frame asks for the water below
 };
 
 // The layers of a view, or NULL if it was not recorded.

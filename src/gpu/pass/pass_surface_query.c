@@ -7,12 +7,6 @@ static const uint32_t surfaceQueryCode[] =
 #include "surface_query.comp.inc"
     ;
 
-// What offsets of storage buffers are rounded down to: the most that a device may ask for.
-#define SW_OFFSET_ALIGNMENT 256u
-
-// Workgroups along an axis that every device can have.
-#define SW_MOST_GROUPS 65535u
-
 static bool hasMotion(uint32_t outputs)
 {
     return (outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
@@ -41,30 +35,6 @@ swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes)
     return swCreateComputePipeline(gpu, &def, pipeline);
 }
 
-// Points that the host set, or the part of the host's buffer that holds them.
-static swBinding bindPoints(const swGpuQuery* query, swQueryParams* params)
-{
-    params->isFloatPoint = query->hostPoints != VK_NULL_HANDLE ? 1 : 0;
-    if (query->hostPoints == VK_NULL_HANDLE)
-    {
-        VkDeviceSize size = query->points.size / (VkDeviceSize)query->slotCount;
-        return (swBinding){query->points.handle, .offset = size * (VkDeviceSize)query->pointSlot, .range = size};
-    }
-    VkDeviceSize aligned = query->hostOffset / SW_OFFSET_ALIGNMENT * SW_OFFSET_ALIGNMENT;
-    VkDeviceSize skipped = query->hostOffset - aligned;
-    params->firstPoint = (uint32_t)(skipped / sizeof(swVec2));
-    return (swBinding){
-        .buffer = query->hostPoints,
-        .offset = aligned,
-        .range = skipped + (VkDeviceSize)query->count * sizeof(swVec2),
-    };
-}
-
-static swBinding bindPlane(const swGpuQuery* query, VkDeviceSize offset)
-{
-    return (swBinding){.buffer = query->answers.handle, .offset = offset};
-}
-
 static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
@@ -73,18 +43,16 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
         swBindUpload(&query->tiles),
         swBindUpload(&query->waves),
         swBindBuffer(&gpuWorld->texels),
-        bindPoints(query, &params),
-        bindPlane(query, query->planes.heights),
-        bindPlane(query, query->planes.sideways),
-        bindPlane(query, query->planes.normals),
-        bindPlane(query, query->planes.velocities),
-        bindPlane(query, query->planes.accelerations),
+        swBindPoints(query, &params.source),
+        swBindPlane(query, query->planes.heights),
+        swBindPlane(query, query->planes.sideways),
+        swBindPlane(query, query->planes.normals),
+        swBindPlane(query, query->planes.velocities),
+        swBindPlane(query, query->planes.accelerations),
     };
-    const swPipeline* pipeline = &gpuWorld->passes.surfaceQuery[hasMotion(query->def.outputs) ? 1 : 0];
+    const swPipeline* pipeline = &gpuWorld->passes.surfaceQuery[hasMotion(params.outputs) ? 1 : 0];
     swBindPipeline(gpu, commands, pipeline, bindings, &params);
-    uint32_t groups = (params.pointCount + SW_QUERY_POINTS - 1) / SW_QUERY_POINTS;
-    uint32_t columns = groups < SW_MOST_GROUPS ? groups : SW_MOST_GROUPS;
-    gpu->vk.CmdDispatch(commands, columns, (groups + columns - 1) / columns, 1);
+    swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
 }
 
 void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)

@@ -20,37 +20,35 @@ static VkDeviceSize alignPlane(VkDeviceSize size)
 
 // ---- making and freeing ----
 
-#define PLANES 5
+#define PLANES 6
 
-// What a query's buffer of answers may hold, in order; heights are always there.
+// What a query's buffer of answers may hold, in order.
 typedef struct Plane
 {
-    uint32_t output; // 0: always
-    size_t size;     // of one answer
+    bool isWanted;
+    size_t size; // of one answer
     VkDeviceSize* at;
 } Plane;
 
-static void listPlanes(swGpuQueryBuffer* planes, Plane list[PLANES])
+static void listPlanes(swGpuQuery* query, Plane list[PLANES])
 {
-    list[0] = (Plane){0, sizeof(swGpuHeight), &planes->heights};
-    list[1] = (Plane){SW_GPU_QUERY_SIDEWAYS, sizeof(swVec2), &planes->sideways};
-    list[2] = (Plane){SW_GPU_QUERY_NORMAL, sizeof(swVec4), &planes->normals};
-    list[3] = (Plane){SW_GPU_QUERY_VELOCITY, sizeof(swVec4), &planes->velocities};
-    list[4] = (Plane){SW_GPU_QUERY_ACCELERATION, sizeof(swVec4), &planes->accelerations};
-}
-
-static bool isPlaneWanted(const swGpuQuery* query, const Plane* plane)
-{
-    return plane->output == 0 || (query->def.outputs & plane->output) != 0;
+    uint32_t outputs = query->def.outputs;
+    swGpuQueryBuffer* planes = &query->planes;
+    list[0] = (Plane){true, sizeof(swGpuHeight), &planes->heights};
+    list[1] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_VOLUME, sizeof(swGpuDepth), &planes->depths};
+    list[2] = (Plane){(outputs & SW_GPU_QUERY_SIDEWAYS) != 0, sizeof(swVec2), &planes->sideways};
+    list[3] = (Plane){(outputs & SW_GPU_QUERY_NORMAL) != 0, sizeof(swVec4), &planes->normals};
+    list[4] = (Plane){(outputs & SW_GPU_QUERY_VELOCITY) != 0, sizeof(swVec4), &planes->velocities};
+    list[5] = (Plane){(outputs & SW_GPU_QUERY_ACCELERATION) != 0, sizeof(swVec4), &planes->accelerations};
 }
 
 static void layOutPlanes(swGpuQuery* query)
 {
     Plane planes[PLANES];
-    listPlanes(&query->planes, planes);
+    listPlanes(query, planes);
     for (int i = 0; i < PLANES; ++i)
     {
-        if (isPlaneWanted(query, &planes[i]))
+        if (planes[i].isWanted)
         {
             *planes[i].at = query->answerSize;
             query->answerSize += alignPlane((VkDeviceSize)query->def.capacity * planes[i].size);
@@ -63,7 +61,13 @@ static swResult createQueryBuffers(swGpuQuery* query)
     swGpu* gpu = query->gpuWorld->gpu;
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     VkDeviceSize slots = (VkDeviceSize)query->slotCount;
-    VkDeviceSize pointSize = alignPlane((VkDeviceSize)query->def.capacity * sizeof(swQueryPoint));
+    VkDeviceSize capacity = (VkDeviceSize)query->def.capacity;
+    VkDeviceSize pointSize = alignPlane(capacity * sizeof(swQueryPoint));
+    if (query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
+    {
+        query->levelsAt = pointSize;
+        pointSize += alignPlane(capacity * sizeof(float));
+    }
     swResult result = swCreateBuffer(gpu, slots * pointSize, storage, SW_MEMORY_UPLOAD, "query points", &query->points);
     if (result == SW_SUCCESS)
     {
@@ -76,6 +80,19 @@ static swResult createQueryBuffers(swGpuQuery* query)
     }
     query->planes.buffer = query->answers.handle;
     return result;
+}
+
+static swResult createPipelines(swGpuWorld* gpuWorld, const swGpuQueryDef* def)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swPasses* passes = &gpuWorld->passes;
+    if (def->kind == SW_GPU_QUERY_KIND_SURFACE)
+    {
+        return swCreateSurfaceQuery(gpu, def->outputs, passes);
+    }
+    swResult result = swCreateSurfaceQuery(gpu, 0, passes);
+    result = result == SW_SUCCESS ? swCreateVolumeWaves(gpu, passes) : result;
+    return result == SW_SUCCESS ? swCreateVolumeQuery(gpu, passes) : result;
 }
 
 static void linkQuery(swGpuQuery* query)
@@ -118,7 +135,7 @@ swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQue
     query->slotCount = gpu->framesInFlight + 1;
     linkQuery(query);
     layOutPlanes(query);
-    swResult result = swCreateSurfaceQuery(gpu, def->outputs, &gpuWorld->passes);
+    swResult result = createPipelines(gpuWorld, def);
     result = result == SW_SUCCESS ? createQueryBuffers(query) : result;
     if (result != SW_SUCCESS)
     {
@@ -161,7 +178,16 @@ static void splitPlace(double metres, float* rest, int32_t* cell)
     *cell = (int32_t)whole;
 }
 
-void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
+static swQueryPoint placePoint(const swGpuQuery* query, double x, double z)
+{
+    swQueryPoint point;
+    splitPlace(x - query->origin.x, &point.x, &point.cellX);
+    splitPlace(z - query->origin.z, &point.z, &point.cellZ);
+    return point;
+}
+
+// A slot for new points, which begin near `first`.
+static uint8_t* beginPoints(swGpuQuery* query, int count, swPosXZ first)
 {
     if (query->isPointSlotUsed)
     {
@@ -171,15 +197,32 @@ void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
     query->count = count;
     query->pointsVersion += 1;
     query->hostPoints = VK_NULL_HANDLE;
-    query->origin = count > 0 ? chooseOrigin(points[0]) : (swPosXZ){0.0, 0.0};
+    query->origin = chooseOrigin(first);
     size_t slotSize = (size_t)query->points.size / (size_t)query->slotCount;
-    swQueryPoint* to = (swQueryPoint*)((uint8_t*)query->points.mapped + slotSize * (size_t)query->pointSlot);
+    return (uint8_t*)query->points.mapped + slotSize * (size_t)query->pointSlot;
+}
+
+void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
+{
+    swPosXZ first = count > 0 ? points[0] : (swPosXZ){0.0, 0.0};
+    swQueryPoint* to = (swQueryPoint*)beginPoints(query, count, first);
     for (int i = 0; i < count; ++i)
     {
-        swQueryPoint point;
-        splitPlace(points[i].x - query->origin.x, &point.x, &point.cellX);
-        splitPlace(points[i].z - query->origin.z, &point.z, &point.cellZ);
-        to[i] = point;
+        to[i] = placePoint(query, points[i].x, points[i].z);
+    }
+}
+
+void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places)
+{
+    swPosXZ first = count > 0 ? (swPosXZ){places[0].x, places[0].z} : (swPosXZ){0.0, 0.0};
+    uint8_t* slot = beginPoints(query, count, first);
+    swQueryPoint* points = (swQueryPoint*)slot;
+    float* levels = (float*)(slot + query->levelsAt);
+    query->level = count > 0 ? floor(places[0].y) : 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        points[i] = placePoint(query, places[i].x, places[i].z);
+        levels[i] = (float)(places[i].y - query->level);
     }
 }
 
@@ -189,167 +232,8 @@ void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSi
     query->pointsVersion += 1;
     query->hostPoints = buffer;
     query->hostOffset = offset;
+    query->level = 0.0;
     query->origin = origin;
-}
-
-// ---- parameters of a frame ----
-
-// A fraction of 2^32, to the nearest.
-static uint32_t toTurns(double turns)
-{
-    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32 + 0.5);
-}
-
-static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosXZ origin)
-{
-    return (swQueryTile){
-        .turnsX = toTurns(origin.x / tile->side),
-        .turnsZ = toTurns(origin.z / tile->side),
-        .cellTurns = toTurns((double)SW_QUERY_CELL / tile->side),
-        .turnsPerMetre = (float)(1.0 / tile->side),
-        .texelsPerMetre = (float)(tile->resolution / tile->side),
-        .firstTexel = firstTexel,
-        .resolutionBits = 4u + (uint32_t)swTileSizeIndex(tile->resolution),
-    };
-}
-
-static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ origin)
-{
-    uint32_t moved = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
-    return (swQueryWave){
-        .phase = toTurns(wave->turnsX * origin.x + wave->turnsZ * origin.z) + wave->phase - moved,
-        .cellTurnsX = toTurns(wave->turnsX * (double)SW_QUERY_CELL),
-        .cellTurnsZ = toTurns(wave->turnsZ * (double)SW_QUERY_CELL),
-        .amplitude = wave->amplitude,
-        .dx = wave->dx,
-        .dz = wave->dz,
-        .turnsX = (float)wave->turnsX,
-        .turnsZ = (float)wave->turnsZ,
-        .rate = (float)((double)wave->frequency * (SW_TICKS_PER_SECOND * 2.0 * SW_PI * 0x1p-64)),
-    };
-}
-
-// Tiles that count, the longest first. Returns how many.
-static int chooseTiles(const swFrame* frame, float minWavelength, int* chosen)
-{
-    int count = 0;
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        const swTile* tile = &frame->tiles[i];
-        if (tile->maxWavelength <= minWavelength)
-        {
-            continue;
-        }
-        int at = count++;
-        for (; at > 0 && frame->tiles[chosen[at - 1]].minWavelength < tile->minWavelength; --at)
-        {
-            chosen[at] = chosen[at - 1];
-        }
-        chosen[at] = i;
-    }
-    return count;
-}
-
-// The way from a point to its particle is about the deviation of the waves' displacement. Waves shorter than some four
-// times that are left out of the first guess.
-static float findShortestOfGuess(const swFrame* frame, float minWavelength)
-{
-    double variance = 0.0;
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        variance += frame->tiles[i].maxWavelength > minWavelength ? (double)frame->tiles[i].variance : 0.0;
-    }
-    for (int i = 0; i < frame->waveCount; ++i)
-    {
-        double amplitude = (double)frame->waves[i].amplitude;
-        variance += frame->waves[i].wavelength >= minWavelength ? 0.5 * amplitude * amplitude : 0.0;
-    }
-    return (float)(4.0 * sqrt(variance));
-}
-
-static swPosXZ originInSea(const swGpuQuery* query)
-{
-    swPosXZ origin = swGetWorldOrigin(query->gpuWorld->world);
-    return (swPosXZ){query->origin.x + origin.x, query->origin.z + origin.z};
-}
-
-static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float shortest)
-{
-    swPosXZ origin = originInSea(query);
-    int chosen[SW_MAX_TILES];
-    int count = chooseTiles(frame, query->def.minWavelength, chosen);
-    swResult result = swReserveUpload(query->gpuWorld->gpu, SW_MAX_TILES * sizeof(swQueryTile), &query->tiles);
-    swQueryParams* params = &query->params;
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
-    {
-        const swTile* tile = &frame->tiles[chosen[i]];
-        ((swQueryTile*)query->tiles.data)[i] =
-            makeQueryTile(tile, query->gpuWorld->params[chosen[i]].firstTexel, origin);
-        params->longTileCount += tile->minWavelength >= shortest ? 1 : 0;
-    }
-    params->tileCount = (uint32_t)count;
-    return result;
-}
-
-static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float shortest)
-{
-    swPosXZ origin = originInSea(query);
-    int count = 0;
-    while (count < frame->waveCount && frame->waves[count].wavelength >= query->def.minWavelength)
-    {
-        count += 1;
-    }
-    swResult result = swReserveUpload(query->gpuWorld->gpu, (VkDeviceSize)(count > 0 ? count : 1) * sizeof(swQueryWave),
-                                      &query->waves);
-    swQueryParams* params = &query->params;
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
-    {
-        const swFreeWave* wave = &frame->waves[i];
-        ((swQueryWave*)query->waves.data)[i] = makeQueryWave(wave, frame->ticks, origin);
-        params->longWaveCount += wave->wavelength >= shortest ? 1 : 0;
-    }
-    params->waveCount = (uint32_t)count;
-    return result;
-}
-
-uint32_t swFindWantedFields(const swGpuWorld* gpuWorld)
-{
-    uint32_t wanted = 0;
-    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
-    {
-        wanted |= query->count > 0 ? query->def.outputs : 0;
-    }
-    return wanted & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION);
-}
-
-// How far a field's texels lie from displacement's; 0 if the query does not want it.
-static uint32_t findFieldTexels(const swGpuQuery* query, swGpuQueryOutput output, uint32_t field)
-{
-    return (query->def.outputs & output) != 0 ? field * query->gpuWorld->fields.texels : 0;
-}
-
-swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    swResult result = SW_SUCCESS;
-    for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL && result == SW_SUCCESS; query = query->next)
-    {
-        if (query->count == 0)
-        {
-            continue;
-        }
-        query->params = (swQueryParams){
-            .pointCount = (uint32_t)query->count,
-            .outputs = query->def.outputs,
-            .maxIterations = (uint32_t)query->def.maxIterations,
-            .toleranceSquare = query->def.tolerance * query->def.tolerance,
-            .velocityTexels = findFieldTexels(query, SW_GPU_QUERY_VELOCITY, gpuWorld->fields.velocity),
-            .accelerationTexels = findFieldTexels(query, SW_GPU_QUERY_ACCELERATION, gpuWorld->fields.acceleration),
-        };
-        float shortest = findShortestOfGuess(frame, query->def.minWavelength);
-        result = uploadQueryTiles(query, frame, shortest);
-        result = result == SW_SUCCESS ? uploadQueryWaves(query, frame, shortest) : result;
-    }
-    return result;
 }
 
 // ---- answers ----
@@ -359,12 +243,12 @@ static void recordCopy(swGpuQuery* query, VkCommandBuffer commands)
     swGpu* gpu = query->gpuWorld->gpu;
     VkDeviceSize to = query->answerSize * (VkDeviceSize)query->answerSlot;
     Plane planes[PLANES];
-    listPlanes(&query->planes, planes);
+    listPlanes(query, planes);
     VkBufferCopy copies[PLANES];
     uint32_t count = 0;
     for (int i = 0; i < PLANES; ++i)
     {
-        if (isPlaneWanted(query, &planes[i]))
+        if (planes[i].isWanted)
         {
             VkDeviceSize at = *planes[i].at;
             copies[count++] = (VkBufferCopy){at, to + at, (VkDeviceSize)query->count * planes[i].size};
@@ -447,6 +331,7 @@ void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swG
         .count = slot->count,
         .tolerance = query->def.tolerance,
         .heights = (const swGpuHeight*)(data + planes->heights),
+        .depths = planes->depths != 0 ? (const swGpuDepth*)(data + planes->depths) : NULL,
         .sideways = planes->sideways != 0 ? (const swVec2*)(data + planes->sideways) : NULL,
         .normals = planes->normals != 0 ? (const swVec4*)(data + planes->normals) : NULL,
         .velocities = planes->velocities != 0 ? (const swVec4*)(data + planes->velocities) : NULL,
@@ -505,5 +390,28 @@ void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSampl
     if (stats != NULL)
     {
         *stats = total;
+    }
+}
+
+void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples)
+{
+    for (int i = 0; i < results->count; ++i)
+    {
+        if (samples->depth != NULL)
+        {
+            samples->depth[i] = results->depths[i].depth;
+        }
+        if (samples->pressureHead != NULL)
+        {
+            samples->pressureHead[i] = results->depths[i].pressureHead;
+        }
+        if (samples->velocity != NULL)
+        {
+            samples->velocity[i] = takeVector(results->velocities[i]);
+        }
+        if (samples->acceleration != NULL)
+        {
+            samples->acceleration[i] = takeVector(results->accelerations[i]);
+        }
     }
 }

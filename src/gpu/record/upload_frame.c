@@ -58,6 +58,9 @@ static void fillTileParams(swGpuWorld* gpuWorld, const swFrame* frame, swTileLay
             .maxWavelength = tile->maxWavelength,
             .slopeVarianceX = tile->slopeVarianceX,
             .slopeVarianceZ = tile->slopeVarianceZ,
+            .depth = fminf(tile->depth, 1e30f), // shaders need not know infinity
+            .firstMode = layout->modeCount,
+            .modeCount = (uint32_t)tile->modeCount,
         };
         layout->rowCount += maxBin + 2;
         layout->lineCount += 3 * (maxBin + 1) * resolution;
