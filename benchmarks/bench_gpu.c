@@ -42,6 +42,7 @@ typedef struct Bench
     swGpuWorld* gpuWorld;
     swPosXZ* points;
     swPos* places;
+    swRay* rays;
     swGpuQuery* query; // while queries are measured
     uint64_t frameIndex;
     VkCommandPool pool;
@@ -252,7 +253,11 @@ static void AddPassTimes(Bench* bench, Series* passes)
 
 static void SetQueryPoints(Bench* bench)
 {
-    if (bench->query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
+    if (bench->query->def.kind == SW_GPU_QUERY_KIND_RAYS)
+    {
+        swGpuQuery_SetRays(bench->query, bench->options.queryPoints, bench->rays);
+    }
+    else if (bench->query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
     {
         swGpuQuery_SetPlaces(bench->query, bench->options.queryPoints, bench->places);
     }
@@ -457,20 +462,24 @@ typedef struct QueryCase
     double side; // m, of the square that they are scattered over; below 0: a grid of points so far apart
     uint32_t outputs;
     bool readBack;
-    double deepest; // m; below 0: about the water from there to the surface
-    bool isLevel;   // all of them there
+    swGpuQueryKind kind;
+    double first, last; // heights of places and rays, m
 } QueryCase;
 
+#define SURFACE SW_GPU_QUERY_KIND_SURFACE, 0.0, 0.0
+#define NORMAL SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL
+#define MOTION SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION
 static const QueryCase queryCases[] = {
-    {"heights, scattered over 10 km", 1e4, 0, true, 0.0, false},
-    {"heights, scattered over 1 km", 1e3, 0, true, 0.0, false},
-    {"heights, a grid of 0.5 m", -0.5, 0, true, 0.0, false},
-    {"with normals, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true, 0.0, false},
-    {"with normals, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false, 0.0, false},
-    {"with velocity, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY, false, 0.0, false},
-    {"with acceleration too, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false, 0.0, false},
-    {"the water below, 0 to 20 m", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false, -20.0, false},
-    {"the water 5 m below", 1e4, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, false, -5.0, true},
+    {"heights, scattered over 10 km", 1e4, 0, true, SURFACE},
+    {"heights, scattered over 1 km", 1e3, 0, true, SURFACE},
+    {"heights, a grid of 0.5 m", -0.5, 0, true, SURFACE},
+    {"with normals, scattered over 10 km", 1e4, NORMAL, true, SURFACE},
+    {"with normals, on the GPU", 1e4, NORMAL, false, SURFACE},
+    {"with velocity, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY, false, SURFACE},
+    {"with acceleration too, on the GPU", 1e4, MOTION, false, SURFACE},
+    {"the water below, 0 to 20 m, on the GPU", 1e4, MOTION, false, SW_GPU_QUERY_KIND_VOLUME, 0.0, -20.0},
+    {"the water 5 m below, on the GPU", 1e4, MOTION, false, SW_GPU_QUERY_KIND_VOLUME, -5.0, -5.0},
+    {"rays, 45 degrees down from 20 m", 1e4, SW_GPU_QUERY_NORMAL, false, SW_GPU_QUERY_KIND_RAYS, 20.0, 20.0},
 };
 #define QUERY_CASES (int)(sizeof(queryCases) / sizeof(queryCases[0]))
 
@@ -480,8 +489,9 @@ typedef struct QueryTimes
     double frame; // us that a frame without a view takes longer: the pass, tiles of motion, copies and barriers
 } QueryTimes;
 
-static void PlacePoints(const QueryCase* what, int count, swPosXZ* points, swPos* places)
+static void PlacePoints(Bench* bench, const QueryCase* what)
 {
+    int count = bench->options.queryPoints;
     int columns = (int)ceil(sqrt((double)count));
     uint32_t seed = 12345;
     for (int i = 0; i < count; ++i)
@@ -492,17 +502,19 @@ static void PlacePoints(const QueryCase* what, int count, swPosXZ* points, swPos
             seed = seed * 1664525u + 1013904223u;
             place[axis] = what->side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
         }
-        points[i] = (swPosXZ){place[0], place[1]};
-        places[i] = (swPos){place[0], what->isLevel ? what->deepest : what->deepest * i / count, place[1]};
+        bench->points[i] = (swPosXZ){place[0], place[1]};
+        bench->places[i] = (swPos){place[0], what->first + (what->last - what->first) * i / count, place[1]};
+        double angle = 2.399963 * i; // any direction
+        bench->rays[i] = swDefaultRay(bench->places[i], (swVec3){(float)cos(angle), -1.0f, (float)sin(angle)});
     }
 }
 
 static QueryTimes MeasureQuery(Bench* bench, const QueryCase* what, double frameWithout)
 {
-    PlacePoints(what, bench->options.queryPoints, bench->points, bench->places);
+    PlacePoints(bench, what);
     swGpuQueryDef def = swDefaultGpuQueryDef();
     def.capacity = bench->options.queryPoints;
-    def.kind = what->deepest < 0.0 ? SW_GPU_QUERY_KIND_VOLUME : SW_GPU_QUERY_KIND_SURFACE;
+    def.kind = what->kind;
     def.outputs = what->outputs;
     def.readBack = what->readBack;
     Check(swCreateGpuQuery(bench->gpuWorld, &def, &bench->query), "no query");
@@ -551,7 +563,8 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
 {
     bench->points = malloc(sizeof(swPosXZ) * (size_t)bench->options.queryPoints);
     bench->places = malloc(sizeof(swPos) * (size_t)bench->options.queryPoints);
-    if (bench->points == NULL || bench->places == NULL)
+    bench->rays = malloc(sizeof(swRay) * (size_t)bench->options.queryPoints);
+    if (bench->points == NULL || bench->places == NULL || bench->rays == NULL)
     {
         Fail("no memory for points");
     }
@@ -561,6 +574,7 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
     }
     free(bench->points);
     free(bench->places);
+    free(bench->rays);
 }
 
 // Report -------------------------------------------------------------------------------------------------------------
@@ -601,13 +615,13 @@ static void PrintTable(const Bench* bench, Report* report)
         Floor least = QueryFloor(bench, 2.0);
         printf(
             "\nqueries of %d points; two evaluations a point read %.0f MB of texels (%.0f us were they memory's) and "
-            "take %.0f Mflop;\nall waves one by one, at the top of the water, take %.1f Gflop\n%-36s %10s %14s\n",
+            "take %.0f Mflop;\nall waves one by one, at the top of the water, take %.1f Gflop\n%-40s %10s %14s\n",
             bench->options.queryPoints, least.bytes * 1e-6, least.bytes / report->bandwidth, least.flops * 1e-6,
             VolumeFlops(bench) * 1e-9, "", "pass us", "more frame us");
     }
     for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
     {
-        printf("%-36s %10.2f %14.2f\n", queryCases[i].name, report->queries[i].pass, report->queries[i].frame);
+        printf("%-40s %10.2f %14.2f\n", queryCases[i].name, report->queries[i].pass, report->queries[i].frame);
     }
 }
 

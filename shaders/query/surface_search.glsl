@@ -172,8 +172,9 @@ bool isGuess(Search search)
 Sum addSearched(Search search, uint lane)
 {
     bool isFirst = isGuess(search);
-    return addWater(isFirst ? params.water.longTileCount : params.water.tileCount, isFirst ? params.water.longWaveCount : params.water.waveCount,
-                    search.cell, search.place + search.offset, lane);
+    return addWater(isFirst ? params.water.longTileCount : params.water.tileCount,
+                    isFirst ? params.water.longWaveCount : params.water.waveCount, search.cell,
+                    search.place + search.offset, lane);
 }
 
 // Takes in the surface at the tried offset and chooses the next. False when done.

@@ -135,4 +135,31 @@ SW_PARAMS(swVolumeWave)
     float overSinh, overCosh; // 1 / (1 -+ exp(-2 k depth))
 };
 SW_PARAMS_SIZE(swVolumeWave, 48);
+
+// ---- rays ----
+
+SW_PARAMS(swRayParams)
+{
+    swQuerySource source;
+    swQueryWater water;
+    sw_uint outputs;
+    float level;       // of the rays' own zero above sea level, m
+    float reach;       // what no water is higher than, m
+    float shortest;    // wave that counts, m
+    float tolerance;   // m
+    sw_uint mostLooks; // of a ray
+};
+SW_PARAMS_SIZE(swRayParams, 64);
+
+// A ray, or a sphere along one. Begins as swQueryPoint does.
+SW_PARAMS(swQueryRay)
+{
+    float x, z;
+    sw_int cellX, cellZ;
+    float y;                // m above the rays' own zero
+    float wayX, wayY, wayZ; // of length one
+    float longest;          // m
+    float radius;           // m
+};
+SW_PARAMS_SIZE(swQueryRay, 40);
 #endif

@@ -172,7 +172,8 @@ static void AnySeaAndSeaLevelWillDo(void** state)
     def.weight = 0.8f;
     swWaveSystemId id;
     assert_int_equal(swCreateWaveSystem(parity.world, &def, &id), SW_SUCCESS);
-    const swWaveComponent components[] = {{180.0f, 0.3f, 0.5f, 0.2f}, {60.0f, -0.8f, 0.4f, 1.0f}, {9.0f, 2.0f, 0.08f, 2.0f}};
+    const swWaveComponent components[] = {
+        {180.0f, 0.3f, 0.5f, 0.2f}, {60.0f, -0.8f, 0.4f, 1.0f}, {9.0f, 2.0f, 0.08f, 2.0f}};
     swWaveSystemDef free = swDefaultWaveSystemDef();
     free.method = SW_WAVES_GERSTNER;
     free.components = components;

@@ -169,6 +169,10 @@ static void PassTimesHaveTheNamesOfThePasses(void** state)
     queryDef.kind = SW_GPU_QUERY_KIND_VOLUME;
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
     swGpuQuery_SetPlaces(query, 1, &(swPos){0.0, -1.0, 0.0});
+    queryDef.kind = SW_GPU_QUERY_KIND_RAYS;
+    assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
+    swRay ray = swDefaultRay((swPos){0.0, 10.0, 0.0}, (swVec3){1.0f, -1.0f, 0.0f});
+    swGpuQuery_SetRays(query, 1, &ray);
     for (int i = 0; i < 4; ++i)
     {
         StepParity(&parity, 0.1);

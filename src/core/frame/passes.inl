@@ -7,5 +7,6 @@ SW_PASS(WAVES_COLUMNS, waves_columns, "The FFT's second axis: tiles of spline co
 SW_PASS(DETAIL, detail, "Slopes of each tile with mips, for shading")
 SW_PASS(SLICES, slices, "Displacement and derivatives of all slices")
 SW_PASS(SURFACE_QUERY, surface_query, "Surface at the points of queries")
+SW_PASS(RAY_QUERY, ray_query, "What rays meet")
 SW_PASS(FOAM, foam, "Foam of all slices")
 SW_PASS(VOLUME_QUERY, volume_query, "The water below at the points of queries")

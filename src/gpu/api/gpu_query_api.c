@@ -26,6 +26,7 @@ static uint32_t getKnownOutputs(swGpuQueryKind kind)
     const uint32_t known[] = {
         [SW_GPU_QUERY_KIND_SURFACE] = SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL | motion,
         [SW_GPU_QUERY_KIND_VOLUME] = motion,
+        [SW_GPU_QUERY_KIND_RAYS] = SW_GPU_QUERY_NORMAL,
     };
     return known[kind];
 }
@@ -34,7 +35,7 @@ static uint32_t getKnownOutputs(swGpuQueryKind kind)
 static bool isDefValid(const swGpuQueryDef* def)
 {
     return def != NULL && def->internalValue == SW_DEF_COOKIE && def->capacity >= 1 &&
-           def->capacity <= SW_MAX_QUERY_POINTS && def->kind <= SW_GPU_QUERY_KIND_VOLUME &&
+           def->capacity <= SW_MAX_QUERY_POINTS && def->kind <= SW_GPU_QUERY_KIND_RAYS &&
            (def->outputs & ~getKnownOutputs(def->kind)) == 0 && def->stretching <= SW_STRETCHING_LINEAR &&
            def->minWavelength >= 0.0f && def->tolerance >= 1e-5f && def->maxIterations >= 1 && def->maxIterations <= 64;
 }
@@ -73,6 +74,27 @@ static bool arePlacesValid(const swGpuQuery* query, int count, const swPos* plac
     {
         isValid = fabs(places[i].y) <= SW_FARTHEST_POINT &&
                   isNearFirst((swPosXZ){places[i].x, places[i].z}, (swPosXZ){places[0].x, places[0].z});
+    }
+    return isValid;
+}
+
+// As isRayValid() in query_api.c, of a surface that stands still.
+static bool isRayValid(const swRay* ray)
+{
+    const swVec3* d = &ray->direction;
+    float square = d->x * d->x + d->y * d->y + d->z * d->z;
+    return ray->internalValue == SW_DEF_COOKIE && fabs(ray->origin.y) <= SW_FARTHEST_POINT && square > 0.0f &&
+           square < INFINITY && ray->maxDistance >= 0.0f && ray->maxDistance <= 1e5f && ray->radius >= 0.0f &&
+           ray->radius <= 100.0f && ray->duration == 0.0f;
+}
+
+static bool areRaysValid(const swGpuQuery* query, int count, const swRay* rays)
+{
+    bool isValid = isCountValid(query, SW_GPU_QUERY_KIND_RAYS, count) && (count == 0 || rays != NULL);
+    for (int i = 0; i < count && isValid; ++i)
+    {
+        swPosXZ first = {rays[0].origin.x, rays[0].origin.z};
+        isValid = isRayValid(&rays[i]) && isNearFirst((swPosXZ){rays[i].origin.x, rays[i].origin.z}, first);
     }
     return isValid;
 }
@@ -116,10 +138,20 @@ void swGpuQuery_SetPlaces(swGpuQuery* query, int count, const swPos* places)
     }
 }
 
+void swGpuQuery_SetRays(swGpuQuery* query, int count, const swRay* rays)
+{
+    bool isValid = areRaysValid(query, count, rays);
+    SW_ASSERT(isValid);
+    if (isValid)
+    {
+        swPlaceQueryRays(query, count, rays);
+    }
+}
+
 void swGpuQuery_SetPointBuffer(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin)
 {
     bool isValid = query != NULL && count >= 0 && count <= query->def.capacity && buffer != VK_NULL_HANDLE &&
-                   offset % (query->def.kind == SW_GPU_QUERY_KIND_VOLUME ? sizeof(float) : sizeof(swVec2)) == 0 &&
+                   offset % (query->def.kind == SW_GPU_QUERY_KIND_SURFACE ? sizeof(swVec2) : sizeof(float)) == 0 &&
                    isPlaceValid(origin);
     SW_ASSERT(isValid);
     if (isValid)
@@ -162,6 +194,16 @@ void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVo
     if (isValid)
     {
         swUnpackVolumeResults(results, samples);
+    }
+}
+
+void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits)
+{
+    bool isValid = results != NULL && rays != NULL && hits != NULL && results->hits != NULL && results->normals != NULL;
+    SW_ASSERT(isValid);
+    if (isValid)
+    {
+        swUnpackHits(results, rays, hits);
     }
 }
 

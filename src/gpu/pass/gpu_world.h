@@ -74,7 +74,7 @@ struct swGpuQuery
     int slotCount;
 
     // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own. A slot holds swQueryPoint[]
-    // and, of the water below, the places' heights above `level`.
+    // and, of the water below, the places' heights above `level`; or swQueryRay[].
     int count;
     uint32_t pointsVersion;
     swPosXZ origin; // of cells, or of the floats, in the host's coordinates
@@ -100,6 +100,7 @@ struct swGpuQuery
     swQueryParams params;
     swUpload volumeTiles; // swVolumeTile[]; of the water below
     swVolumeParams volume;
+    swRayParams rays; // of a query of rays
 };
 
 // Pipelines of the passes, by log2(resolution) - 4 where a tile's resolution is built in.
@@ -114,6 +115,7 @@ typedef struct swPasses
     // Made with the first query that needs them.
     swPipeline surfaceQuery[2]; // without and with velocity or acceleration
     swPipeline volumeWaves, volumeQuery;
+    swPipeline rayQuery;
 } swPasses;
 
 struct swGpuWorld
@@ -151,6 +153,7 @@ struct swGpuWorld
     swGpuView views[SW_MAX_VIEWS];
     swGpuQuery* firstQuery;
     bool hasVolume; // a query of this frame asks for the water below
+    bool hasRays;   // likewise of rays
 };
 
 // The layers of a view, or NULL if it was not recorded.

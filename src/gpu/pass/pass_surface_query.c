@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a query; nothing waits between queries.
+// One dispatch a query of the surface or of the water below it; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
 
@@ -64,7 +64,7 @@ void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     swBeginPass(gpuWorld->gpu, commands, "surface_query");
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
-        if (query->count > 0)
+        if (query->count > 0 && query->def.kind != SW_GPU_QUERY_KIND_RAYS)
         {
             recordQuery(gpuWorld, query, commands);
         }

@@ -15,6 +15,7 @@ void swDestroyPasses(swGpu* gpu, swPasses* passes)
     swDestroyPipeline(gpu, &passes->surfaceQuery[1]);
     swDestroyPipeline(gpu, &passes->volumeWaves);
     swDestroyPipeline(gpu, &passes->volumeQuery);
+    swDestroyPipeline(gpu, &passes->rayQuery);
 }
 
 // What offsets of storage buffers are rounded down to: the most that a device may ask for.
@@ -23,10 +24,20 @@ void swDestroyPasses(swGpu* gpu, swPasses* passes)
 // Workgroups along an axis that every device can have.
 #define SW_MOST_GROUPS 65535u
 
+// Of the host's floats: places, places with a height, or rays; of ours otherwise.
 static uint32_t countPointWords(const swGpuQuery* query)
 {
     bool isFloat = query->hostPoints != VK_NULL_HANDLE;
-    return !isFloat ? sizeof(swQueryPoint) / 4 : query->def.kind == SW_GPU_QUERY_KIND_VOLUME ? 3 : 2;
+    switch (query->def.kind)
+    {
+    case SW_GPU_QUERY_KIND_RAYS:
+        return isFloat ? 8 : sizeof(swQueryRay) / 4;
+    case SW_GPU_QUERY_KIND_VOLUME:
+        return isFloat ? 3 : sizeof(swQueryPoint) / 4;
+    case SW_GPU_QUERY_KIND_SURFACE:
+        break;
+    }
+    return isFloat ? 2 : sizeof(swQueryPoint) / 4;
 }
 
 swBinding swBindPoints(const swGpuQuery* query, swQuerySource* source)

@@ -15,6 +15,7 @@ swResult swCreateFoam(swGpu* gpu, swPasses* passes);
 swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes); // a second call does nothing
 swResult swCreateVolumeWaves(swGpu* gpu, swPasses* passes);                    // likewise
 swResult swCreateVolumeQuery(swGpu* gpu, swPasses* passes);                    // likewise
+swResult swCreateRayQuery(swGpu* gpu, swPasses* passes);                       // likewise
 void swDestroyPasses(swGpu* gpu, swPasses* passes);
 
 void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
@@ -24,6 +25,7 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordVolumeWaves(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
+void swRecordRayQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 void swRecordVolumeQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
 
 // What the passes of queries share. Points that the host set, or the part of the host's buffer that holds them; fills

@@ -2,6 +2,7 @@
 target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_ray_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_surface_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_volume_query.c
@@ -17,4 +18,5 @@ list(APPEND SW_SHADERS
     sim/foam.comp
     query/surface_query.comp
     query/volume_waves.comp
-    query/volume_query.comp)
+    query/volume_query.comp
+    query/ray_query.comp)

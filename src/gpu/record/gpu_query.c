@@ -20,7 +20,7 @@ static VkDeviceSize alignPlane(VkDeviceSize size)
 
 // ---- making and freeing ----
 
-#define PLANES 6
+#define PLANES 7
 
 // What a query's buffer of answers may hold, in order.
 typedef struct Plane
@@ -36,10 +36,11 @@ static void listPlanes(swGpuQuery* query, Plane list[PLANES])
     swGpuQueryBuffer* planes = &query->planes;
     list[0] = (Plane){true, sizeof(swGpuHeight), &planes->heights};
     list[1] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_VOLUME, sizeof(swGpuDepth), &planes->depths};
-    list[2] = (Plane){(outputs & SW_GPU_QUERY_SIDEWAYS) != 0, sizeof(swVec2), &planes->sideways};
-    list[3] = (Plane){(outputs & SW_GPU_QUERY_NORMAL) != 0, sizeof(swVec4), &planes->normals};
-    list[4] = (Plane){(outputs & SW_GPU_QUERY_VELOCITY) != 0, sizeof(swVec4), &planes->velocities};
-    list[5] = (Plane){(outputs & SW_GPU_QUERY_ACCELERATION) != 0, sizeof(swVec4), &planes->accelerations};
+    list[2] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_RAYS, sizeof(swGpuHit), &planes->hits};
+    list[3] = (Plane){(outputs & SW_GPU_QUERY_SIDEWAYS) != 0, sizeof(swVec2), &planes->sideways};
+    list[4] = (Plane){(outputs & SW_GPU_QUERY_NORMAL) != 0, sizeof(swVec4), &planes->normals};
+    list[5] = (Plane){(outputs & SW_GPU_QUERY_VELOCITY) != 0, sizeof(swVec4), &planes->velocities};
+    list[6] = (Plane){(outputs & SW_GPU_QUERY_ACCELERATION) != 0, sizeof(swVec4), &planes->accelerations};
 }
 
 static void layOutPlanes(swGpuQuery* query)
@@ -62,7 +63,8 @@ static swResult createQueryBuffers(swGpuQuery* query)
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     VkDeviceSize slots = (VkDeviceSize)query->slotCount;
     VkDeviceSize capacity = (VkDeviceSize)query->def.capacity;
-    VkDeviceSize pointSize = alignPlane(capacity * sizeof(swQueryPoint));
+    bool isRays = query->def.kind == SW_GPU_QUERY_KIND_RAYS;
+    VkDeviceSize pointSize = alignPlane(capacity * (isRays ? sizeof(swQueryRay) : sizeof(swQueryPoint)));
     if (query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
     {
         query->levelsAt = pointSize;
@@ -86,6 +88,10 @@ static swResult createPipelines(swGpuWorld* gpuWorld, const swGpuQueryDef* def)
 {
     swGpu* gpu = gpuWorld->gpu;
     swPasses* passes = &gpuWorld->passes;
+    if (def->kind == SW_GPU_QUERY_KIND_RAYS)
+    {
+        return swCreateRayQuery(gpu, passes);
+    }
     if (def->kind == SW_GPU_QUERY_KIND_SURFACE)
     {
         return swCreateSurfaceQuery(gpu, def->outputs, passes);
@@ -226,6 +232,36 @@ void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places)
     }
 }
 
+static swQueryRay placeRay(const swGpuQuery* query, const swRay* ray)
+{
+    swQueryPoint point = placePoint(query, ray->origin.x, ray->origin.z);
+    double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
+    double length = sqrt(x * x + y * y + z * z);
+    return (swQueryRay){
+        .x = point.x,
+        .z = point.z,
+        .cellX = point.cellX,
+        .cellZ = point.cellZ,
+        .y = (float)(ray->origin.y - query->level),
+        .wayX = (float)(x / length),
+        .wayY = (float)(y / length),
+        .wayZ = (float)(z / length),
+        .longest = ray->maxDistance,
+        .radius = ray->radius,
+    };
+}
+
+void swPlaceQueryRays(swGpuQuery* query, int count, const swRay* rays)
+{
+    swPos first = count > 0 ? rays[0].origin : (swPos){0.0, 0.0, 0.0};
+    swQueryRay* to = (swQueryRay*)beginPoints(query, count, (swPosXZ){first.x, first.z});
+    query->level = floor(first.y);
+    for (int i = 0; i < count; ++i)
+    {
+        to[i] = placeRay(query, &rays[i]);
+    }
+}
+
 void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin)
 {
     query->count = count;
@@ -332,6 +368,7 @@ void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swG
         .tolerance = query->def.tolerance,
         .heights = (const swGpuHeight*)(data + planes->heights),
         .depths = planes->depths != 0 ? (const swGpuDepth*)(data + planes->depths) : NULL,
+        .hits = planes->hits != 0 ? (const swGpuHit*)(data + planes->hits) : NULL,
         .sideways = planes->sideways != 0 ? (const swVec2*)(data + planes->sideways) : NULL,
         .normals = planes->normals != 0 ? (const swVec4*)(data + planes->normals) : NULL,
         .velocities = planes->velocities != 0 ? (const swVec4*)(data + planes->velocities) : NULL,
@@ -413,5 +450,42 @@ void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSampl
         {
             samples->acceleration[i] = takeVector(results->accelerations[i]);
         }
+    }
+}
+
+// As finishMarch() in core/query/raycast.c does it.
+static swRayHit unpackHit(const swGpuQueryResults* results, int i, const swRay* ray)
+{
+    swGpuHit found = results->hits[i];
+    if (found.side == 0.0f)
+    {
+        return (swRayHit){.distance = found.distance};
+    }
+    double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
+    double way = (double)found.distance / sqrt(x * x + y * y + z * z);
+    swRayHit hit = {
+        .isHit = true,
+        .distance = found.distance,
+        .position = {ray->origin.x + x * way, ray->origin.y + y * way, ray->origin.z + z * way},
+        .normal = takeVector(results->normals[i]),
+        .fromBelow = found.side < 0.0f,
+    };
+    double water = results->seaLevel + (double)results->heights[i].height;
+    hit.point = (swPos){hit.position.x, water, hit.position.z};
+    if (ray->radius > 0.0f)
+    {
+        double back = (hit.position.y - water) * (double)hit.normal.y;
+        hit.point.x = hit.position.x - back * (double)hit.normal.x;
+        hit.point.y = hit.position.y - back * (double)hit.normal.y;
+        hit.point.z = hit.position.z - back * (double)hit.normal.z;
+    }
+    return hit;
+}
+
+void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits)
+{
+    for (int i = 0; i < results->count; ++i)
+    {
+        hits[i] = unpackHit(results, i, &rays[i]);
     }
 }

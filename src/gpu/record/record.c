@@ -126,6 +126,7 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     swRecordDetail(gpuWorld, commands); // beside the slices: both read tiles only
     swRecordSlices(gpuWorld, commands);
     swRecordSurfaceQuery(gpuWorld, commands); // likewise
+    swRecordRayQuery(gpuWorld, commands);
     swComputeBarrier(gpu, commands);
     swRecordFoam(gpuWorld, commands);
     swRecordVolumeQuery(gpuWorld, commands); // beside the foam: it reads the surface's heights

@@ -19,6 +19,7 @@ swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQue
 void swFreeGpuQuery(swGpuQuery* query);
 void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points);
 void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places);
+void swPlaceQueryRays(swGpuQuery* query, int count, const swRay* rays);
 void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin);
 // Bits of swGpuQueryOutput that the queries of this frame want of the tiles.
 uint32_t swFindWantedFields(const swGpuWorld* gpuWorld);
@@ -31,6 +32,7 @@ const swGpuQuerySlot* swFindQueryAnswers(const swGpuQuery* query);
 void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swGpuQueryResults* results);
 void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats);
 void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples);
+void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits);
 size_t swGetQueryMemory(const swGpuQuery* query);
 
 // Copy one slice of a layer to the host; waits.
