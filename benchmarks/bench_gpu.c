@@ -41,6 +41,8 @@ typedef struct Bench
     swView* view;
     swGpuWorld* gpuWorld;
     swPosXZ* points;
+    swPos* places;
+    swRay* rays;
     swGpuQuery* query; // while queries are measured
     uint64_t frameIndex;
     VkCommandPool pool;
@@ -249,6 +251,22 @@ static void AddPassTimes(Bench* bench, Series* passes)
     }
 }
 
+static void SetQueryPoints(Bench* bench)
+{
+    if (bench->query->def.kind == SW_GPU_QUERY_KIND_RAYS)
+    {
+        swGpuQuery_SetRays(bench->query, bench->options.queryPoints, bench->rays);
+    }
+    else if (bench->query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
+    {
+        swGpuQuery_SetPlaces(bench->query, bench->options.queryPoints, bench->places);
+    }
+    else
+    {
+        swGpuQuery_SetPoints(bench->query, bench->options.queryPoints, bench->points);
+    }
+}
+
 // The warm-up's frames are not counted. `passes` NULL: no timestamps inside a frame.
 static void RunFrames(Bench* bench, Series* passes, Series* frame)
 {
@@ -265,7 +283,7 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
         Check(swWorld_Step(bench->world, 1.0 / 60.0), "a step failed");
         if (bench->query != NULL)
         {
-            swGpuQuery_SetPoints(bench->query, bench->options.queryPoints, bench->points);
+            SetQueryPoints(bench);
         }
         int slot = (int)(bench->frameIndex % SLOTS);
         bool isCounted = i >= warmUp;
@@ -443,25 +461,36 @@ typedef struct QueryCase
     double side; // m, of the square that they are scattered over; below 0: a grid of points so far apart
     uint32_t outputs;
     bool readBack;
+    swGpuQueryKind kind;
+    double first, last; // heights of places and rays, m
 } QueryCase;
 
+#define SURFACE SW_GPU_QUERY_KIND_SURFACE, 0.0, 0.0
+#define NORMAL SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL
+#define MOTION SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION
 static const QueryCase queryCases[] = {
-    {"heights, scattered over 10 km", 1e4, 0, true},
-    {"heights, scattered over 1 km", 1e3, 0, true},
-    {"heights, a grid of 0.5 m", -0.5, 0, true},
-    {"everything, scattered over 10 km", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, true},
-    {"everything, scattered, on the GPU", 1e4, SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL, false},
+    {"heights, scattered over 10 km", 1e4, 0, true, SURFACE},
+    {"heights, scattered over 1 km", 1e3, 0, true, SURFACE},
+    {"heights, a grid of 0.5 m", -0.5, 0, true, SURFACE},
+    {"with normals, scattered over 10 km", 1e4, NORMAL, true, SURFACE},
+    {"with normals, on the GPU", 1e4, NORMAL, false, SURFACE},
+    {"with velocity, on the GPU", 1e4, SW_GPU_QUERY_VELOCITY, false, SURFACE},
+    {"with acceleration too, on the GPU", 1e4, MOTION, false, SURFACE},
+    {"the water below, 0 to 20 m, on the GPU", 1e4, MOTION, false, SW_GPU_QUERY_KIND_VOLUME, 0.0, -20.0},
+    {"the water 5 m below, on the GPU", 1e4, MOTION, false, SW_GPU_QUERY_KIND_VOLUME, -5.0, -5.0},
+    {"rays, 45 degrees down from 20 m", 1e4, SW_GPU_QUERY_NORMAL, false, SW_GPU_QUERY_KIND_RAYS, 20.0, 20.0},
 };
 #define QUERY_CASES (int)(sizeof(queryCases) / sizeof(queryCases[0]))
 
 typedef struct QueryTimes
 {
-    double pass;  // us, between timestamps around the dispatch
-    double frame; // us that a frame without a view takes longer: the pass, its copies and barriers
+    double pass;  // us, between timestamps around the dispatches of the query
+    double frame; // us that a frame without a view takes longer: the pass, tiles of motion, copies and barriers
 } QueryTimes;
 
-static void PlacePoints(const QueryCase* what, int count, swPosXZ* points)
+static void PlacePoints(Bench* bench, const QueryCase* what)
 {
+    int count = bench->options.queryPoints;
     int columns = (int)ceil(sqrt((double)count));
     uint32_t seed = 12345;
     for (int i = 0; i < count; ++i)
@@ -472,15 +501,19 @@ static void PlacePoints(const QueryCase* what, int count, swPosXZ* points)
             seed = seed * 1664525u + 1013904223u;
             place[axis] = what->side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
         }
-        points[i] = (swPosXZ){place[0], place[1]};
+        bench->points[i] = (swPosXZ){place[0], place[1]};
+        bench->places[i] = (swPos){place[0], what->first + (what->last - what->first) * i / count, place[1]};
+        double angle = 2.399963 * i; // any direction
+        bench->rays[i] = swDefaultRay(bench->places[i], (swVec3){(float)cos(angle), -1.0f, (float)sin(angle)});
     }
 }
 
 static QueryTimes MeasureQuery(Bench* bench, const QueryCase* what, double frameWithout)
 {
-    PlacePoints(what, bench->options.queryPoints, bench->points);
+    PlacePoints(bench, what);
     swGpuQueryDef def = swDefaultGpuQueryDef();
     def.capacity = bench->options.queryPoints;
+    def.kind = what->kind;
     def.outputs = what->outputs;
     def.readBack = what->readBack;
     Check(swCreateGpuQuery(bench->gpuWorld, &def, &bench->query), "no query");
@@ -491,9 +524,10 @@ static QueryTimes MeasureQuery(Bench* bench, const QueryCase* what, double frame
     QueryTimes times = {.frame = Median(&frame) - frameWithout};
     for (int i = 0; i < MAX_PASSES; ++i)
     {
-        if (passes[i].name != NULL && strcmp(passes[i].name, "surface_query") == 0)
+        if (passes[i].name != NULL &&
+            (strstr(passes[i].name, "query") != NULL || strstr(passes[i].name, "volume") != NULL))
         {
-            times.pass = Median(&passes[i]);
+            times.pass += Median(&passes[i]);
         }
         free(passes[i].values);
     }
@@ -512,10 +546,24 @@ static Floor QueryFloor(const Bench* bench, double evaluations)
     return (Floor){.bytes = sum * 256.0, .flops = sum * 270.0};
 }
 
+// Of the water below at its surface, where every pair of waves counts: some 50 operations each.
+static double VolumeFlops(const Bench* bench)
+{
+    const swFrame* frame = swGetWorldFrame(bench->world);
+    double pairs = 0.0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        pairs += frame->tiles[i].modeCount;
+    }
+    return 50.0 * pairs * bench->options.queryPoints;
+}
+
 static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
 {
     bench->points = malloc(sizeof(swPosXZ) * (size_t)bench->options.queryPoints);
-    if (bench->points == NULL)
+    bench->places = malloc(sizeof(swPos) * (size_t)bench->options.queryPoints);
+    bench->rays = malloc(sizeof(swRay) * (size_t)bench->options.queryPoints);
+    if (bench->points == NULL || bench->places == NULL || bench->rays == NULL)
     {
         Fail("no memory for points");
     }
@@ -524,6 +572,8 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
         times[i] = MeasureQuery(bench, &queryCases[i], frameWithout);
     }
     free(bench->points);
+    free(bench->places);
+    free(bench->rays);
 }
 
 // Report -------------------------------------------------------------------------------------------------------------
@@ -564,13 +614,13 @@ static void PrintTable(const Bench* bench, Report* report)
         Floor least = QueryFloor(bench, 2.0);
         printf(
             "\nqueries of %d points; two evaluations a point read %.0f MB of texels (%.0f us were they memory's) and "
-            "take %.0f Mflop\n%-36s %10s %14s\n",
-            bench->options.queryPoints, least.bytes * 1e-6, least.bytes / report->bandwidth, least.flops * 1e-6, "",
-            "pass us", "more frame us");
+            "take %.0f Mflop;\nall waves one by one, at the top of the water, take %.1f Gflop\n%-40s %10s %14s\n",
+            bench->options.queryPoints, least.bytes * 1e-6, least.bytes / report->bandwidth, least.flops * 1e-6,
+            VolumeFlops(bench) * 1e-9, "", "pass us", "more frame us");
     }
     for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
     {
-        printf("%-36s %10.2f %14.2f\n", queryCases[i].name, report->queries[i].pass, report->queries[i].frame);
+        printf("%-40s %10.2f %14.2f\n", queryCases[i].name, report->queries[i].pass, report->queries[i].frame);
     }
 }
 

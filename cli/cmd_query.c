@@ -276,6 +276,16 @@ static bool Ask(const Source* source, int count, const swPosXZ* points, const sw
     return true;
 }
 
+static bool AskBelow(const Source* source, int count, const swPos* places, const swVolumeSamples* samples)
+{
+    if (source->gpu != NULL)
+    {
+        return AskGpuBelow(source->gpu, count, places, samples);
+    }
+    swWorld_QueryVolume(source->world, source->def, count, places, samples);
+    return true;
+}
+
 static void PrintVector(swVec3 v)
 {
     printf(",%.6g,%.6g,%.6g", (double)v.x, (double)v.y, (double)v.z);
@@ -333,7 +343,10 @@ static bool PrintBelow(const Source* source, const PointList* list)
         {
             places[i] = (swPos){list->points[begin + i].x, list->heights[begin + i], list->points[begin + i].z};
         }
-        swWorld_QueryVolume(source->world, source->def, count, places, &samples);
+        if (!AskBelow(source, count, places, &samples))
+        {
+            return false;
+        }
         for (int i = 0; i < count; ++i)
         {
             printf("%.10g,%.10g,%.10g,%.10g,%.6g", time, places[i].x, places[i].y, places[i].z, (double)depth[i]);
@@ -386,6 +399,21 @@ static int PrintTimes(const Source* source, const PointList* list, TimeRange tim
     return FinishOutput() ? EXIT_FINE : EXIT_PROBLEM;
 }
 
+static swGpuQueryDef MakeGpuDef(const swQueryDef* def, Question question, int capacity)
+{
+    swGpuQueryDef gpuDef = swDefaultGpuQueryDef();
+    gpuDef.capacity = capacity;
+    bool isBelow = question == QUESTION_BELOW;
+    gpuDef.kind = isBelow ? SW_GPU_QUERY_KIND_VOLUME : SW_GPU_QUERY_KIND_SURFACE;
+    gpuDef.outputs = isBelow ? 0 : SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL;
+    gpuDef.outputs |= question != QUESTION_SURFACE ? SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION : 0;
+    gpuDef.minWavelength = def->minWavelength;
+    gpuDef.tolerance = def->tolerance;
+    gpuDef.maxIterations = def->maxIterations;
+    gpuDef.stretching = def->stretching;
+    return gpuDef;
+}
+
 // `device` NULL: the core answers.
 static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName* device, Question question,
                         const PointList* list, TimeRange times)
@@ -393,7 +421,8 @@ static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName*
     Source source = {.world = world, .def = def, .question = question};
     if (device != NULL)
     {
-        source.gpu = OpenGpuAnswers(device, world, def, list->count < BLOCK ? list->count : BLOCK);
+        swGpuQueryDef gpuDef = MakeGpuDef(def, question, list->count < BLOCK ? list->count : BLOCK);
+        source.gpu = OpenGpuAnswers(device, world, &gpuDef);
         if (source.gpu == NULL)
         {
             return EXIT_PROBLEM;
@@ -416,7 +445,7 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
     if (result == SW_SUCCESS)
     {
         scene->world.enableQueries = device == NULL;
-        scene->world.enableVelocity = scene->world.enableAcceleration = question == QUESTION_MOTION;
+        scene->world.enableVelocity = scene->world.enableAcceleration = device == NULL && question == QUESTION_MOTION;
         result = swCreateSceneWorld(&host, scene, &world);
     }
     if (result == SW_SUCCESS)
@@ -529,12 +558,6 @@ int RunQuery(int argumentCount, char** arguments)
     def.minWavelength = (float)minWavelength;
     def.tolerance = (float)tolerance;
     def.stretching = (swStretching)stretching;
-    if ((withMotion || isBelow) && backend == 1)
-    {
-        Complain("query: --backend gpu answers about the surface only; leave out %s or ask the cpu",
-                 isBelow ? "--below" : "--motion");
-        return EXIT_USAGE;
-    }
     if (withMotion && isBelow)
     {
         Complain("query: --below has the motion already; leave out --motion");

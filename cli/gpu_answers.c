@@ -28,8 +28,7 @@ static bool Succeed(VkResult result, const char* what)
     return result == VK_SUCCESS;
 }
 
-static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const swWorld* world, const swQueryDef* def,
-                          int capacity)
+static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const swWorld* world, const swGpuQueryDef* def)
 {
     swHost host = MakeHost();
     swGpuDef gpuDef = swDefaultGpuDef();
@@ -37,13 +36,7 @@ static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const s
     gpuDef.deviceIndex = device->index;
     swResult result = swCreateGpu(&host, &gpuDef, &answers->gpu);
     result = result == SW_SUCCESS ? swCreateGpuWorld(answers->gpu, world, &answers->world) : result;
-    swGpuQueryDef queryDef = swDefaultGpuQueryDef();
-    queryDef.capacity = capacity;
-    queryDef.outputs = SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL;
-    queryDef.minWavelength = def->minWavelength;
-    queryDef.tolerance = def->tolerance;
-    queryDef.maxIterations = def->maxIterations;
-    return result == SW_SUCCESS ? swCreateGpuQuery(answers->world, &queryDef, &answers->query) : result;
+    return result == SW_SUCCESS ? swCreateGpuQuery(answers->world, def, &answers->query) : result;
 }
 
 static bool CreateCommands(GpuAnswers* answers)
@@ -69,7 +62,7 @@ static bool CreateCommands(GpuAnswers* answers)
     return Succeed(calls->AllocateCommandBuffers(answers->device, &info, &answers->commands), "no command buffer");
 }
 
-GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swQueryDef* def, int capacity)
+GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swGpuQueryDef* def)
 {
     GpuAnswers* answers = calloc(1, sizeof(GpuAnswers));
     if (answers == NULL)
@@ -77,7 +70,7 @@ GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const
         Complain("no memory for a query");
         return NULL;
     }
-    swResult result = CreateSea(answers, device, world, def, capacity);
+    swResult result = CreateSea(answers, device, world, def);
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the GPU cannot be asked; without --backend gpu the CPU answers");
@@ -134,20 +127,41 @@ static bool RunFrame(GpuAnswers* answers)
            Succeed(calls->ResetFences(answers->device, 1, &answers->fence), "the fence could not be reset");
 }
 
-bool AskGpu(GpuAnswers* answers, int count, const swPosXZ* points, const swSurfaceSamples* samples)
+static bool FetchResults(GpuAnswers* answers, swGpuQueryResults* results)
 {
-    swGpuQuery_SetPoints(answers->query, count, points);
     if (!RunFrame(answers))
     {
         return false;
     }
     swGpu_SetFinishedFrame(answers->gpu, answers->frameIndex++);
-    swGpuQueryResults results;
-    if (!swGpuQuery_GetResults(answers->query, &results))
+    bool isThere = swGpuQuery_GetResults(answers->query, results);
+    if (!isThere)
     {
         Complain("the device gave no answers");
-        return false;
     }
-    swGpuQueryResults_Unpack(&results, samples, NULL);
-    return true;
+    return isThere;
+}
+
+bool AskGpu(GpuAnswers* answers, int count, const swPosXZ* points, const swSurfaceSamples* samples)
+{
+    swGpuQuery_SetPoints(answers->query, count, points);
+    swGpuQueryResults results;
+    bool isThere = FetchResults(answers, &results);
+    if (isThere)
+    {
+        swGpuQueryResults_Unpack(&results, samples, NULL);
+    }
+    return isThere;
+}
+
+bool AskGpuBelow(GpuAnswers* answers, int count, const swPos* places, const swVolumeSamples* samples)
+{
+    swGpuQuery_SetPlaces(answers->query, count, places);
+    swGpuQueryResults results;
+    bool isThere = FetchResults(answers, &results);
+    if (isThere)
+    {
+        swGpuQueryResults_UnpackVolume(&results, samples);
+    }
+    return isThere;
 }

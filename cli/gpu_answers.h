@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The surface at points, asked of the GPU and waited for: a device, a world on it and one query.
+// The sea at points, asked of the GPU and waited for: a device, a world on it and one query.
 
 #include "args.h"
 
 typedef struct GpuAnswers GpuAnswers;
 
-// NULL after a complaint. The world must outlive it.
-GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swQueryDef* def, int capacity);
+// NULL after a complaint. The world must outlive it. Samples may want what the def has.
+GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swGpuQueryDef* def);
 void CloseGpuAnswers(GpuAnswers* answers);
 
-// At the time of the world's last step, at most `capacity` points.
+// At the time of the world's last step, at most as many points as the def's capacity: the surface above points, or the water at
+// places, by the def's kind.
 bool AskGpu(GpuAnswers* answers, int count, const swPosXZ* points, const swSurfaceSamples* samples);
+bool AskGpuBelow(GpuAnswers* answers, int count, const swPos* places, const swVolumeSamples* samples);

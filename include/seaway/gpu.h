@@ -135,21 +135,45 @@ typedef enum swLayer
 /// waits, so the recorded work must have been submitted. `texels` has room for resolution^2 * channels floats.
 SW_API swResult swGpuWorld_ReadLayer(swGpuWorld* gpuWorld, const swView* view, swLayer layer, int slice, float* texels);
 
-/// Points whose surface the GPU looks up in every frame: the twin of swWorld_QuerySurface() for many points that may wait
-/// a frame or two, or whose answers other shaders want. A few points at once are better asked of the core, which answers
-/// now. Use it on the thread that uses its swGpu.
+/// Points that the GPU looks up in every frame: the twin of the core's queries for many points that may wait a frame or two,
+/// or whose answers other shaders want. A few points at once are better asked of the core, which answers now. Use it on the
+/// thread that uses its swGpu.
 typedef struct swGpuQuery swGpuQuery;
+
+/// What a query is about.
+typedef enum swGpuQueryKind
+{
+    /// The surface above points, as swWorld_QuerySurface().
+    SW_GPU_QUERY_KIND_SURFACE,
+
+    /// The water at places, as swWorld_QueryVolume(): depth and pressure head always, orbital velocity and local acceleration
+    /// as outputs. Waves are summed one by one, which takes some twenty times as long as the surface does; waves too
+    /// short to reach any place of a group of 64 cost nothing, so places in order of depth are the cheapest.
+    SW_GPU_QUERY_KIND_VOLUME,
+
+    /// What rays and spheres meet, as swWorld_CastRays() of a surface that stands still.
+    SW_GPU_QUERY_KIND_RAYS
+} swGpuQueryKind;
 
 /// What is answered beside height and residual; the bits can be added.
 typedef enum swGpuQueryOutput
 {
-    SW_GPU_QUERY_SIDEWAYS = 1, ///< horizontal displacement of the particle that is there
-    SW_GPU_QUERY_NORMAL = 2    ///< normal and Jacobian
+    SW_GPU_QUERY_SIDEWAYS = 1, ///< horizontal displacement of the particle that is there. Of a surface
+    SW_GPU_QUERY_NORMAL = 2,   ///< normal and Jacobian. Of a surface, or where a ray meets it
+
+    /// Velocity and acceleration: of the particle that is there, or of the water below. At the surface each makes the
+    /// frame's transforms of waves once more, and tiles of its own, in frames in which a query with points asks for it;
+    /// their memory stays with the swGpuWorld.
+    SW_GPU_QUERY_VELOCITY = 4,
+    SW_GPU_QUERY_ACCELERATION = 8
 } swGpuQueryOutput;
 
 /// Must be initialized with swDefaultGpuQueryDef().
 typedef struct swGpuQueryDef
 {
+    /// Default SW_GPU_QUERY_KIND_SURFACE.
+    swGpuQueryKind kind;
+
     /// Most points. Range [1, 4194304]. Default 1024.
     int capacity;
 
@@ -161,6 +185,9 @@ typedef struct swGpuQueryDef
     float minWavelength;
     float tolerance;
     int maxIterations;
+
+    /// Of the water below, as in swQueryDef. Default SW_STRETCHING_WHEELER.
+    swStretching stretching;
 
     /// Copy the answers to memory that the host can read. Default true; without it only shaders see them.
     bool readBack;
@@ -183,10 +210,19 @@ SW_API void swDestroyGpuQuery(swGpuQuery* query);
 /// rests.
 SW_API void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points);
 
+/// The same for a query of the water below: places with a height, above or below the surface.
+SW_API void swGpuQuery_SetPlaces(swGpuQuery* query, int count, const swPos* places);
+
+/// The same for a query of rays. Their duration must be 0: the surface is that of the frame. A ray looks at the surface at most
+/// 4096 times; one that needs more (for a very long way just above the water) ends without a hit at the distance that it has
+/// come to. A larger minWavelength lengthens its steps.
+SW_API void swGpuQuery_SetRays(swGpuQuery* query, int count, const swRay* rays);
+
 /// Points that are on the GPU already: `count` pairs of floats (x, z), m from `origin`, at byte `offset` (a multiple of 8)
-/// of a storage buffer of the host's. The host makes what it writes there visible to compute shaders' storage reads
-/// before swGpuWorld_Record()'s commands, and keeps the buffer until the query has other points and frames that used it are
-/// done. A float's own spacing is all that is lost: 0.1 mm at 1 km from `origin`.
+/// of a storage buffer of the host's. Of the water below they are triples (x, y, z), y as in swPos, and of rays eights (x, y,
+/// z, maxDistance, direction x, y, z, radius), at a multiple of 4. The host makes what it writes there visible to compute
+/// shaders' storage reads before swGpuWorld_Record()'s commands, and keeps the buffer until the query has other points and
+/// frames that used it are done. A float's own spacing is all that is lost: 0.1 mm at 1 km from `origin`.
 SW_API void swGpuQuery_SetPointBuffer(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset,
                                       swPosXZ origin);
 
@@ -196,6 +232,20 @@ typedef struct swGpuHeight
     float height;   ///< of the water, above sea level, m
     float residual; ///< as in swSurfaceSamples, m; converged if within the tolerance
 } swGpuHeight;
+
+/// Of one place in the water.
+typedef struct swGpuDepth
+{
+    float depth;        ///< below the surface, m; negative in the air
+    float pressureHead; ///< dynamic pressure, m of water; 0 in the air
+} swGpuDepth;
+
+/// Of one ray.
+typedef struct swGpuHit
+{
+    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit
+    float side;     ///< 1: it came from above, -1: from below, 0: no hit
+} swGpuHit;
 
 /// The newest answers that have arrived. Pointers are valid until the next swGpuWorld_Record().
 typedef struct swGpuQueryResults
@@ -209,27 +259,46 @@ typedef struct swGpuQueryResults
     const swGpuHeight* heights;
     const swVec2* sideways; ///< x and z of displacement, m (y is the height). NULL unless asked for
     const swVec4* normals;  ///< unit normal, and the Jacobian in w. NULL unless asked for
+
+    /// Of the water below and of rays; NULL unless the query is about them. Heights are then those of the surface there.
+    const swGpuDepth* depths;
+    const swGpuHit* hits;
+
+    /// m/s and m/s^2; w is 0. NULL unless asked for.
+    const swVec4* velocities;
+    const swVec4* accelerations;
 } swGpuQueryResults;
 
 /// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says so.
 /// Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the first,
-/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. In a fold, where the water is above
+/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. Velocity and acceleration are those
+/// of a world that has enableVelocity and enableAcceleration to 1 mm/s and 1 cm/s^2 likewise; below the surface they are those
+/// of swWorld_QueryVolume() to 0.3 mm/s and 3 mm/s^2, pressure to 0.1 mm of water. A hit is on the core's surface to the
+/// tolerance, the slope of the water times both residuals, and 1e-7 of the way. In a fold, where the water is above
 /// a point more than once, it may be another of the particles there.
 /// @return false while none have arrived
 SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
 
 /// Write results where swWorld_QuerySurface() would: heights include sea level. Arrays of `samples` for which the query
-/// has no output, and velocity and acceleration, must be NULL. `stats` may be NULL; its iterationCount is 0.
+/// has no output must be NULL. `stats` may be NULL; its iterationCount is 0.
 SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples,
                                      swQueryStats* stats);
 
+/// The same for a query of the water below: results where swWorld_QueryVolume() would write them.
+SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples);
+
+/// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swWorld_CastRays() would write them. `rays` are those that
+/// had been set then.
+SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits);
+
 /// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any descriptor:
-/// vec2 heights[] (height, residual), vec2 sideways[], vec4 normals[] (w: Jacobian). An offset without an output is 0.
+/// vec2 heights[] (height, residual), vec2 depths[] (depth, pressure head), vec2 hits[] (distance, side), vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4
+/// accelerations[] (w: 0). An offset without an output is 0.
 /// swGpuWorld_Record() leaves them visible to vertex, fragment and compute shaders of the same queue.
 typedef struct swGpuQueryBuffer
 {
     VkBuffer buffer;
-    VkDeviceSize heights, sideways, normals;
+    VkDeviceSize heights, depths, hits, sideways, normals, velocities, accelerations;
 } swGpuQueryBuffer;
 SW_API swGpuQueryBuffer swGpuQuery_GetBuffer(const swGpuQuery* query);
 

@@ -9,6 +9,12 @@ uint phaseOf(uint aLow, uint aHigh, uint bLow, uint bHigh)
     return high + aLow * bHigh + aHigh * bLow;
 }
 
+// rad/s of turns a tick in fractions of 2^64; a second has 2^24 ticks.
+float omegaOf(uint low, uint high)
+{
+    return fma(float(low), 1.0 / 4294967296.0, float(high)) * (6.28318530718 / 256.0);
+}
+
 // (cosine, sine), good to about 2^-24: the nearest quarter turn is taken off in integers and Taylor's series does the rest.
 // sin() and cos() of GLSL need not be better than 2^-11.
 vec2 unitOf(uint phase)

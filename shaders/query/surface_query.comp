@@ -2,17 +2,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// The surface above points of the plane: the GPU's twin of core/query/sample.c. The particle that is above q rests at
-// q + d with r(d) = d + D(q + d) = 0. The core avoids gradients, which cost it as much as displacement; here texels cost,
-// and gradients come from the same window of texels for a few multiply-adds. So this is Newton's iteration, which needs
-// two evaluations fewer, and the last one has the normal. A step that made the residual worse is taken back and halved,
-// and no step is longer than four residuals: where the surface nearly folds, its inverse gradient has no meaning.
+// The surface above points of the plane: the GPU's twin of core/query/sample.c. The search is in surface_search.glsl.
 //
-// The first evaluation adds up only waves that are long against the way that it goes: gradients of waves shorter than
-// that say nothing about where it leads.
-//
-// Four lanes share a point. Each takes one column of a tile's window of 4 x 4 texels, so that the four read 64 bytes side
-// by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
+// Velocity and acceleration are looked up once, where the search ended, in texels of their own. A query that wants neither
+// has a pipeline without them.
 //
 // Measured on an H100, 100,000 points of a default sea: 190 us scattered over 10 km, 125 to 175 us on a grid of 0.5 m;
 // points take 2.6 evaluations after the first guess. Slower were: no first guess (40 more), lanes that take another point
@@ -20,13 +13,10 @@
 // weights along x in every lane (8 more), two tiles at a time (6 more), and workgroups of 128 (4 more).
 
 #include "shared/query.h"
-#include "shared/spline.h"
-#include "shared/surface_normal.h"
-
-#include "lib/turns.glsl"
 
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
+layout(constant_id = 0) const bool WITH_MOTION = false;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -42,7 +32,7 @@ layout(std430, binding = 2) readonly buffer Texels
 };
 layout(std430, binding = 3) readonly buffer Points
 {
-    uvec2 points[];
+    uint points[];
 };
 layout(std430, binding = 4) writeonly buffer Heights
 {
@@ -56,212 +46,106 @@ layout(std430, binding = 6) writeonly buffer Normals
 {
     vec4 normals[]; // and J
 };
+layout(std430, binding = 7) writeonly buffer Velocities
+{
+    vec4 velocities[]; // and 0
+};
+layout(std430, binding = 8) writeonly buffer Accelerations
+{
+    vec4 accelerations[]; // and 0
+};
 layout(push_constant) uniform Push
 {
     swQueryParams params;
 };
 
-// Displacement of a particle by its place at rest, and its derivatives along x and z. Of a lane: its share.
-struct Sum
-{
-    vec3 value;
-    vec3 alongX;
-    vec3 alongZ;
-};
-
 shared vec3 shares[3][THREADS];
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
-// ---- the surface at a rest point ----
+#include "lib/turns.glsl"
+#include "query/query_place.glsl"
+#include "query/query_points.glsl"
+#include "query/surface_search.glsl"
 
-// The nearest whole turn is taken off first, so that the integer cannot overflow.
-uint toTurns(float turns)
+// ---- motion ----
+
+// Velocity and acceleration of a particle. Of a lane: its share.
+struct Motion
 {
-    return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
-}
-
-// The spline's weight of column `lane` of a window as a polynomial of the fraction, lowest power first.
-vec4 splineCubic(uint lane)
-{
-    const vec4 cubics[4] = {vec4(1.0, -3.0, 3.0, -1.0), vec4(4.0, 0.0, -6.0, 3.0), vec4(1.0, 3.0, 3.0, -3.0),
-                            vec4(0.0, 0.0, 0.0, 1.0)};
-    return cubics[lane] / 6.0;
-}
-
-void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Sum sum)
-{
-    vec2 way = rest * tile.turnsPerMetre;
-    uint turnsX = tile.turnsX + uint(cell.x) * tile.cellTurns + toTurns(way.x);
-    uint turnsZ = tile.turnsZ + uint(cell.y) * tile.cellTurns + toTurns(way.y);
-    uint column = turnsX >> (32 - tile.resolutionBits);
-    uint row = turnsZ >> (32 - tile.resolutionBits);
-    float fractionX = float((turnsX << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    float fractionZ = float((turnsZ << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    uint mask = (1u << tile.resolutionBits) - 1u;
-    uint pitch = mask + 4u;
-    uint first = tile.firstTexel + column + lane;
-    vec3 a = texels[first + row * pitch].xyz;
-    vec3 b = texels[first + ((row + 1) & mask) * pitch].xyz;
-    vec3 c = texels[first + ((row + 2) & mask) * pitch].xyz;
-    vec3 d = texels[first + ((row + 3) & mask) * pitch].xyz;
-    vec4 valueZ = swSplineWeights(fractionZ);
-    vec4 slopeZ = swSplineSlopes(fractionZ) * tile.texelsPerMetre;
-    float valueX = fma(fma(fma(cubic.w, fractionX, cubic.z), fractionX, cubic.y), fractionX, cubic.x);
-    float slopeX = fma(fma(3.0 * cubic.w, fractionX, 2.0 * cubic.z), fractionX, cubic.y) * tile.texelsPerMetre;
-    vec3 value = fma(vec3(valueZ.w), d, fma(vec3(valueZ.z), c, fma(vec3(valueZ.y), b, valueZ.x * a)));
-    vec3 slope = fma(vec3(slopeZ.w), d, fma(vec3(slopeZ.z), c, fma(vec3(slopeZ.y), b, slopeZ.x * a)));
-    sum.value = fma(vec3(valueX), value, sum.value);
-    sum.alongX = fma(vec3(slopeX), value, sum.alongX);
-    sum.alongZ = fma(vec3(valueX), slope, sum.alongZ);
-}
-
-void addWave(swQueryWave wave, ivec2 cell, vec2 rest, inout Sum sum)
-{
-    uint phase = wave.phase + uint(cell.x) * wave.cellTurnsX + uint(cell.y) * wave.cellTurnsZ +
-                 toTurns(rest.x * wave.turnsX + rest.y * wave.turnsZ);
-    vec2 unit = wave.amplitude * unitOf(phase); // cosine, sine
-    vec3 slope = vec3(-wave.dx * unit.x, -unit.y, -wave.dz * unit.x) * 6.28318530718;
-    sum.value += vec3(-wave.dx * unit.y, unit.x, -wave.dz * unit.y);
-    sum.alongX += slope * wave.turnsX;
-    sum.alongZ += slope * wave.turnsZ;
-}
-
-// A lane's share of the first `tileCount` tiles and `waveCount` free waves.
-Sum addWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane)
-{
-    vec4 cubic = splineCubic(lane);
-    Sum sum = Sum(vec3(0.0), vec3(0.0), vec3(0.0));
-    for (uint i = 0; i < tileCount; ++i)
-    {
-        addTile(tiles[i], cell, rest, lane, cubic, sum);
-    }
-    for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
-    {
-        addWave(waves[i], cell, rest, sum);
-    }
-    return sum;
-}
-
-void share(Sum sum)
-{
-    shares[0][gl_LocalInvocationIndex] = sum.value;
-    shares[1][gl_LocalInvocationIndex] = sum.alongX;
-    shares[2][gl_LocalInvocationIndex] = sum.alongZ;
-}
-
-vec3 gather(uint part)
-{
-    uint first = gl_LocalInvocationIndex / SW_QUERY_LANES * SW_QUERY_LANES;
-    return shares[part][first] + shares[part][first + 1] + (shares[part][first + 2] + shares[part][first + 3]);
-}
-
-// ---- the search ----
-
-struct Search
-{
-    uint point;
-    ivec2 cell;
-    vec2 place;  // of the point in its cell, m
-    vec2 offset; // being tried
-    uint iteration;
-    float reach;
-    float bestSquare;
-    vec2 bestOffset;
-    Sum best;
+    vec3 velocity;
+    vec3 acceleration;
 };
 
-Search beginSearch(uint point)
+void addTileMotion(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Motion motion)
 {
-    Search search;
-    search.point = point;
-    search.offset = vec2(0.0);
-    search.iteration = 0;
-    search.reach = 1.0;
-    search.bestSquare = 3e38;
-    uint at = params.firstPoint + point;
-    if (params.isFloatPoint != 0)
+    Column column = findColumn(tile, cell, rest, lane);
+    float valueX = weightAlongX(column, cubic);
+    vec4 valueZ = swSplineWeights(column.fractionZ);
+    if (params.velocityTexels != 0)
     {
-        vec2 place = uintBitsToFloat(points[at]);
-        vec2 cell = floor(place / SW_QUERY_CELL);
-        search.cell = ivec2(cell);
-        search.place = place - cell * SW_QUERY_CELL;
+        uint field = params.velocityTexels;
+        motion.velocity += valueX * weigh(valueZ, texelOf(column, field, 0), texelOf(column, field, 1),
+                                          texelOf(column, field, 2), texelOf(column, field, 3));
     }
-    else
+    if (params.accelerationTexels != 0)
     {
-        search.place = uintBitsToFloat(points[2 * at]);
-        search.cell = ivec2(points[2 * at + 1]);
+        uint field = params.accelerationTexels;
+        motion.acceleration += valueX * weigh(valueZ, texelOf(column, field, 0), texelOf(column, field, 1),
+                                              texelOf(column, field, 2), texelOf(column, field, 3));
     }
-    return search;
 }
 
-vec2 newtonStep(vec2 residual, Sum sum)
+Motion addMotion(ivec2 cell, vec2 rest, uint lane)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongZ.x, sum.alongX.z, sum.alongZ.z);
-    vec2 step = vec2((1.0 + sum.alongZ.z) * residual.x - sum.alongZ.x * residual.y,
-                     (1.0 + sum.alongX.x) * residual.y - sum.alongX.z * residual.x);
-    float longest = 4.0 * length(residual) * abs(jacobian);
-    float size = length(step);
-    return size > longest ? step * (4.0 * length(residual) / size) * (jacobian < 0.0 ? -1.0 : 1.0) : step / jacobian;
-}
-
-bool isGuess(Search search)
-{
-    return search.iteration == 0 &&
-           (params.longTileCount < params.tileCount || params.longWaveCount < params.waveCount);
-}
-
-// Takes in the surface at the tried offset and chooses the next. False when done.
-bool advance(inout Search search, Sum sum)
-{
-    vec2 residual = search.offset + sum.value.xz;
-    bool wasGuess = isGuess(search);
-    search.iteration += 1;
-    if (wasGuess)
+    vec4 cubic = splineCubic(lane);
+    Motion motion = Motion(vec3(0.0), vec3(0.0));
+    for (uint i = 0; i < params.water.tileCount; ++i)
     {
-        search.offset -= newtonStep(residual, sum);
-        return true;
+        addTileMotion(tiles[i], cell, rest, lane, cubic, motion);
     }
-    float square = dot(residual, residual);
-    search.reach *= 0.5;
-    if (square < search.bestSquare)
+    for (uint i = lane; i < params.water.waveCount; i += SW_QUERY_LANES)
     {
-        search.bestSquare = square;
-        search.bestOffset = search.offset;
-        search.best = sum;
-        search.reach = 1.0;
+        swQueryWave wave = waves[i];
+        vec2 rate = wave.rate * swingOf(wave, cell, rest);
+        motion.velocity += vec3(wave.dx * rate.x, rate.y, wave.dz * rate.x);
+        motion.acceleration += wave.rate * vec3(wave.dx * rate.y, -rate.x, wave.dz * rate.y);
     }
-    vec2 bestResidual = search.bestOffset + search.best.value.xz;
-    search.offset = search.bestOffset - search.reach * newtonStep(bestResidual, search.best);
-    return search.bestSquare > params.toleranceSquare && search.iteration < params.maxIterations;
+    return motion;
 }
 
 // ---- answers ----
 
-void storeNormal(uint point, vec3 alongX, vec3 alongZ)
-{
-    float jacobian = swSurfaceJacobian(alongX.x, alongZ.x, alongX.z, alongZ.z);
-    float x = swSurfaceNormalX(alongX.z, alongZ.z, alongX.y, alongZ.y);
-    float z = swSurfaceNormalZ(alongX.x, alongZ.x, alongX.y, alongZ.y);
-    vec3 normal = vec3(-x, jacobian, -z);
-    float size = length(normal);
-    normal = size < 1e-20 ? vec3(0.0, 1.0, 0.0) : normal * ((jacobian < 0.0 ? -1.0 : 1.0) / size);
-    normals[point] = vec4(normal, jacobian);
-}
-
 // One lane for each output.
-void store(Search search, uint lane)
+void store(uint point, Search search, uint lane)
 {
     if (lane == 0)
     {
-        heights[search.point] = vec2(search.best.value.y, sqrt(search.bestSquare));
+        heights[point] = vec2(search.best.value.y, sqrt(search.bestSquare));
     }
     else if (lane == 1 && (params.outputs & SW_QUERY_WANTS_SIDEWAYS) != 0)
     {
-        sideways[search.point] = search.best.value.xz;
+        sideways[point] = search.best.value.xz;
     }
     else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
     {
-        storeNormal(search.point, search.best.alongX, search.best.alongZ);
+        normals[point] = normalOf(search.best);
+    }
+}
+
+// How the particle that was found moves. All threads of the workgroup call it together.
+void storeMotion(uint point, Search search, uint lane)
+{
+    Motion motion = addMotion(search.cell, search.place + search.bestOffset, lane);
+    shares[0][gl_LocalInvocationIndex] = motion.velocity;
+    shares[1][gl_LocalInvocationIndex] = motion.acceleration;
+    barrier();
+    if (point < params.source.count && lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
+    {
+        velocities[point] = vec4(gather(0), 0.0);
+    }
+    else if (point < params.source.count && lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
+    {
+        accelerations[point] = vec4(gather(1), 0.0);
     }
 }
 
@@ -270,8 +154,8 @@ void main()
     uint lane = gl_LocalInvocationIndex % SW_QUERY_LANES;
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint point = group * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
-    bool isSearching = point < params.pointCount;
-    Search search = beginSearch(min(point, params.pointCount - 1));
+    bool isSearching = point < params.source.count;
+    Search search = beginSearch(readPlace(min(point, params.source.count - 1)));
     if (gl_LocalInvocationIndex == 0)
     {
         isBusy[0] = 0;
@@ -280,10 +164,7 @@ void main()
     {
         if (isSearching)
         {
-            bool isFirst = isGuess(search);
-            share(addWater(isFirst ? params.longTileCount : params.tileCount,
-                           isFirst ? params.longWaveCount : params.waveCount, search.cell, search.place + search.offset,
-                           lane));
+            share(addSearched(search, lane));
         }
         barrier();
         if (isSearching)
@@ -291,7 +172,7 @@ void main()
             isSearching = advance(search, Sum(gather(0), gather(1), gather(2)));
             if (!isSearching)
             {
-                store(search, lane);
+                store(point, search, lane);
             }
         }
         if (isSearching)
@@ -305,7 +186,11 @@ void main()
         barrier();
         if (isBusy[turn] == 0)
         {
-            return;
+            break;
         }
+    }
+    if (WITH_MOTION)
+    {
+        storeMotion(point, search, lane);
     }
 }

@@ -19,13 +19,22 @@
 // Bits of swQueryParams::outputs, the same as swGpuQueryOutput.
 #define SW_QUERY_WANTS_SIDEWAYS 1
 #define SW_QUERY_WANTS_NORMAL 2
+#define SW_QUERY_WANTS_VELOCITY 4
+#define SW_QUERY_WANTS_ACCELERATION 8
 
-SW_PARAMS(swQueryParams)
+// Where a query's points lie.
+SW_PARAMS(swQuerySource)
 {
-    sw_uint pointCount;
-    sw_uint firstPoint;   // of the bound buffer
-    sw_uint isFloatPoint; // 1: points are two floats, m from the origin; 0: they are swQueryPoint
-    sw_uint outputs;
+    sw_uint count;
+    sw_uint firstWord; // of the bound buffer
+    sw_uint pointWords;
+    sw_uint isFloatPoint; // 1: points are two or three floats, m from the origin; 0: they are swQueryPoint
+};
+SW_PARAMS_SIZE(swQuerySource, 16);
+
+// The waves that count, and how to search.
+SW_PARAMS(swQueryWater)
+{
     sw_uint tileCount;
     sw_uint longTileCount; // how many of the first tiles make the first guess; all of them: there is none
     sw_uint waveCount;
@@ -33,7 +42,17 @@ SW_PARAMS(swQueryParams)
     sw_uint maxIterations;
     float toleranceSquare; // m^2
 };
-SW_PARAMS_SIZE(swQueryParams, 40);
+SW_PARAMS_SIZE(swQueryWater, 24);
+
+SW_PARAMS(swQueryParams)
+{
+    swQuerySource source;
+    swQueryWater water;
+    sw_uint outputs;
+    sw_uint velocityTexels; // from a tile's displacement to its velocity, in texels
+    sw_uint accelerationTexels;
+};
+SW_PARAMS_SIZE(swQueryParams, 52);
 
 SW_PARAMS(swQueryPoint)
 {
@@ -63,6 +82,84 @@ SW_PARAMS(swQueryWave)
     float amplitude; // m
     float dx, dz;
     float turnsX, turnsZ; // turns a metre
+    float rate;           // rad/s
+    float depth;          // m
 };
-SW_PARAMS_SIZE(swQueryWave, 32);
+SW_PARAMS_SIZE(swQueryWave, 40);
+
+// ---- the water below ----
+
+// Places of a workgroup, and waves that it holds at once.
+#define SW_VOLUME_POINTS 64
+#define SW_VOLUME_CHUNK 256
+// Modes that a workgroup makes waves of.
+#define SW_VOLUME_MODES 64
+
+// Waves fade with depth as exp(-k y); they are left out where that is below exp(-20).
+#define SW_VOLUME_FADED 20.0f
+
+SW_PARAMS(swVolumeParams)
+{
+    swQuerySource source;
+    sw_uint outputs;
+    sw_uint tileCount;
+    sw_uint waveCount; // free waves
+    sw_uint isWheeler; // heights count from the moving surface [Wheeler 1970]
+    float bottom;      // m below still water, 1e30 for deep water
+    float level;       // of the places' own zero above still water, m
+};
+SW_PARAMS_SIZE(swVolumeParams, 40);
+
+// A tile whose waves are summed one by one, as seen from the origin; the longest come first.
+SW_PARAMS(swVolumeTile)
+{
+    sw_uint turnsX, turnsZ; // as swQueryTile has them
+    sw_uint cellTurns;
+    float turnsPerMetre;
+    sw_uint firstWave; // its waves are those of its modes
+    sw_uint waveCount;
+    float maxWavelength; // m
+    float depth;         // m
+};
+SW_PARAMS_SIZE(swVolumeTile, 32);
+
+// A pair of opposite waves at a time. With theta = 2 pi q x / side the height is re cos theta - im sin theta.
+SW_PARAMS(swVolumeWave)
+{
+    float re, im;             // m
+    float rateRe, rateIm;     // m/s
+    float k;                  // rad/m
+    float square;             // of the angular frequency
+    float unitX, unitZ;       // of the wave vector
+    sw_uint binX, binZ;       // q, modulo 2^32
+    float overSinh, overCosh; // 1 / (1 -+ exp(-2 k depth))
+};
+SW_PARAMS_SIZE(swVolumeWave, 48);
+
+// ---- rays ----
+
+SW_PARAMS(swRayParams)
+{
+    swQuerySource source;
+    swQueryWater water;
+    sw_uint outputs;
+    float level;       // of the rays' own zero above sea level, m
+    float reach;       // what no water is higher than, m
+    float shortest;    // wave that counts, m
+    float tolerance;   // m
+    sw_uint mostLooks; // of a ray
+};
+SW_PARAMS_SIZE(swRayParams, 64);
+
+// A ray, or a sphere along one. Begins as swQueryPoint does.
+SW_PARAMS(swQueryRay)
+{
+    float x, z;
+    sw_int cellX, cellZ;
+    float y;                // m above the rays' own zero
+    float wayX, wayY, wayZ; // of length one
+    float longest;          // m
+    float radius;           // m
+};
+SW_PARAMS_SIZE(swQueryRay, 40);
 #endif

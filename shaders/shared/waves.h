@@ -24,9 +24,22 @@ SW_PARAMS(swTileParams)
     float maxWavelength;
     float slopeVarianceX; // E[(dh/dx)^2], with weight
     float slopeVarianceZ;
-    float unused0, unused1, unused2;
+    float depth;       // m, of the waves' dispersion
+    sw_uint firstMode; // of all tiles' modes
+    sw_uint modeCount;
 };
 SW_PARAMS_SIZE(swTileParams, 64);
+
+// Of one dispatch of the wave passes: the tiles of a resolution, once for each field asked for. A field is the waves'
+// displacement derived by time: 0 times, and for queries once (velocity) and twice (acceleration).
+SW_PARAMS(swWavesParams)
+{
+    sw_uint firstOrder;
+    sw_uint derivatives; // two bits for each field, the first field's lowest
+    sw_uint fieldLines;  // from one field to the next, of what the rows pass leaves
+    sw_uint fieldTexels; // the same of the texels
+};
+SW_PARAMS_SIZE(swWavesParams, 16);
 
 // A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column baseX.
 // A tile so much finer than the slice that a run of texels would touch more than SW_SLICE_ROWS rows is there once for each

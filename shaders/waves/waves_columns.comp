@@ -4,7 +4,7 @@
 
 // The transform along z, and the tile's texels. One workgroup takes four columns of one tile: twelve real results, packed
 // in pairs into six complex transforms: (Dx, Dz) of each column, and h of two columns at a time. The lines of rows -qz
-// are the conjugates of rows qz; bins beyond N / 4 are empty.
+// are the conjugates of rows qz; bins beyond N / 4 are empty. Fields are layers of the dispatch, as in waves_rows.comp.
 
 #include "shared/waves.h"
 
@@ -33,7 +33,7 @@ layout(std430, binding = 4) writeonly buffer Texels
 };
 layout(push_constant) uniform Push
 {
-    uint firstOrder;
+    swWavesParams params;
 };
 
 shared vec2 fftLine[6 * FFT_SIZE];
@@ -60,7 +60,7 @@ vec2 packedBin(uint first, uint second, uint maxBin, uint qz, bool isMirrored)
 // Samples 0 .. N - 1 of a row lie at columns 1 .. N; 0, N + 1 and N + 2 repeat.
 void storeTexel(swTileParams tile, uint x, uint z, vec4 texel)
 {
-    uint first = tile.firstTexel + ((z + 1) & (FFT_SIZE - 1)) * (FFT_SIZE + 3);
+    uint first = gl_WorkGroupID.z * params.fieldTexels + tile.firstTexel + ((z + 1) & (FFT_SIZE - 1)) * (FFT_SIZE + 3);
     texels[first + x + 1] = texel;
     if (x < 2)
     {
@@ -75,18 +75,18 @@ void storeTexel(swTileParams tile, uint x, uint z, vec4 texel)
 void main()
 {
     const uint QUARTER = FFT_SIZE / 4;
-    swTileParams tile = tiles[order[firstOrder + gl_WorkGroupID.y]];
+    swTileParams tile = tiles[order[params.firstOrder + gl_WorkGroupID.y]];
     uint block = gl_WorkGroupID.x;
     uint thread = gl_LocalInvocationID.x;
     uint transform = thread / QUARTER;
     uint i = thread % QUARTER;
 
-    uint fieldLines = 4 * (tile.maxBin + 1);
-    uint blockLines = tile.firstLine + block * 3 * fieldLines;
+    uint componentLines = 4 * (tile.maxBin + 1);
+    uint blockLines = gl_WorkGroupID.z * params.fieldLines + tile.firstLine + block * 3 * componentLines;
     bool isHeight = transform >= 4;
     uint column = isHeight ? 2 * (transform - 4) : transform;
-    uint first = blockLines + (isHeight ? fieldLines : 0) + column;
-    uint second = isHeight ? first + 1 : first + 2 * fieldLines;
+    uint first = blockLines + (isHeight ? componentLines : 0) + column;
+    uint second = isHeight ? first + 1 : first + 2 * componentLines;
 
     vec2 v[4];
     v[0] = packedBin(first, second, tile.maxBin, i, false);

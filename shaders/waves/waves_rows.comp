@@ -3,10 +3,13 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Spectra at the step's time, and the transform along x. One workgroup makes one row qz of one tile, for the three
-// fields Dx, h, Dz side by side. Heights are real, so row -qz is the conjugate of row qz and is never made.
+// components Dx, h, Dz side by side. Heights are real, so row -qz is the conjugate of row qz and is never made.
 //
-// Leaves complex line values at firstLine + (((x / 4) * 3 + field) * (maxBin + 1) + qz) * 4 + x % 4: what one workgroup of
-// the second axis reads lies together.
+// Leaves complex line values at firstLine + (((x / 4) * 3 + component) * (maxBin + 1) + qz) * 4 + x % 4: what one workgroup
+// of the second axis reads lies together.
+//
+// A derivative by time turns each wave by a quarter and scales it by its frequency, so velocity and acceleration are the
+// same pass over other spectra. Each is a layer of the dispatch, there only if a query wants it.
 
 #include "shared/waves.h"
 
@@ -39,7 +42,7 @@ layout(std430, binding = 5) writeonly buffer Lines
 };
 layout(push_constant) uniform Push
 {
-    uint firstOrder;
+    swWavesParams params;
 };
 
 shared vec2 fftLine[3 * FFT_SIZE];
@@ -53,15 +56,21 @@ vec2 fftRoot(uint index)
 #include "lib/turns.glsl"
 
 // Put mode's spectra into the three lines, at bin qx; in row 0 its mirror image too.
-void placeMode(swTileParams tile, uint mode, bool isRowZero)
+void placeMode(swTileParams tile, uint mode, uint derivative, bool isRowZero)
 {
     uint at = 9 * mode;
     uint bin = modes[at] & (FFT_SIZE - 1); // the low half is qx; its sign falls to the mask
     vec2 direction = vec2(uintBitsToFloat(modes[at + 1]), uintBitsToFloat(modes[at + 2]));
     vec2 p = vec2(uintBitsToFloat(modes[at + 3]), uintBitsToFloat(modes[at + 4]));
     vec2 q = vec2(uintBitsToFloat(modes[at + 5]), uintBitsToFloat(modes[at + 6]));
-    vec2 unit = unitOf(phaseOf(modes[at + 7], modes[at + 8], tile.ticksLow, tile.ticksHigh));
-    vec2 height = tile.weight * vec2(p.x * unit.x + q.y * unit.y, p.y * unit.x - q.x * unit.y);
+    uint phase = phaseOf(modes[at + 7], modes[at + 8], tile.ticksLow, tile.ticksHigh);
+    vec2 unit = unitOf(phase + (derivative << 30));
+    float scale = tile.weight;
+    for (uint i = 0; i < derivative; ++i)
+    {
+        scale *= omegaOf(modes[at + 7], modes[at + 8]);
+    }
+    vec2 height = scale * vec2(p.x * unit.x + q.y * unit.y, p.y * unit.x - q.x * unit.y);
     vec2 alongX = direction.x * timesI(height);
     vec2 alongZ = direction.y * timesI(height);
     fftLine[bin] = alongX;
@@ -79,16 +88,18 @@ void placeMode(swTileParams tile, uint mode, bool isRowZero)
 void main()
 {
     const uint QUARTER = FFT_SIZE / 4;
-    swTileParams tile = tiles[order[firstOrder + gl_WorkGroupID.y]];
+    swTileParams tile = tiles[order[params.firstOrder + gl_WorkGroupID.y]];
+    uint field = gl_WorkGroupID.z;
+    uint derivative = (params.derivatives >> (2 * field)) & 3u;
     uint row = gl_WorkGroupID.x;
     if (row > tile.maxBin)
     {
         return;
     }
     uint thread = gl_LocalInvocationID.x;
-    uint field = thread / QUARTER;
+    uint component = thread / QUARTER;
     uint i = thread % QUARTER;
-    uint line = field * FFT_SIZE;
+    uint line = component * FFT_SIZE;
     for (uint k = 0; k < 4; ++k)
     {
         fftLine[line + i + k * QUARTER] = vec2(0.0);
@@ -97,7 +108,7 @@ void main()
     uint end = rows[tile.firstRow + row + 1];
     for (uint mode = rows[tile.firstRow + row] + thread; mode < end; mode += 3 * QUARTER)
     {
-        placeMode(tile, mode, row == 0);
+        placeMode(tile, mode, derivative, row == 0);
     }
     barrier();
     vec2 v[4];
@@ -106,9 +117,10 @@ void main()
         v[k] = fftLine[line + i + k * QUARTER];
     }
     fftTransform(line, i, v);
+    uint first = field * params.fieldLines + tile.firstLine;
     for (uint k = 0; k < 4; ++k)
     {
         uint x = i + k * QUARTER;
-        lines[tile.firstLine + (((x >> 2) * 3 + field) * (tile.maxBin + 1) + row) * 4 + (x & 3)] = v[k];
+        lines[first + (((x >> 2) * 3 + component) * (tile.maxBin + 1) + row) * 4 + (x & 3)] = v[k];
     }
 }

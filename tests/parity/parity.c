@@ -44,12 +44,17 @@ int CloseParityGpu(void** state)
 
 Parity MakeParity(void** state)
 {
+    swWorldDef def = swDefaultWorldDef();
+    return MakeParityOf(state, &def);
+}
+
+Parity MakeParityOf(void** state, const swWorldDef* def)
+{
     Parity parity = {.gpu = *state};
     swHost host = swDefaultHost();
     assert_int_equal(swCreateTaskPool(&host, 1, &parity.pool), SW_SUCCESS);
     swTaskPool_Attach(parity.pool, &host);
-    swWorldDef def = swDefaultWorldDef();
-    assert_int_equal(swCreateWorld(&host, &def, &parity.world), SW_SUCCESS);
+    assert_int_equal(swCreateWorld(&host, def, &parity.world), SW_SUCCESS);
     assert_int_equal(swCreateGpuWorld(parity.gpu, parity.world, &parity.gpuWorld), SW_SUCCESS);
     return parity;
 }

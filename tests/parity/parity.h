@@ -27,6 +27,7 @@ typedef struct Parity
 
 // An empty world and its twin.
 Parity MakeParity(void** state);
+Parity MakeParityOf(void** state, const swWorldDef* def);
 void AddParitySea(Parity* parity, const swWaveSystemDef* def);
 void AddParityView(Parity* parity, int sliceCount, int resolution, swPos viewpoint);
 void FreeParity(Parity* parity);

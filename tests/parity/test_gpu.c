@@ -106,10 +106,15 @@ static bool RunEverything(const swHost* host, const swWorld* world)
     bool isGood = swCreateGpuWorld(gpu, world, &gpuWorld) == SW_SUCCESS;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     swGpuQuery* query = NULL;
+    queryDef.outputs = SW_GPU_QUERY_VELOCITY;
     isGood = isGood && swCreateGpuQuery(gpuWorld, &queryDef, &query) == SW_SUCCESS;
+    swGpuQuery* below = NULL;
+    queryDef.kind = SW_GPU_QUERY_KIND_VOLUME;
+    isGood = isGood && swCreateGpuQuery(gpuWorld, &queryDef, &below) == SW_SUCCESS;
     if (isGood)
     {
         swGpuQuery_SetPoints(query, 1, &(swPosXZ){0.0, 0.0});
+        swGpuQuery_SetPlaces(below, 1, &(swPos){0.0, -1.0, 0.0});
     }
     VkCommandBuffer commands = VK_NULL_HANDLE;
     if (isGood && swBeginSubmit(gpu, &commands) == SW_SUCCESS)
@@ -158,9 +163,16 @@ static void PassTimesHaveTheNamesOfThePasses(void** state)
     AddParitySea(&parity, &sea);
     AddParityView(&parity, 2, 64, (swPos){0.0, 2.0, 0.0});
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
-    swGpuQuery* query = NULL; // the pass is there with the first query
+    swGpuQuery* query = NULL; // the passes are there with the first query
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
     swGpuQuery_SetPoints(query, 1, &(swPosXZ){0.0, 0.0});
+    queryDef.kind = SW_GPU_QUERY_KIND_VOLUME;
+    assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
+    swGpuQuery_SetPlaces(query, 1, &(swPos){0.0, -1.0, 0.0});
+    queryDef.kind = SW_GPU_QUERY_KIND_RAYS;
+    assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
+    swRay ray = swDefaultRay((swPos){0.0, 10.0, 0.0}, (swVec3){1.0f, -1.0f, 0.0f});
+    swGpuQuery_SetRays(query, 1, &ray);
     for (int i = 0; i < 4; ++i)
     {
         StepParity(&parity, 0.1);

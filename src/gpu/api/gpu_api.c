@@ -145,7 +145,8 @@ swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint6
 size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld)
 {
     size_t bytes = (size_t)(gpuWorld->detail.memory.size + gpuWorld->roots.memory.size + gpuWorld->modes.memory.size +
-                            gpuWorld->rows.memory.size + gpuWorld->lines.memory.size + gpuWorld->texels.memory.size);
+                            gpuWorld->rows.memory.size + gpuWorld->lines.memory.size + gpuWorld->texels.memory.size +
+                            gpuWorld->volumeWaves.memory.size);
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];

@@ -56,6 +56,16 @@ typedef struct swGpuQuerySlot
     int count;
 } swGpuQuerySlot;
 
+// What the wave passes make of the tiles this frame. Displacement is always there and comes first; velocity and
+// acceleration are made in frames in which a query wants them, and cost nothing otherwise.
+typedef struct swTileFields
+{
+    uint32_t count;
+    uint32_t derivatives;            // see swWavesParams
+    uint32_t lines, texels;          // of one field
+    uint32_t velocity, acceleration; // which field they are; 0: not made
+} swTileFields;
+
 struct swGpuQuery
 {
     swGpuWorld* gpuWorld;
@@ -63,14 +73,17 @@ struct swGpuQuery
     swGpuQueryDef def;
     int slotCount;
 
-    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own.
+    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own. A slot holds swQueryPoint[]
+    // and, of the water below, the places' heights above `level`; or swQueryRay[].
     int count;
     uint32_t pointsVersion;
     swPosXZ origin; // of cells, or of the floats, in the host's coordinates
+    double level;   // m
     swBuffer points;
     int pointSlot;
-    bool isPointSlotUsed; // a recorded frame reads it
-    VkBuffer hostPoints;  // null: `points`
+    bool isPointSlotUsed;  // a recorded frame reads it
+    VkDeviceSize levelsAt; // in a slot
+    VkBuffer hostPoints;   // null: `points`
     VkDeviceSize hostOffset;
 
     // Answers: planes of `capacity` elements, see swGpuQueryBuffer.
@@ -85,6 +98,9 @@ struct swGpuQuery
     swUpload tiles; // swQueryTile[]
     swUpload waves; // swQueryWave[]
     swQueryParams params;
+    swUpload volumeTiles; // swVolumeTile[]; of the water below
+    swVolumeParams volume;
+    swRayParams rays; // of a query of rays
 };
 
 // Pipelines of the passes, by log2(resolution) - 4 where a tile's resolution is built in.
@@ -96,7 +112,10 @@ typedef struct swPasses
     swPipeline detail;
     swPipeline slices;
     swPipeline foam;
-    swPipeline surfaceQuery; // made with the first query
+    // Made with the first query that needs them.
+    swPipeline surfaceQuery[2]; // without and with velocity or acceleration
+    swPipeline volumeWaves, volumeQuery;
+    swPipeline rayQuery;
 } swPasses;
 
 struct swGpuWorld
@@ -104,11 +123,12 @@ struct swGpuWorld
     swGpu* gpu;
     const swWorld* world;
     swPasses passes;
-    swBuffer roots;  // SW_TWIDDLES complex roots of unity
-    swBuffer modes;  // of all tiles, as swMode
-    swBuffer rows;   // see swTileParams::firstRow
-    swBuffer lines;  // between the FFT's axes
-    swBuffer texels; // see shaders/shared/waves.h
+    swBuffer roots;       // SW_TWIDDLES complex roots of unity
+    swBuffer modes;       // of all tiles, as swMode
+    swBuffer rows;        // see swTileParams::firstRow
+    swBuffer lines;       // between the FFT's axes, of each field
+    swBuffer texels;      // of each field; see shaders/shared/waves.h
+    swBuffer volumeWaves; // of each mode, swVolumeWave; none before a query of the water below
 
     // RGBA16F 2D array, one layer a tile, SW_DETAIL_MIPS mips: (sx, sz, sx^2, sz^2) with s the slope of the tile's height
     // by rest position at sample points; mips are averages, so that slopes lost by filtering have variance s2 - s s.
@@ -123,6 +143,7 @@ struct swGpuWorld
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     int tileCount;
+    swTileFields fields;
     const swTile* tiles;                // the frame's tiles; index = element of tileParams = layer of detail
     swTileParams params[SW_MAX_TILES];  // host copy of tileParams
     swUpload tileParams;                // swTileParams[tileCount]
@@ -131,6 +152,8 @@ struct swGpuWorld
     uint32_t groupCount[SW_TILE_SIZES];
     swGpuView views[SW_MAX_VIEWS];
     swGpuQuery* firstQuery;
+    bool hasVolume; // a query of this frame asks for the water below
+    bool hasRays;   // likewise of rays
 };
 
 // The layers of a view, or NULL if it was not recorded.

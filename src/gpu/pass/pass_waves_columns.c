@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a tile resolution: a workgroup for each block of columns of each tile.
+// One dispatch a tile resolution: a workgroup for each block of columns of each tile and field.
 
 #include "gpu/pass/passes.h"
 
@@ -21,7 +21,7 @@ swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes)
         .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .pushSize = sizeof(uint32_t),
+        .pushSize = sizeof(swWavesParams),
         .constantCount = 2,
         .constants = constants,
         .name = "waves_columns",
@@ -42,8 +42,9 @@ void swRecordWavesColumns(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
         if (gpuWorld->groupCount[size] > 0)
         {
             uint32_t blockCount = (16u << size) / SW_COLUMN_BLOCK;
-            swBindPipeline(gpu, commands, &gpuWorld->passes.wavesColumns[size], bindings, &gpuWorld->groupFirst[size]);
-            gpu->vk.CmdDispatch(commands, blockCount, gpuWorld->groupCount[size], 1);
+            swWavesParams params = swMakeWavesParams(gpuWorld, size);
+            swBindPipeline(gpu, commands, &gpuWorld->passes.wavesColumns[size], bindings, &params);
+            gpu->vk.CmdDispatch(commands, blockCount, gpuWorld->groupCount[size], gpuWorld->fields.count);
         }
     }
     swEndPass(gpu, commands);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a tile resolution: a workgroup for each row of each tile.
+// One dispatch a tile resolution: a workgroup for each row of each tile and field.
 
 #include "gpu/pass/passes.h"
 
@@ -21,7 +21,7 @@ swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes)
         .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                   VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .pushSize = sizeof(uint32_t),
+        .pushSize = sizeof(swWavesParams),
         .constantCount = 2,
         .constants = constants,
         .name = "waves_rows",
@@ -42,8 +42,9 @@ void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
         if (gpuWorld->groupCount[size] > 0)
         {
             uint32_t rowCount = (16u << size) / 4 + 1;
-            swBindPipeline(gpu, commands, &gpuWorld->passes.wavesRows[size], bindings, &gpuWorld->groupFirst[size]);
-            gpu->vk.CmdDispatch(commands, rowCount, gpuWorld->groupCount[size], 1);
+            swWavesParams params = swMakeWavesParams(gpuWorld, size);
+            swBindPipeline(gpu, commands, &gpuWorld->passes.wavesRows[size], bindings, &params);
+            gpu->vk.CmdDispatch(commands, rowCount, gpuWorld->groupCount[size], gpuWorld->fields.count);
         }
     }
     swEndPass(gpu, commands);

@@ -2,8 +2,11 @@
 target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_ray_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_surface_query.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_volume_query.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_volume_waves.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_waves_columns.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_waves_rows.c
     ${CMAKE_CURRENT_LIST_DIR}/passes.c)
@@ -13,4 +16,7 @@ list(APPEND SW_SHADERS
     waves/detail.comp
     sim/slices.comp
     sim/foam.comp
-    query/surface_query.comp)
+    query/surface_query.comp
+    query/volume_waves.comp
+    query/volume_query.comp
+    query/ray_query.comp)

@@ -20,21 +20,41 @@ static VkDeviceSize alignPlane(VkDeviceSize size)
 
 // ---- making and freeing ----
 
+#define PLANES 7
+
+// What a query's buffer of answers may hold, in order.
+typedef struct Plane
+{
+    bool isWanted;
+    size_t size; // of one answer
+    VkDeviceSize* at;
+} Plane;
+
+static void listPlanes(swGpuQuery* query, Plane list[PLANES])
+{
+    uint32_t outputs = query->def.outputs;
+    swGpuQueryBuffer* planes = &query->planes;
+    list[0] = (Plane){true, sizeof(swGpuHeight), &planes->heights};
+    list[1] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_VOLUME, sizeof(swGpuDepth), &planes->depths};
+    list[2] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_RAYS, sizeof(swGpuHit), &planes->hits};
+    list[3] = (Plane){(outputs & SW_GPU_QUERY_SIDEWAYS) != 0, sizeof(swVec2), &planes->sideways};
+    list[4] = (Plane){(outputs & SW_GPU_QUERY_NORMAL) != 0, sizeof(swVec4), &planes->normals};
+    list[5] = (Plane){(outputs & SW_GPU_QUERY_VELOCITY) != 0, sizeof(swVec4), &planes->velocities};
+    list[6] = (Plane){(outputs & SW_GPU_QUERY_ACCELERATION) != 0, sizeof(swVec4), &planes->accelerations};
+}
+
 static void layOutPlanes(swGpuQuery* query)
 {
-    VkDeviceSize capacity = (VkDeviceSize)query->def.capacity;
-    VkDeviceSize end = alignPlane(capacity * sizeof(swGpuHeight));
-    if ((query->def.outputs & SW_GPU_QUERY_SIDEWAYS) != 0)
+    Plane planes[PLANES];
+    listPlanes(query, planes);
+    for (int i = 0; i < PLANES; ++i)
     {
-        query->planes.sideways = end;
-        end += alignPlane(capacity * sizeof(swVec2));
+        if (planes[i].isWanted)
+        {
+            *planes[i].at = query->answerSize;
+            query->answerSize += alignPlane((VkDeviceSize)query->def.capacity * planes[i].size);
+        }
     }
-    if ((query->def.outputs & SW_GPU_QUERY_NORMAL) != 0)
-    {
-        query->planes.normals = end;
-        end += alignPlane(capacity * sizeof(swVec4));
-    }
-    query->answerSize = end;
 }
 
 static swResult createQueryBuffers(swGpuQuery* query)
@@ -42,7 +62,14 @@ static swResult createQueryBuffers(swGpuQuery* query)
     swGpu* gpu = query->gpuWorld->gpu;
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     VkDeviceSize slots = (VkDeviceSize)query->slotCount;
-    VkDeviceSize pointSize = alignPlane((VkDeviceSize)query->def.capacity * sizeof(swQueryPoint));
+    VkDeviceSize capacity = (VkDeviceSize)query->def.capacity;
+    bool isRays = query->def.kind == SW_GPU_QUERY_KIND_RAYS;
+    VkDeviceSize pointSize = alignPlane(capacity * (isRays ? sizeof(swQueryRay) : sizeof(swQueryPoint)));
+    if (query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
+    {
+        query->levelsAt = pointSize;
+        pointSize += alignPlane(capacity * sizeof(float));
+    }
     swResult result = swCreateBuffer(gpu, slots * pointSize, storage, SW_MEMORY_UPLOAD, "query points", &query->points);
     if (result == SW_SUCCESS)
     {
@@ -55,6 +82,23 @@ static swResult createQueryBuffers(swGpuQuery* query)
     }
     query->planes.buffer = query->answers.handle;
     return result;
+}
+
+static swResult createPipelines(swGpuWorld* gpuWorld, const swGpuQueryDef* def)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swPasses* passes = &gpuWorld->passes;
+    if (def->kind == SW_GPU_QUERY_KIND_RAYS)
+    {
+        return swCreateRayQuery(gpu, passes);
+    }
+    if (def->kind == SW_GPU_QUERY_KIND_SURFACE)
+    {
+        return swCreateSurfaceQuery(gpu, def->outputs, passes);
+    }
+    swResult result = swCreateSurfaceQuery(gpu, 0, passes);
+    result = result == SW_SUCCESS ? swCreateVolumeWaves(gpu, passes) : result;
+    return result == SW_SUCCESS ? swCreateVolumeQuery(gpu, passes) : result;
 }
 
 static void linkQuery(swGpuQuery* query)
@@ -97,7 +141,7 @@ swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQue
     query->slotCount = gpu->framesInFlight + 1;
     linkQuery(query);
     layOutPlanes(query);
-    swResult result = swCreateSurfaceQuery(gpu, &gpuWorld->passes);
+    swResult result = createPipelines(gpuWorld, def);
     result = result == SW_SUCCESS ? createQueryBuffers(query) : result;
     if (result != SW_SUCCESS)
     {
@@ -140,7 +184,16 @@ static void splitPlace(double metres, float* rest, int32_t* cell)
     *cell = (int32_t)whole;
 }
 
-void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
+static swQueryPoint placePoint(const swGpuQuery* query, double x, double z)
+{
+    swQueryPoint point;
+    splitPlace(x - query->origin.x, &point.x, &point.cellX);
+    splitPlace(z - query->origin.z, &point.z, &point.cellZ);
+    return point;
+}
+
+// A slot for new points, which begin near `first`.
+static uint8_t* beginPoints(swGpuQuery* query, int count, swPosXZ first)
 {
     if (query->isPointSlotUsed)
     {
@@ -150,15 +203,62 @@ void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
     query->count = count;
     query->pointsVersion += 1;
     query->hostPoints = VK_NULL_HANDLE;
-    query->origin = count > 0 ? chooseOrigin(points[0]) : (swPosXZ){0.0, 0.0};
+    query->origin = chooseOrigin(first);
     size_t slotSize = (size_t)query->points.size / (size_t)query->slotCount;
-    swQueryPoint* to = (swQueryPoint*)((uint8_t*)query->points.mapped + slotSize * (size_t)query->pointSlot);
+    return (uint8_t*)query->points.mapped + slotSize * (size_t)query->pointSlot;
+}
+
+void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
+{
+    swPosXZ first = count > 0 ? points[0] : (swPosXZ){0.0, 0.0};
+    swQueryPoint* to = (swQueryPoint*)beginPoints(query, count, first);
     for (int i = 0; i < count; ++i)
     {
-        swQueryPoint point;
-        splitPlace(points[i].x - query->origin.x, &point.x, &point.cellX);
-        splitPlace(points[i].z - query->origin.z, &point.z, &point.cellZ);
-        to[i] = point;
+        to[i] = placePoint(query, points[i].x, points[i].z);
+    }
+}
+
+void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places)
+{
+    swPosXZ first = count > 0 ? (swPosXZ){places[0].x, places[0].z} : (swPosXZ){0.0, 0.0};
+    uint8_t* slot = beginPoints(query, count, first);
+    swQueryPoint* points = (swQueryPoint*)slot;
+    float* levels = (float*)(slot + query->levelsAt);
+    query->level = count > 0 ? floor(places[0].y) : 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        points[i] = placePoint(query, places[i].x, places[i].z);
+        levels[i] = (float)(places[i].y - query->level);
+    }
+}
+
+static swQueryRay placeRay(const swGpuQuery* query, const swRay* ray)
+{
+    swQueryPoint point = placePoint(query, ray->origin.x, ray->origin.z);
+    double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
+    double length = sqrt(x * x + y * y + z * z);
+    return (swQueryRay){
+        .x = point.x,
+        .z = point.z,
+        .cellX = point.cellX,
+        .cellZ = point.cellZ,
+        .y = (float)(ray->origin.y - query->level),
+        .wayX = (float)(x / length),
+        .wayY = (float)(y / length),
+        .wayZ = (float)(z / length),
+        .longest = ray->maxDistance,
+        .radius = ray->radius,
+    };
+}
+
+void swPlaceQueryRays(swGpuQuery* query, int count, const swRay* rays)
+{
+    swPos first = count > 0 ? rays[0].origin : (swPos){0.0, 0.0, 0.0};
+    swQueryRay* to = (swQueryRay*)beginPoints(query, count, (swPosXZ){first.x, first.z});
+    query->level = floor(first.y);
+    for (int i = 0; i < count; ++i)
+    {
+        to[i] = placeRay(query, &rays[i]);
     }
 }
 
@@ -168,148 +268,8 @@ void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSi
     query->pointsVersion += 1;
     query->hostPoints = buffer;
     query->hostOffset = offset;
+    query->level = 0.0;
     query->origin = origin;
-}
-
-// ---- parameters of a frame ----
-
-// A fraction of 2^32, to the nearest.
-static uint32_t toTurns(double turns)
-{
-    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32 + 0.5);
-}
-
-static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosXZ origin)
-{
-    return (swQueryTile){
-        .turnsX = toTurns(origin.x / tile->side),
-        .turnsZ = toTurns(origin.z / tile->side),
-        .cellTurns = toTurns((double)SW_QUERY_CELL / tile->side),
-        .turnsPerMetre = (float)(1.0 / tile->side),
-        .texelsPerMetre = (float)(tile->resolution / tile->side),
-        .firstTexel = firstTexel,
-        .resolutionBits = 4u + (uint32_t)swTileSizeIndex(tile->resolution),
-    };
-}
-
-static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ origin)
-{
-    uint32_t moved = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
-    return (swQueryWave){
-        .phase = toTurns(wave->turnsX * origin.x + wave->turnsZ * origin.z) + wave->phase - moved,
-        .cellTurnsX = toTurns(wave->turnsX * (double)SW_QUERY_CELL),
-        .cellTurnsZ = toTurns(wave->turnsZ * (double)SW_QUERY_CELL),
-        .amplitude = wave->amplitude,
-        .dx = wave->dx,
-        .dz = wave->dz,
-        .turnsX = (float)wave->turnsX,
-        .turnsZ = (float)wave->turnsZ,
-    };
-}
-
-// Tiles that count, the longest first. Returns how many.
-static int chooseTiles(const swFrame* frame, float minWavelength, int* chosen)
-{
-    int count = 0;
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        const swTile* tile = &frame->tiles[i];
-        if (tile->maxWavelength <= minWavelength)
-        {
-            continue;
-        }
-        int at = count++;
-        for (; at > 0 && frame->tiles[chosen[at - 1]].minWavelength < tile->minWavelength; --at)
-        {
-            chosen[at] = chosen[at - 1];
-        }
-        chosen[at] = i;
-    }
-    return count;
-}
-
-// The way from a point to its particle is about the deviation of the waves' displacement. Waves shorter than some four
-// times that are left out of the first guess.
-static float findShortestOfGuess(const swFrame* frame, float minWavelength)
-{
-    double variance = 0.0;
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        variance += frame->tiles[i].maxWavelength > minWavelength ? (double)frame->tiles[i].variance : 0.0;
-    }
-    for (int i = 0; i < frame->waveCount; ++i)
-    {
-        double amplitude = (double)frame->waves[i].amplitude;
-        variance += frame->waves[i].wavelength >= minWavelength ? 0.5 * amplitude * amplitude : 0.0;
-    }
-    return (float)(4.0 * sqrt(variance));
-}
-
-static swPosXZ originInSea(const swGpuQuery* query)
-{
-    swPosXZ origin = swGetWorldOrigin(query->gpuWorld->world);
-    return (swPosXZ){query->origin.x + origin.x, query->origin.z + origin.z};
-}
-
-static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float shortest)
-{
-    swPosXZ origin = originInSea(query);
-    int chosen[SW_MAX_TILES];
-    int count = chooseTiles(frame, query->def.minWavelength, chosen);
-    swResult result = swReserveUpload(query->gpuWorld->gpu, SW_MAX_TILES * sizeof(swQueryTile), &query->tiles);
-    swQueryParams* params = &query->params;
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
-    {
-        const swTile* tile = &frame->tiles[chosen[i]];
-        ((swQueryTile*)query->tiles.data)[i] =
-            makeQueryTile(tile, query->gpuWorld->params[chosen[i]].firstTexel, origin);
-        params->longTileCount += tile->minWavelength >= shortest ? 1 : 0;
-    }
-    params->tileCount = (uint32_t)count;
-    return result;
-}
-
-static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float shortest)
-{
-    swPosXZ origin = originInSea(query);
-    int count = 0;
-    while (count < frame->waveCount && frame->waves[count].wavelength >= query->def.minWavelength)
-    {
-        count += 1;
-    }
-    swResult result = swReserveUpload(query->gpuWorld->gpu, (VkDeviceSize)(count > 0 ? count : 1) * sizeof(swQueryWave),
-                                      &query->waves);
-    swQueryParams* params = &query->params;
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
-    {
-        const swFreeWave* wave = &frame->waves[i];
-        ((swQueryWave*)query->waves.data)[i] = makeQueryWave(wave, frame->ticks, origin);
-        params->longWaveCount += wave->wavelength >= shortest ? 1 : 0;
-    }
-    params->waveCount = (uint32_t)count;
-    return result;
-}
-
-swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    swResult result = SW_SUCCESS;
-    for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL && result == SW_SUCCESS; query = query->next)
-    {
-        if (query->count == 0)
-        {
-            continue;
-        }
-        query->params = (swQueryParams){
-            .pointCount = (uint32_t)query->count,
-            .outputs = query->def.outputs,
-            .maxIterations = (uint32_t)query->def.maxIterations,
-            .toleranceSquare = query->def.tolerance * query->def.tolerance,
-        };
-        float shortest = findShortestOfGuess(frame, query->def.minWavelength);
-        result = uploadQueryTiles(query, frame, shortest);
-        result = result == SW_SUCCESS ? uploadQueryWaves(query, frame, shortest) : result;
-    }
-    return result;
 }
 
 // ---- answers ----
@@ -318,15 +278,16 @@ static void recordCopy(swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = query->gpuWorld->gpu;
     VkDeviceSize to = query->answerSize * (VkDeviceSize)query->answerSlot;
-    const VkDeviceSize starts[] = {query->planes.heights, query->planes.sideways, query->planes.normals};
-    const size_t sizes[] = {sizeof(swGpuHeight), sizeof(swVec2), sizeof(swVec4)};
-    VkBufferCopy copies[3];
+    Plane planes[PLANES];
+    listPlanes(query, planes);
+    VkBufferCopy copies[PLANES];
     uint32_t count = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < PLANES; ++i)
     {
-        if (i == 0 || starts[i] != 0)
+        if (planes[i].isWanted)
         {
-            copies[count++] = (VkBufferCopy){starts[i], to + starts[i], (VkDeviceSize)query->count * sizes[i]};
+            VkDeviceSize at = *planes[i].at;
+            copies[count++] = (VkBufferCopy){at, to + at, (VkDeviceSize)query->count * planes[i].size};
         }
     }
     gpu->vk.CmdCopyBuffer(commands, query->answers.handle, query->copies.handle, count, copies);
@@ -406,9 +367,18 @@ void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swG
         .count = slot->count,
         .tolerance = query->def.tolerance,
         .heights = (const swGpuHeight*)(data + planes->heights),
+        .depths = planes->depths != 0 ? (const swGpuDepth*)(data + planes->depths) : NULL,
+        .hits = planes->hits != 0 ? (const swGpuHit*)(data + planes->hits) : NULL,
         .sideways = planes->sideways != 0 ? (const swVec2*)(data + planes->sideways) : NULL,
         .normals = planes->normals != 0 ? (const swVec4*)(data + planes->normals) : NULL,
+        .velocities = planes->velocities != 0 ? (const swVec4*)(data + planes->velocities) : NULL,
+        .accelerations = planes->accelerations != 0 ? (const swVec4*)(data + planes->accelerations) : NULL,
     };
+}
+
+static swVec3 takeVector(swVec4 v)
+{
+    return (swVec3){v.x, v.y, v.z};
 }
 
 static void unpackOne(const swGpuQueryResults* results, int i, const swSurfaceSamples* samples)
@@ -428,12 +398,19 @@ static void unpackOne(const swGpuQueryResults* results, int i, const swSurfaceSa
     }
     if (samples->normal != NULL)
     {
-        swVec4 normal = results->normals[i];
-        samples->normal[i] = (swVec3){normal.x, normal.y, normal.z};
+        samples->normal[i] = takeVector(results->normals[i]);
     }
     if (samples->jacobian != NULL)
     {
         samples->jacobian[i] = results->normals[i].w;
+    }
+    if (samples->velocity != NULL)
+    {
+        samples->velocity[i] = takeVector(results->velocities[i]);
+    }
+    if (samples->acceleration != NULL)
+    {
+        samples->acceleration[i] = takeVector(results->accelerations[i]);
     }
 }
 
@@ -450,5 +427,65 @@ void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSampl
     if (stats != NULL)
     {
         *stats = total;
+    }
+}
+
+void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples)
+{
+    for (int i = 0; i < results->count; ++i)
+    {
+        if (samples->depth != NULL)
+        {
+            samples->depth[i] = results->depths[i].depth;
+        }
+        if (samples->pressureHead != NULL)
+        {
+            samples->pressureHead[i] = results->depths[i].pressureHead;
+        }
+        if (samples->velocity != NULL)
+        {
+            samples->velocity[i] = takeVector(results->velocities[i]);
+        }
+        if (samples->acceleration != NULL)
+        {
+            samples->acceleration[i] = takeVector(results->accelerations[i]);
+        }
+    }
+}
+
+// As finishMarch() in core/query/raycast.c does it.
+static swRayHit unpackHit(const swGpuQueryResults* results, int i, const swRay* ray)
+{
+    swGpuHit found = results->hits[i];
+    if (found.side == 0.0f)
+    {
+        return (swRayHit){.distance = found.distance};
+    }
+    double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
+    double way = (double)found.distance / sqrt(x * x + y * y + z * z);
+    swRayHit hit = {
+        .isHit = true,
+        .distance = found.distance,
+        .position = {ray->origin.x + x * way, ray->origin.y + y * way, ray->origin.z + z * way},
+        .normal = takeVector(results->normals[i]),
+        .fromBelow = found.side < 0.0f,
+    };
+    double water = results->seaLevel + (double)results->heights[i].height;
+    hit.point = (swPos){hit.position.x, water, hit.position.z};
+    if (ray->radius > 0.0f)
+    {
+        double back = (hit.position.y - water) * (double)hit.normal.y;
+        hit.point.x = hit.position.x - back * (double)hit.normal.x;
+        hit.point.y = hit.position.y - back * (double)hit.normal.y;
+        hit.point.z = hit.position.z - back * (double)hit.normal.z;
+    }
+    return hit;
+}
+
+void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits)
+{
+    for (int i = 0; i < results->count; ++i)
+    {
+        hits[i] = unpackHit(results, i, &rays[i]);
     }
 }

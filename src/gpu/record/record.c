@@ -78,6 +78,7 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld)
     swDestroyBuffer(gpu, &gpuWorld->rows);
     swDestroyBuffer(gpu, &gpuWorld->lines);
     swDestroyBuffer(gpu, &gpuWorld->texels);
+    swDestroyBuffer(gpu, &gpuWorld->volumeWaves);
     swDestroyPasses(gpu, &gpuWorld->passes);
     swFree(&gpu->host, gpuWorld, sizeof(swGpuWorld));
 }
@@ -117,6 +118,7 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     gpuWorld->frameIndex = frameIndex;
     gpuWorld->hasRecorded = true;
 
+    swRecordVolumeWaves(gpuWorld, commands); // beside the rows: both read modes only
     swRecordWavesRows(gpuWorld, commands);
     swComputeBarrier(gpu, commands);
     swRecordWavesColumns(gpuWorld, commands);
@@ -124,8 +126,10 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     swRecordDetail(gpuWorld, commands); // beside the slices: both read tiles only
     swRecordSlices(gpuWorld, commands);
     swRecordSurfaceQuery(gpuWorld, commands); // likewise
+    swRecordRayQuery(gpuWorld, commands);
     swComputeBarrier(gpu, commands);
     swRecordFoam(gpuWorld, commands);
+    swRecordVolumeQuery(gpuWorld, commands); // beside the foam: it reads the surface's heights
     swRecordQueryCopies(gpuWorld, commands, frame);
     showToDrawing(gpu, commands);
     return SW_SUCCESS;

@@ -14,11 +14,15 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
 // Bring buffers, images and this frame's parameters up to the frame. Records copies of what changed.
 swResult swUploadFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame);
 
-// Queries of a world; see gpu_query.c.
+// Queries of a world; see gpu_query.c and gpu_query_water.c.
 swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query);
 void swFreeGpuQuery(swGpuQuery* query);
 void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points);
+void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places);
+void swPlaceQueryRays(swGpuQuery* query, int count, const swRay* rays);
 void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin);
+// Bits of swGpuQueryOutput that the queries of this frame want of the tiles.
+uint32_t swFindWantedFields(const swGpuWorld* gpuWorld);
 // This frame's parameters of all queries. Nothing is recorded.
 swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame);
 // After the query pass: copy answers to where the host reads them, and stamp them.
@@ -27,6 +31,8 @@ void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const s
 const swGpuQuerySlot* swFindQueryAnswers(const swGpuQuery* query);
 void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swGpuQueryResults* results);
 void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats);
+void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples);
+void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits);
 size_t swGetQueryMemory(const swGpuQuery* query);
 
 // Copy one slice of a layer to the host; waits.

@@ -58,6 +58,9 @@ static void fillTileParams(swGpuWorld* gpuWorld, const swFrame* frame, swTileLay
             .maxWavelength = tile->maxWavelength,
             .slopeVarianceX = tile->slopeVarianceX,
             .slopeVarianceZ = tile->slopeVarianceZ,
+            .depth = fminf(tile->depth, 1e30f), // shaders need not know infinity
+            .firstMode = layout->modeCount,
+            .modeCount = (uint32_t)tile->modeCount,
         };
         layout->rowCount += maxBin + 2;
         layout->lineCount += 3 * (maxBin + 1) * resolution;
@@ -68,8 +71,28 @@ static void fillTileParams(swGpuWorld* gpuWorld, const swFrame* frame, swTileLay
     layout->detailSide = layout->detailSide < SW_DETAIL_MAX ? layout->detailSide : SW_DETAIL_MAX;
 }
 
+// What queries of this frame want of the tiles.
+static void chooseFields(swGpuWorld* gpuWorld, const swTileLayout* layout)
+{
+    uint32_t wanted = swFindWantedFields(gpuWorld);
+    swTileFields* fields = &gpuWorld->fields;
+    *fields = (swTileFields){.count = 1, .lines = layout->lineCount, .texels = layout->texelCount};
+    if ((wanted & SW_GPU_QUERY_VELOCITY) != 0)
+    {
+        fields->derivatives |= 1u << (2 * fields->count);
+        fields->velocity = fields->count++;
+    }
+    if ((wanted & SW_GPU_QUERY_ACCELERATION) != 0)
+    {
+        fields->derivatives |= 2u << (2 * fields->count);
+        fields->acceleration = fields->count++;
+    }
+}
+
+// Lines and texels are made anew in each frame, so they may grow in any; modes and rows grow only when they change.
 static swResult growBuffers(swGpuWorld* gpuWorld, const swTileLayout* layout)
 {
+    VkDeviceSize fields = gpuWorld->fields.count;
     const struct
     {
         swBuffer* buffer;
@@ -78,8 +101,8 @@ static swResult growBuffers(swGpuWorld* gpuWorld, const swTileLayout* layout)
     } needs[] = {
         {&gpuWorld->modes, layout->modeCount * sizeof(swMode), "modes"},
         {&gpuWorld->rows, layout->rowCount * sizeof(uint32_t), "mode rows"},
-        {&gpuWorld->lines, layout->lineCount * 2 * sizeof(float), "FFT lines"},
-        {&gpuWorld->texels, layout->texelCount * 4 * sizeof(float), "tile texels"},
+        {&gpuWorld->lines, fields * layout->lineCount * 2 * sizeof(float), "FFT lines"},
+        {&gpuWorld->texels, fields * layout->texelCount * 4 * sizeof(float), "tile texels"},
     };
     for (size_t i = 0; i < sizeof(needs) / sizeof(needs[0]); ++i)
     {
@@ -219,21 +242,23 @@ static swResult uploadTiles(swGpuWorld* gpuWorld, VkCommandBuffer commands, cons
 {
     swTileLayout layout;
     fillTileParams(gpuWorld, frame, &layout);
-    if (tilesChanged(gpuWorld, frame))
+    chooseFields(gpuWorld, &layout);
+    bool isChanged = tilesChanged(gpuWorld, frame);
+    gpuWorld->hasTiles = gpuWorld->hasTiles && !isChanged; // until all of it succeeded
+    swResult result = growBuffers(gpuWorld, &layout);
+    if (result == SW_SUCCESS && isChanged)
     {
-        gpuWorld->hasTiles = false; // until all of it succeeded
-        swResult result = createTilePipelines(gpuWorld, frame);
-        result = result == SW_SUCCESS ? growBuffers(gpuWorld, &layout) : result;
+        result = createTilePipelines(gpuWorld, frame);
         result = result == SW_SUCCESS ? growDetail(gpuWorld, commands, frame->tileCount, layout.detailSide) : result;
         result = result == SW_SUCCESS ? uploadModes(gpuWorld, commands, frame, &layout) : result;
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
+    }
+    if (result != SW_SUCCESS)
+    {
+        return result;
     }
     gpuWorld->tileCount = frame->tileCount;
     gpuWorld->tiles = frame->tiles;
-    swResult result = uploadOrder(gpuWorld, frame);
+    result = uploadOrder(gpuWorld, frame);
     if (result == SW_SUCCESS)
     {
         result =

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// What a frame's queries see of the water: the tiles and free waves that count, from where each query's points begin.
+
+#include <math.h>
+
+#include "gpu/pass/passes.h"
+#include "gpu/record/record.h"
+
+// For shaders, which need not know infinity: depth of deep water, m.
+#define DEEP 1e30f
+
+// A fraction of 2^32, to the nearest.
+static uint32_t toTurns(double turns)
+{
+    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32 + 0.5);
+}
+
+static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosXZ origin)
+{
+    return (swQueryTile){
+        .turnsX = toTurns(origin.x / tile->side),
+        .turnsZ = toTurns(origin.z / tile->side),
+        .cellTurns = toTurns((double)SW_QUERY_CELL / tile->side),
+        .turnsPerMetre = (float)(1.0 / tile->side),
+        .texelsPerMetre = (float)(tile->resolution / tile->side),
+        .firstTexel = firstTexel,
+        .resolutionBits = 4u + (uint32_t)swTileSizeIndex(tile->resolution),
+    };
+}
+
+static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ origin)
+{
+    uint32_t moved = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
+    return (swQueryWave){
+        .phase = toTurns(wave->turnsX * origin.x + wave->turnsZ * origin.z) + wave->phase - moved,
+        .cellTurnsX = toTurns(wave->turnsX * (double)SW_QUERY_CELL),
+        .cellTurnsZ = toTurns(wave->turnsZ * (double)SW_QUERY_CELL),
+        .amplitude = wave->amplitude,
+        .dx = wave->dx,
+        .dz = wave->dz,
+        .turnsX = (float)wave->turnsX,
+        .turnsZ = (float)wave->turnsZ,
+        .rate = (float)((double)wave->frequency * (SW_TICKS_PER_SECOND * 2.0 * SW_PI * 0x1p-64)),
+        .depth = fminf(wave->depth, DEEP),
+    };
+}
+
+// Tiles that count, the longest first. Returns how many.
+static int chooseTiles(const swFrame* frame, float minWavelength, int* chosen)
+{
+    int count = 0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        const swTile* tile = &frame->tiles[i];
+        if (tile->maxWavelength <= minWavelength)
+        {
+            continue;
+        }
+        int at = count++;
+        for (; at > 0 && frame->tiles[chosen[at - 1]].minWavelength < tile->minWavelength; --at)
+        {
+            chosen[at] = chosen[at - 1];
+        }
+        chosen[at] = i;
+    }
+    return count;
+}
+
+// The way from a point to its particle is about the deviation of the waves' displacement. Waves shorter than some four
+// times that are left out of the first guess.
+static float findShortestOfGuess(const swFrame* frame, float minWavelength)
+{
+    double variance = 0.0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        variance += frame->tiles[i].maxWavelength > minWavelength ? (double)frame->tiles[i].variance : 0.0;
+    }
+    for (int i = 0; i < frame->waveCount; ++i)
+    {
+        double amplitude = (double)frame->waves[i].amplitude;
+        variance += frame->waves[i].wavelength >= minWavelength ? 0.5 * amplitude * amplitude : 0.0;
+    }
+    return (float)(4.0 * sqrt(variance));
+}
+
+static swPosXZ originInSea(const swGpuQuery* query)
+{
+    swPosXZ origin = swGetWorldOrigin(query->gpuWorld->world);
+    return (swPosXZ){query->origin.x + origin.x, query->origin.z + origin.z};
+}
+
+static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float shortest)
+{
+    swPosXZ origin = originInSea(query);
+    int chosen[SW_MAX_TILES];
+    int count = chooseTiles(frame, query->def.minWavelength, chosen);
+    swResult result = swReserveUpload(query->gpuWorld->gpu, SW_MAX_TILES * sizeof(swQueryTile), &query->tiles);
+    swQueryWater* water = &query->params.water;
+    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    {
+        const swTile* tile = &frame->tiles[chosen[i]];
+        ((swQueryTile*)query->tiles.data)[i] =
+            makeQueryTile(tile, query->gpuWorld->params[chosen[i]].firstTexel, origin);
+        water->longTileCount += tile->minWavelength >= shortest ? 1 : 0;
+    }
+    water->tileCount = (uint32_t)count;
+    return result;
+}
+
+static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float shortest)
+{
+    swPosXZ origin = originInSea(query);
+    int count = 0;
+    while (count < frame->waveCount && frame->waves[count].wavelength >= query->def.minWavelength)
+    {
+        count += 1;
+    }
+    swResult result = swReserveUpload(query->gpuWorld->gpu, (VkDeviceSize)(count > 0 ? count : 1) * sizeof(swQueryWave),
+                                      &query->waves);
+    swQueryWater* water = &query->params.water;
+    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    {
+        const swFreeWave* wave = &frame->waves[i];
+        ((swQueryWave*)query->waves.data)[i] = makeQueryWave(wave, frame->ticks, origin);
+        water->longWaveCount += wave->wavelength >= shortest ? 1 : 0;
+    }
+    water->waveCount = (uint32_t)count;
+    return result;
+}
+
+uint32_t swFindWantedFields(const swGpuWorld* gpuWorld)
+{
+    uint32_t wanted = 0;
+    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
+        wanted |= query->count > 0 && isSurface ? query->def.outputs : 0;
+    }
+    return wanted & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION);
+}
+
+// How far a field's texels lie from displacement's; 0 if the query does not want it.
+static uint32_t findFieldTexels(const swGpuQuery* query, swGpuQueryOutput output, uint32_t field)
+{
+    return (query->def.outputs & output) != 0 ? field * query->gpuWorld->fields.texels : 0;
+}
+
+static void fillParams(swGpuQuery* query)
+{
+    const swTileFields* fields = &query->gpuWorld->fields;
+    query->params = (swQueryParams){
+        .water.maxIterations = (uint32_t)query->def.maxIterations,
+        .water.toleranceSquare = query->def.tolerance * query->def.tolerance,
+    };
+    if (query->def.kind == SW_GPU_QUERY_KIND_SURFACE)
+    {
+        query->params.outputs = query->def.outputs;
+        query->params.velocityTexels = findFieldTexels(query, SW_GPU_QUERY_VELOCITY, fields->velocity);
+        query->params.accelerationTexels = findFieldTexels(query, SW_GPU_QUERY_ACCELERATION, fields->acceleration);
+    }
+}
+
+// ---- the water below ----
+
+// The shallowest bottom under the waves that count, as findBottom() in core/query/volume.c.
+static float findBottom(const swGpuQuery* query, const swFrame* frame, int tileCount, const int* tiles)
+{
+    float bottom = DEEP;
+    for (int i = 0; i < tileCount; ++i)
+    {
+        bottom = fminf(bottom, frame->tiles[tiles[i]].depth);
+    }
+    for (uint32_t i = 0; i < query->params.water.waveCount; ++i)
+    {
+        bottom = fminf(bottom, frame->waves[i].depth);
+    }
+    return bottom;
+}
+
+static swVolumeTile makeVolumeTile(const swTile* tile, const swTileParams* params, swPosXZ origin)
+{
+    swQueryTile seen = makeQueryTile(tile, 0, origin);
+    return (swVolumeTile){
+        .turnsX = seen.turnsX,
+        .turnsZ = seen.turnsZ,
+        .cellTurns = seen.cellTurns,
+        .turnsPerMetre = seen.turnsPerMetre,
+        .firstWave = params->firstMode,
+        .waveCount = params->modeCount,
+        .maxWavelength = tile->maxWavelength,
+        .depth = fminf(tile->depth, DEEP),
+    };
+}
+
+static swResult uploadVolume(swGpuQuery* query, const swFrame* frame)
+{
+    int chosen[SW_MAX_TILES];
+    int count = chooseTiles(frame, query->def.minWavelength, chosen);
+    query->volume = (swVolumeParams){
+        .outputs = query->def.outputs,
+        .tileCount = (uint32_t)count,
+        .waveCount = query->params.water.waveCount,
+        .isWheeler = query->def.stretching == SW_STRETCHING_WHEELER ? 1 : 0,
+        .bottom = findBottom(query, frame, count, chosen),
+        .level = (float)(query->level - frame->seaLevel),
+    };
+    swPosXZ origin = originInSea(query);
+    const swGpuWorld* gpuWorld = query->gpuWorld;
+    swResult result = swReserveUpload(gpuWorld->gpu, SW_MAX_TILES * sizeof(swVolumeTile), &query->volumeTiles);
+    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    {
+        ((swVolumeTile*)query->volumeTiles.data)[i] =
+            makeVolumeTile(&frame->tiles[chosen[i]], &gpuWorld->params[chosen[i]], origin);
+    }
+    return result;
+}
+
+// ---- rays ----
+
+// As findReach() and findShortest() in core/query/raycast.c.
+static void measureWaves(const swGpuQuery* query, const swFrame* frame, float* reach, float* shortest)
+{
+    int chosen[SW_MAX_TILES];
+    int count = chooseTiles(frame, query->def.minWavelength, chosen);
+    float variance = 0.0f;
+    float sum = 0.0f;
+    *shortest = 1000.0f;
+    for (int i = 0; i < count; ++i)
+    {
+        variance += frame->tiles[chosen[i]].variance;
+        *shortest = fminf(*shortest, frame->tiles[chosen[i]].minWavelength);
+    }
+    for (uint32_t i = 0; i < query->params.water.waveCount; ++i)
+    {
+        sum += frame->waves[i].amplitude;
+        *shortest = fminf(*shortest, frame->waves[i].wavelength);
+    }
+    *reach = 6.0f * sqrtf(variance) + sum;
+}
+
+// Looks of a ray. At two evaluations each that is a tenth of a second where a busy device does a hundred in a millisecond.
+#define MOST_LOOKS 4096
+
+static void fillRays(swGpuQuery* query, const swFrame* frame)
+{
+    query->rays = (swRayParams){
+        .water = query->params.water,
+        .outputs = query->def.outputs,
+        .level = (float)(query->level - frame->seaLevel),
+        .tolerance = query->def.tolerance,
+        .mostLooks = MOST_LOOKS,
+    };
+    measureWaves(query, frame, &query->rays.reach, &query->rays.shortest);
+}
+
+static swResult growVolumeWaves(swGpuWorld* gpuWorld)
+{
+    VkDeviceSize count = 1; // something to bind when there are no waves
+    for (int i = 0; i < gpuWorld->tileCount; ++i)
+    {
+        count += gpuWorld->params[i].modeCount;
+    }
+    return swGrowBuffer(gpuWorld->gpu, count * sizeof(swVolumeWave), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                        SW_MEMORY_DEVICE, "waves one by one", &gpuWorld->volumeWaves);
+}
+
+// ---- all queries ----
+
+static swResult uploadQuery(swGpuQuery* query, const swFrame* frame)
+{
+    fillParams(query);
+    float shortest = findShortestOfGuess(frame, query->def.minWavelength);
+    swResult result = uploadQueryTiles(query, frame, shortest);
+    result = result == SW_SUCCESS ? uploadQueryWaves(query, frame, shortest) : result;
+    if (result == SW_SUCCESS && query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
+    {
+        query->gpuWorld->hasVolume = true;
+        result = uploadVolume(query, frame);
+    }
+    if (result == SW_SUCCESS && query->def.kind == SW_GPU_QUERY_KIND_RAYS)
+    {
+        query->gpuWorld->hasRays = true;
+        fillRays(query, frame);
+    }
+    return result;
+}
+
+swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame)
+{
+    gpuWorld->hasVolume = false;
+    gpuWorld->hasRays = false;
+    swResult result = SW_SUCCESS;
+    for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL && result == SW_SUCCESS; query = query->next)
+    {
+        result = query->count > 0 ? uploadQuery(query, frame) : SW_SUCCESS;
+    }
+    return result == SW_SUCCESS && gpuWorld->hasVolume ? growVolumeWaves(gpuWorld) : result;
+}
