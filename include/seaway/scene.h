@@ -23,10 +23,12 @@ typedef struct swSceneView
     float sunElevation; ///< radians
 } swSceneView;
 
-/// One wave system of a scene; measured ones own their data.
+/// One wave system of a scene; it owns what was measured or given by hand.
 typedef struct swSceneWaves
 {
     swWaveSystemDef def;
+    swWaveComponent* components; ///< waves given by hand, def.components points here; NULL if there are none
+    int componentCount;
     swMeasuredSea* measured; ///< NULL for formulas
     int record;              ///< which record of it
     swSpectrumTable table;   ///< that record's; def.spectrum.table points here

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
+#include "scene/scene_components.h"
 #include "scene/scene_file.h"
 #include "scene/scene_octaves.h"
 #include "scene/yaml_read.h"
@@ -175,18 +176,19 @@ static swResult readWater(swYaml* yaml, yaml_node_t* node, void* target)
 
 // ---- wave systems ----
 
-// In the order of swSpectrumKind, then what the one-knob functions make. The last two are not words of `spectrum` but
+// In the order of swSpectrumKind, then what the one-knob functions make. The last three are not words of `spectrum` but
 // keys of their own.
 static const char* const spectrumWords[] = {
     "jonswap", "pierson_moskowitz", "tma", "elfouhaily", "phillips", "octaves", "file", "wind_sea", "swell", NULL};
-static const char* const knobWords[] = {"beaufort", "sea_state"};
+static const char* const knobWords[] = {"beaufort", "sea_state", "components"};
 
 enum
 {
     WIND_SEA_KIND = SW_SPECTRUM_KIND_COUNT,
     SWELL_KIND,
     BEAUFORT_KIND,
-    SEA_STATE_KIND
+    SEA_STATE_KIND,
+    COMPONENTS_KIND
 };
 
 // In the order of swSpreadingKind.
@@ -218,6 +220,7 @@ enum
     KIND,
     BEAUFORT,
     SEA_STATE,
+    COMPONENTS,
     FILE_NAME,
     AT,
     WIND_SPEED,
@@ -263,10 +266,16 @@ static swResult readOctavesKey(swYaml* yaml, yaml_node_t* node, void* target)
     return swReadOctaves(yaml, node, &((WavesText*)target)->octaves);
 }
 
+static swResult readComponentsKey(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    return swReadComponents(yaml, node, ((WavesText*)target)->waves);
+}
+
 static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [KIND] = {.key = "spectrum", .type = SW_YAML_CHOICE, .offset = offsetof(WavesText, kind), .words = spectrumWords},
     [BEAUFORT] = {.key = "beaufort", .type = SW_YAML_FLOAT, .offset = TEXT(beaufort), .low = 0.0, .high = 12.0},
     [SEA_STATE] = {.key = "sea_state", .type = SW_YAML_FLOAT, .offset = TEXT(seaState), .low = 0.0, .high = 9.0},
+    [COMPONENTS] = {.key = "components", .type = SW_YAML_CUSTOM, .read = readComponentsKey},
     [DURATION] =
         {.key = "duration_h", .type = SW_YAML_FLOAT, .offset = TEXT(durationHours), .low = 0.1, .high = 1000.0},
     [SPREADING] = {.key = "spreading", .type = SW_YAML_CHOICE, .offset = TEXT(spreading), .words = spreadingWords},
@@ -341,10 +350,10 @@ static const char* getKindWord(int kind)
     return kind >= BEAUFORT_KIND ? knobWords[kind - BEAUFORT_KIND] : spectrumWords[kind];
 }
 
-// `spectrum`, `beaufort` or `sea_state`: one of them, which is the kind.
+// `spectrum`, `beaufort`, `sea_state` or `components`: one of them, which is the kind.
 static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
 {
-    static const int fields[] = {KIND, BEAUFORT, SEA_STATE};
+    static const int fields[] = {KIND, BEAUFORT, SEA_STATE, COMPONENTS};
     const yaml_node_t* second = NULL;
     int count = 0;
     for (int i = 0; i < COUNT(fields); ++i)
@@ -354,17 +363,20 @@ static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, con
     }
     if (count == 0)
     {
-        return swFailYaml(yaml, node,
-                          "the key spectrum is missing; it is jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
-                          "octaves, file, wind_sea or swell. Or give a number of beaufort or sea_state.");
+        return swFailYaml(
+            yaml, node,
+            "the key spectrum is missing; it is jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
+            "octaves, file, wind_sea or swell. Or give a number of beaufort or sea_state, or a list of components.");
     }
     if (count > 1)
     {
-        return swFailYaml(yaml, second, "spectrum, beaufort and sea_state each make the waves; keep one of them.");
+        return swFailYaml(yaml, second,
+                          "spectrum, beaufort, sea_state and components each make the waves; keep one of them.");
     }
-    text->kind = nodes->nodes[BEAUFORT] != NULL    ? BEAUFORT_KIND
-                 : nodes->nodes[SEA_STATE] != NULL ? SEA_STATE_KIND
-                                                   : text->kind;
+    text->kind = nodes->nodes[BEAUFORT] != NULL     ? BEAUFORT_KIND
+                 : nodes->nodes[SEA_STATE] != NULL  ? SEA_STATE_KIND
+                 : nodes->nodes[COMPONENTS] != NULL ? COMPONENTS_KIND
+                                                    : text->kind;
     return SW_SUCCESS;
 }
 
@@ -376,9 +388,42 @@ static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, con
 #define WIND_SEAS (ONE(WIND_SEA_KIND) | NUMBERS)
 #define GROWING (ONE(SW_SPECTRUM_JONSWAP) | ONE(SW_SPECTRUM_TMA))
 #define EQUALISERS ONE(SW_SPECTRUM_OCTAVES)
+#define SPECTRA (~ONE(COMPONENTS_KIND))
+
+// The same of keys that only one method knows. Waves given by hand have a method of their own.
+static swResult checkMethodKeys(swYaml* yaml, WavesText* text, const swYamlNodes* nodes)
+{
+    static const struct
+    {
+        int field;
+        swWaveMethod method;
+    } rules[] = {
+        {RESOLUTION, SW_WAVES_FFT},
+        {TILE_WAVES, SW_WAVES_FFT},
+        {COMPONENTS_PER_OCTAVE, SW_WAVES_GERSTNER},
+        {REVERSE_WEIGHT, SW_WAVES_GERSTNER},
+        {DIRECTION_VARIANCE, SW_WAVES_GERSTNER},
+    };
+    if (text->kind == COMPONENTS_KIND && nodes->nodes[METHOD] != NULL && text->def.method != SW_WAVES_GERSTNER)
+    {
+        return swFailYaml(yaml, nodes->nodes[METHOD], "components are made with 'method: gerstner' only; remove this.");
+    }
+    text->def.method = text->kind == COMPONENTS_KIND ? SW_WAVES_GERSTNER : text->def.method;
+    for (int i = 0; i < COUNT(rules); ++i)
+    {
+        const yaml_node_t* node = nodes->nodes[rules[i].field];
+        if (node != NULL && rules[i].method != text->def.method)
+        {
+            return swFailYaml(yaml, node, "%s has an effect with 'method: %s' only; %s.",
+                              wavesFields[rules[i].field].key, methodWords[rules[i].method],
+                              rules[i].method == SW_WAVES_GERSTNER ? "add that or remove it" : "remove it");
+        }
+    }
+    return SW_SUCCESS;
+}
 
 // Keys that do not go with a kind of spectrum would have no effect: refused, so that nobody turns a dead knob.
-static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes* nodes)
+static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* nodes)
 {
     static const struct
     {
@@ -406,26 +451,28 @@ static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes
         {MULTIPLIER, EQUALISERS},
         {GRAVITY_SCALE, EQUALISERS},
         {LIMIT_BY_WIND, EQUALISERS},
+        {MIN_WAVELENGTH, SPECTRA},
+        {MAX_WAVELENGTH, SPECTRA},
+        {SEED, SPECTRA},
+        {COMPONENTS_PER_OCTAVE, SPECTRA},
+        {REVERSE_WEIGHT, SPECTRA},
+        {DIRECTION_VARIANCE, SPECTRA},
     };
     for (int i = 0; i < COUNT(rules); ++i)
     {
         const yaml_node_t* node = nodes->nodes[rules[i].field];
         if (node != NULL && (rules[i].kinds & ONE(text->kind)) == 0)
         {
-            return swFailYaml(yaml, node, "%s has no effect on the spectrum '%s'; remove it%s.",
-                              wavesFields[rules[i].field].key, getKindWord(text->kind),
-                              rules[i].field == DIRECTION ? ", or turn the measured sea with turn_deg" : "");
+            bool isTurned = rules[i].field == DIRECTION && text->kind == SW_SPECTRUM_TABLE;
+            return swFailYaml(yaml, node, "%s has no effect on %s'%s'; remove it%s.", wavesFields[rules[i].field].key,
+                              text->kind == COMPONENTS_KIND ? "" : "the spectrum ", getKindWord(text->kind),
+                              isTurned ? ", or turn the measured sea with turn_deg" : "");
         }
     }
-    static const int gerstnerFields[] = {COMPONENTS_PER_OCTAVE, REVERSE_WEIGHT, DIRECTION_VARIANCE};
-    for (int i = 0; i < COUNT(gerstnerFields) && text->def.method != SW_WAVES_GERSTNER; ++i)
+    swResult result = checkMethodKeys(yaml, text, nodes);
+    if (result != SW_SUCCESS)
     {
-        const yaml_node_t* node = nodes->nodes[gerstnerFields[i]];
-        if (node != NULL)
-        {
-            return swFailYaml(yaml, node, "%s has an effect with 'method: gerstner' only; add that or remove it.",
-                              wavesFields[gerstnerFields[i]].key);
-        }
+        return result;
     }
     // Wind seas by one knob have a spreading of their own.
     bool isCosine = nodes->nodes[SPREADING] != NULL ? text->spreading == SW_SPREADING_COSINE_2S
@@ -469,7 +516,7 @@ static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, 
         spectrum->kind = (swSpectrumKind)text->kind;
         spectrum->spreading = (swSpreadingKind)text->spreading;
     }
-    else
+    else if (text->kind != COMPONENTS_KIND)
     {
         swSpectrumDef made = makeKnobSpectrum(text, nodes);
         made.spreading = nodes->nodes[SPREADING] != NULL ? (swSpreadingKind)text->spreading : made.spreading;
@@ -589,6 +636,8 @@ static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
         return result;
     }
     waves->def = text.def;
+    waves->def.components = waves->components;
+    waves->def.componentCount = waves->componentCount;
     return text.kind == SW_SPECTRUM_TABLE ? readFileSpectrum(yaml, node, &text, &nodes) : SW_SUCCESS;
 }
 
@@ -803,6 +852,7 @@ void swDestroyScene(swScene* scene)
         for (int i = 0; i < scene->wavesCount; ++i)
         {
             swDestroyMeasuredSea(scene->waves[i].measured);
+            swFreeComponents(&host, &scene->waves[i]);
         }
         swFree(&host, scene, sizeof(*scene));
     }
