@@ -225,6 +225,7 @@ static swWorld* CreateSea(const swHost* host, const SeaMeasurement* sea, int see
     double last = sea->bins.high[sea->bins.count - 1];
     for (int i = 0; i < scene->wavesCount; ++i)
     {
+        scene->waves[i].isReplay = false; // the record nearest to the scene's time, for as long as it takes
         swWaveSystemDef* def = &scene->waves[i].def;
         def->seed += (uint32_t)seed * 1000u;
         double shortest = FindWavelength(1.02 * last, (double)def->spectrum.depth, (double)scene->world.gravity);

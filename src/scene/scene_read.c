@@ -9,6 +9,7 @@
 #include "core/base/host.h"
 #include "scene/scene_components.h"
 #include "scene/scene_file.h"
+#include "scene/scene_measured.h"
 #include "scene/scene_octaves.h"
 #include "scene/yaml_read.h"
 #include "seaway/scene.h"
@@ -204,8 +205,7 @@ typedef struct WavesText
     float spread;
     int spreading;
     swOctavesText octaves;
-    char file[512];
-    char at[32];
+    swMeasuredText measured;
     swWaveSystemDef def;
 } WavesText;
 
@@ -222,7 +222,10 @@ enum
     SEA_STATE,
     COMPONENTS,
     FILE_NAME,
+    FILE_LIST,
+    PLACE,
     AT,
+    REPLAY,
     WIND_SPEED,
     FETCH,
     DURATION,
@@ -271,6 +274,20 @@ static swResult readComponentsKey(swYaml* yaml, yaml_node_t* node, void* target)
     return swReadComponents(yaml, node, ((WavesText*)target)->waves);
 }
 
+static swResult readReplayKey(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    return swReadReplay(yaml, node, &((WavesText*)target)->measured);
+}
+
+// Read later, when the other keys are known.
+static swResult keepNode(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    (void)yaml;
+    (void)node;
+    (void)target;
+    return SW_SUCCESS;
+}
+
 static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [KIND] = {.key = "spectrum", .type = SW_YAML_CHOICE, .offset = offsetof(WavesText, kind), .words = spectrumWords},
     [BEAUFORT] = {.key = "beaufort", .type = SW_YAML_FLOAT, .offset = TEXT(beaufort), .low = 0.0, .high = 12.0},
@@ -293,8 +310,11 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [GRAVITY_SCALE] =
         {.key = "gravity_scale", .type = SW_YAML_FLOAT, .offset = TEXT(octaves.gravityScale), .low = 0.0, .high = 25.0},
     [LIMIT_BY_WIND] = {.key = "limit_by_wind", .type = SW_YAML_BOOL, .offset = TEXT(octaves.limitByWind)},
-    [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, file), .size = 512},
-    [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, at), .size = 32},
+    [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = TEXT(measured.file), .size = 512},
+    [FILE_LIST] = {.key = "files", .type = SW_YAML_CUSTOM, .read = keepNode},
+    [PLACE] = {.key = "location", .type = SW_YAML_TEXT, .offset = TEXT(measured.location), .size = 64},
+    [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = TEXT(measured.at), .size = 32},
+    [REPLAY] = {.key = "replay", .type = SW_YAML_CUSTOM, .read = readReplayKey},
     [WIND_SPEED] =
         {.key = "wind_speed_mps", .type = SW_YAML_FLOAT, .offset = SPECTRUM(windSpeed), .low = 0.1, .high = 100.0},
     [FETCH] = {.key = "fetch_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(fetch), .low = 1e3, .high = 1e7},
@@ -431,6 +451,9 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         unsigned kinds;
     } rules[] = {
         {FILE_NAME, FILES},
+        {FILE_LIST, FILES},
+        {PLACE, FILES},
+        {REPLAY, FILES},
         {AT, FILES},
         {TURN, FILES},
         {EXTEND_TAIL, FILES},
@@ -567,53 +590,18 @@ static swResult checkSystem(swYaml* yaml, yaml_node_t* node, const swWaveSystemD
     return SW_SUCCESS;
 }
 
-static void joinPath(char* path, size_t size, const char* folder, const char* file)
+static swResult readMeasured(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
 {
-    bool isAlone = file[0] == '/' || folder == NULL || folder[0] == '\0';
-    snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file);
-}
-
-static swResult readFileSpectrum(swYaml* yaml, yaml_node_t* node, const WavesText* text, const swYamlNodes* nodes)
-{
-    swSceneWaves* waves = text->waves;
-    if (nodes->nodes[FILE_NAME] == NULL)
-    {
-        return swFailYaml(yaml, node,
-                          "a spectrum 'file' needs the key file with the name of an NDBC energy file or summary.");
-    }
-    char path[1024];
-    joinPath(path, sizeof(path), ((Reader*)yaml->context)->folder, text->file);
-    swResult result = swReadMeasuredSea(yaml->host, path, &waves->measured);
-    if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
-    {
-        swFailYaml(yaml, nodes->nodes[FILE_NAME], "the spectrum file %s cannot be used.", path);
-    }
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    memcpy(waves->file, text->file, sizeof(waves->file));
-    waves->record = swMeasuredSea_FindLargest(waves->measured);
-    if (nodes->nodes[AT] != NULL)
-    {
-        waves->record = swMeasuredSea_FindTime(waves->measured, text->at);
-        if (waves->record < 0)
-        {
-            return swFailYaml(yaml, nodes->nodes[AT], "at is '%s'; it must be a time such as 2022-05-10 10:50.",
-                              text->at);
-        }
-    }
-    waves->table = swMeasuredSea_GetRecord(waves->measured, waves->record).table;
-    waves->def.spectrum.table = &waves->table;
-    swSeaState seaState;
-    if (swSpectrum_GetSeaState(&waves->def.spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
-    {
-        char time[20];
-        memcpy(time, swMeasuredSea_GetRecord(waves->measured, waves->record).time, sizeof(time));
-        return swFailYaml(yaml, nodes->nodes[FILE_NAME],
-                          "the record of %s in %s has no energy; choose another with at.", time, path);
-    }
-    return SW_SUCCESS;
+    swMeasuredText* measured = &text->measured;
+    measured->system = node;
+    measured->fileNode = nodes->nodes[FILE_NAME];
+    measured->listNode = nodes->nodes[FILE_LIST];
+    measured->locationNode = nodes->nodes[PLACE];
+    measured->atNode = nodes->nodes[AT];
+    measured->replayNode = nodes->nodes[REPLAY];
+    measured->methodNode = nodes->nodes[METHOD];
+    measured->folder = ((Reader*)yaml->context)->folder;
+    return swReadSceneMeasured(yaml, measured, text->waves);
 }
 
 static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
@@ -638,7 +626,7 @@ static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
     waves->def = text.def;
     waves->def.components = waves->components;
     waves->def.componentCount = waves->componentCount;
-    return text.kind == SW_SPECTRUM_TABLE ? readFileSpectrum(yaml, node, &text, &nodes) : SW_SUCCESS;
+    return text.kind == SW_SPECTRUM_TABLE ? readMeasured(yaml, node, &text, &nodes) : SW_SUCCESS;
 }
 
 static swResult readWaves(swYaml* yaml, yaml_node_t* node, void* target)
@@ -788,6 +776,10 @@ static swResult readRoot(const swHost* host, const char* text, size_t size, cons
     else
     {
         result = swReadYamlMapping(&yaml, root, "a scene", sceneFields, COUNT(sceneFields), getScene(&yaml), NULL);
+    }
+    if (result == SW_SUCCESS)
+    {
+        swChooseReplayRecords(reader->scene);
     }
     swCloseYaml(&yaml);
     return result;

@@ -229,6 +229,25 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
          "a.yaml:4: components_per_octave is 33; its range is 1 to 32."},
         {"waves:\n  - beaufort: 3\n    method: gerstner\n    reverse_weight: -1\n", "its range is 0 to 1."},
         {"waves:\n  - beaufort: 3\n    method: gerstner\n    direction_variance_deg: 181\n", "its range is 0 to 180."},
+        {"waves:\n  - spectrum: file\n    file: a\n    files: [b]\n", "a.yaml:4: file and files both name"},
+        {"waves:\n  - spectrum: file\n    files: []\n", "a.yaml:3: files is empty"},
+        {"waves:\n  - spectrum: file\n    files:\n      - data/harbour_storm.spec\n      - none.spec\n",
+         "a.yaml:5: the spectrum file " SCENES "/none.spec cannot be used."},
+        {"waves:\n  - spectrum: file\n    files:\n      - [a]\n", "a.yaml:4: files must be a text."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    location: Nowhere\n",
+         "a.yaml:4: location is 'Nowhere'; it must be the name or number of a place of the file, which has: 1."},
+        {"waves:\n  - spectrum: jonswap\n    location: 1\n", "a.yaml:3: location has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    replay: {speed: 2}\n", "a.yaml:3: replay has no effect"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: 3\n",
+         "a.yaml:4: replay must hold"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {sped: 3}\n",
+         "a.yaml:4: 'sped' is no key of replay; it has: from, time_s, speed."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {from: dawn}\n",
+         "a.yaml:4: from is 'dawn'; it must be a time"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {}\n    at: 2024-11-16 05:50\n",
+         "a.yaml:5: at chooses one record, but all are replayed; say replay: {from: 2024-11-16 05:50}."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {}\n    method: gerstner\n",
+         "a.yaml:5: a replay needs 'method: fft'"},
         {"waves:\n  - components: []\n", "a.yaml:2: components is empty; give it a wave"},
         {"waves:\n  - components: {wavelength_m: 4}\n", "a.yaml:2: components must be a list"},
         {"waves:\n  - components:\n      - {wavelength_m: 4, amplitude_m: 0.1}\n",
@@ -392,6 +411,94 @@ static void WavesByHandStandWhereTheyWereAsked(void** state)
     swDestroyScene(scene);
 }
 
+// Three hours of two places, in two files that overlap; the second has a calm.
+static const char s_places[] = "SWAN   1\nTIME\n1\nLONLAT\n2\n4.5 52.25\n5 52.5\nAFREQ\n3\n0.05\n0.1\n0.2\n"
+                               "NDIR\n4\n0\n90\n180\n270\nQUANT\n1\nVaDens\nm2/Hz/degr\n-99\n"
+                               "%s.0000\nFACTOR\n1e-4\n0 0 0 0\n%d 0 0 0\n0 0 0 0\n%s\n"
+                               "%s.0000\nFACTOR\n1e-4\n0 0 0 0\n0 %d 0 0\n0 0 0 0\n%s\n";
+#define OTHER_PLACE "FACTOR\n1e-4\n0 0 0 0\n0 0 0 9\n0 0 0 0"
+
+static void WriteText(const char* path, const char* text)
+{
+    FILE* file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void PlacesAndSeriesAreChosen(void** state)
+{
+    (void)state;
+    char folder[] = "/tmp/seaway_scene_XXXXXX", first[64], second[64], text[2048];
+    assert_non_null(mkdtemp(folder));
+    snprintf(first, sizeof(first), "%s/one.spec", folder);
+    snprintf(second, sizeof(second), "%s/two.spec", folder);
+    snprintf(text, sizeof(text), s_places, "20240102.00", 100, OTHER_PLACE, "20240102.01", 400, OTHER_PLACE);
+    WriteText(first, text);
+    snprintf(text, sizeof(text), s_places, "20240102.02", 0, OTHER_PLACE, "20240102.03", 900, OTHER_PLACE);
+    WriteText(second, text);
+
+    swHost host = MakeHost();
+    swScene* scene = NULL;
+    static const char one[] = "waves:\n  - {spectrum: file, file: one.spec, location: 2, at: 2024-01-02 01:10}\n";
+    if (swReadSceneText(&host, one, sizeof(one) - 1, "a.yaml", folder, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    swMeasuredRecord record = swMeasuredSea_GetRecord(scene->waves[0].measured, scene->waves[0].record);
+    assert_int_equal(record.location, 1);
+    assert_string_equal(record.time, "2024-01-02 01:00");
+    swDestroyScene(scene);
+
+    // Several places and none chosen.
+    host = MakeHost();
+    static const char none[] = "waves:\n  - spectrum: file\n    file: one.spec\n    replay: {}\n";
+    assert_int_equal(swReadSceneText(&host, none, sizeof(none) - 1, "a.yaml", folder, &scene), SW_ERROR_FORMAT);
+    assert_non_null(strstr(s_messages, "a.yaml:3: the file has 2 places; choose one of them with location: 1, 2."));
+
+    // Two files, of which a calm is left out.
+    host = MakeHost();
+    static const char both[] =
+        "time_s: 20\nwaves:\n  - spectrum: file\n    files: [two.spec, one.spec]\n    location: 1\n"
+        "    replay: {from: 2024-01-02 00:30, time_s: 10, speed: 360}\n";
+    if (swReadSceneText(&host, both, sizeof(both) - 1, "a.yaml", folder, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    assert_non_null(strstr(s_messages, "two.spec: 1 record without energy is left out"));
+    const swSceneWaves* waves = &scene->waves[0];
+    assert_int_equal(swMeasuredSea_GetCount(waves->measured), 3);
+    assert_true(waves->isReplay && waves->replay.startTime == 10.0 && waves->replay.speed == 360.0 &&
+                waves->replay.startSeconds == swMeasuredSea_GetRecord(waves->measured, 0).seconds + 1800.0);
+    assert_int_equal(waves->record, 1); // 01:30 at the scene's time, half-way to 02:00 of which there is none
+    remove(first);
+    remove(second);
+    rmdir(folder);
+
+    swWorld* world = NULL;
+    swSceneSea sea;
+    assert_int_equal(swOpenScene(&host, scene, &world, &sea), SW_SUCCESS);
+    static const double times[] = {5.0, 15.0, 45.0}; // the records themselves
+    static const double energies[] = {100.0, 400.0, 900.0};
+    for (int i = 0; i < 3; ++i)
+    {
+        swBandInfo bands[SW_MAX_BANDS];
+        double variance = 0.0, wanted = energies[i] * 1e-4 * 90.0 * 0.075; // m^2/Hz/degree, degrees, Hz
+        assert_int_equal(swSceneSea_Advance(&sea, times[i]), SW_SUCCESS);
+        assert_int_equal(swWorld_StepTo(world, times[i]), SW_SUCCESS);
+        int count = swWaveSystem_GetBands(world, sea.systems[0], bands);
+        for (int j = 0; j < count; ++j)
+        {
+            variance += (double)bands[j].variance;
+        }
+        print_message("at %.0f s variance %.4f m^2, recorded %.4f\n", times[i], variance, wanted);
+        assert_true(fabs(variance / wanted - 1.0) < 0.01);
+    }
+    swDestroySceneSea(&sea);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+}
+
 static void ShippedScenesMakeSeas(void** state)
 {
     (void)state;
@@ -545,6 +652,7 @@ static void FailingMemoryLeavesNothingBehind(void** state)
     (void)state;
     FailEachAllocation(SCENES "/buoy.yaml");
     FailEachAllocation(SCENES "/crossing.yaml");
+    FailEachAllocation(SCENES "/hindcast.yaml");
 }
 
 int main(void)
@@ -557,6 +665,7 @@ int main(void)
         cmocka_unit_test(EverySpectrumCanBeWritten),
         cmocka_unit_test(FewWavesComeFromSpectraOrByHand),
         cmocka_unit_test(WavesByHandStandWhereTheyWereAsked),
+        cmocka_unit_test(PlacesAndSeriesAreChosen),
         cmocka_unit_test(PackedSetsAreFoundByTheirNames),
         cmocka_unit_test(SummariesAreSeasToo),
         cmocka_unit_test(FailingMemoryLeavesNothingBehind),
