@@ -373,9 +373,8 @@ swResult swReadSceneMeasured(swYaml* yaml, const swMeasuredText* text, swSceneWa
     if (!isSeries)
     {
         result = readFile(yaml, text, text->fileNode, text->file, &waves->measured);
-        result = result == SW_SUCCESS
-                     ? choosePlace(yaml, text, text->fileNode, waves->measured, isReplay, &location)
-                     : result;
+        result = result == SW_SUCCESS ? choosePlace(yaml, text, text->fileNode, waves->measured, isReplay, &location)
+                                      : result;
         if (result == SW_SUCCESS && isReplay && countCalms(waves->measured, location) > 0)
         {
             swDestroyMeasuredSea(waves->measured);
