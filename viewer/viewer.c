@@ -3,6 +3,7 @@
 
 #include "viewer.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +20,7 @@
 
 #define TEST_STEP (1.0 / 30.0) // s of the sea per frame when frames are counted
 #define LONGEST_STEP 0.1       // a frame that took longer slows the sea instead of making it jump
+#define NEAR_ORIGIN 4096.0     // m from the host's origin that the camera may be
 #define STAMP_INTERVAL 0.5     // s between looks at the scene file
 #define MAX_WORKERS 15
 
@@ -43,6 +45,8 @@ static void PlaceInView(App* app, const swSceneView* view)
     app->sea.sky.sunAzimuth = sky.sunAzimuth;
     app->sea.sky.sunElevation = sky.sunElevation;
     PlaceCamera(&app->camera, view, swWorld_GetSeaLevel(app->sea.world));
+    swPosXZ origin = swWorld_GetOrigin(app->sea.world); // views are places in the sea
+    ShiftCamera(&app->camera, -origin.x, -origin.z);
     app->jumpExposure = true;
 }
 
@@ -189,6 +193,7 @@ static void ReloadSea(App* app)
     }
     fresh.transition = app->sea.transition;
     swWorld_SetTime(fresh.world, app->clock.time);
+    swWorld_SetOrigin(fresh.world, swWorld_GetOrigin(app->sea.world));
     app->graphics.vk.DeviceWaitIdle(app->graphics.device);
     CloseSea(&app->sea);
     app->sea = fresh;
@@ -239,10 +244,25 @@ static double AdvanceTime(App* app, double passed)
     return stepOnce ? swClock_StepOnce(&app->clock) : swClock_Advance(&app->clock, passed);
 }
 
+// Coordinates move along with the camera, as those of a game do: none is ever far from 0, and the sea does not notice.
+static void KeepOriginNear(App* app)
+{
+    Camera* camera = &app->camera;
+    if (fabs(camera->position.x) < NEAR_ORIGIN && fabs(camera->position.z) < NEAR_ORIGIN)
+    {
+        return;
+    }
+    swPosXZ origin = swWorld_GetOrigin(app->sea.world);
+    double x = floor(camera->position.x), z = floor(camera->position.z);
+    swWorld_SetOrigin(app->sea.world, (swPosXZ){origin.x + x, origin.z + z});
+    ShiftCamera(camera, -x, -z);
+}
+
 static bool StepSea(App* app, double passed)
 {
     CameraInput input = ReadCameraInput(app);
     MoveCamera(&app->camera, &input, passed, swWorld_GetSeaLevel(app->sea.world));
+    KeepOriginNear(app);
     swView_SetViewpoint(app->sea.view, GetCameraEye(&app->camera));
     ApplyChanges(&app->sea, app->clock.isPaused);
     double time = AdvanceTime(app, passed);

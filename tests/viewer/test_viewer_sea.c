@@ -47,7 +47,9 @@ static bool IsNear(float value, double expected)
 }
 
 #define SMALL "view: {slice_count: 2, resolution: 64}\n"
-#define BREEZE SMALL "waves:\n  - {spectrum: jonswap, significant_height_m: 2, peak_period_s: 6, resolution: 64, tile_waves: 16}\n"
+#define BREEZE                                                                                                         \
+    SMALL "waves:\n  - {spectrum: jonswap, significant_height_m: 2, peak_period_s: 6, resolution: 64, tile_waves: "    \
+          "16}\n"
 
 static void ChangesRunOverTheTransition(void** state)
 {
