@@ -44,7 +44,8 @@ static void DescribeScene(Sea* sea, const swScene* scene)
                                    .measured = from->measured,
                                    .record = from->record,
                                    .file = from->file,
-                                   .replayDef = from->replay};
+                                   .replayDef = from->replay,
+                                   .records = {-1, -1}};
         TakeComponents(&sea->waves[i]);
     }
 }
@@ -167,6 +168,7 @@ static swResult ReplaceReplay(Sea* sea, SeaWaves* waves, const swWaveSystemDef* 
     {
         swDestroySeaReplay(waves->replay);
         waves->replay = fresh;
+        waves->records[0] = waves->records[1] = -1; // their height may have been set
         swWaveSystem_SetWeight(sea->world, waves->id, def->weight);
     }
     return result;
@@ -220,14 +222,43 @@ void ApplyChanges(Sea* sea, bool isPaused)
     }
 }
 
+// What a replay asks for now: energy runs evenly from one record to the other, the rest is that of the nearer one.
+static void FollowReplay(SeaWaves* waves)
+{
+    int records[2];
+    double fraction = 0.0;
+    swSeaReplay_GetRecords(waves->replay, &records[0], &records[1], &fraction);
+    for (int i = 0; i < 2; i++)
+    {
+        if (records[i] != waves->records[i])
+        {
+            swMeasuredRecord record = swMeasuredSea_GetRecord(waves->measured, records[i]);
+            swSpectrumDef spectrum = waves->def.spectrum;
+            spectrum.table = &record.table;
+            swSpectrum_GetSeaState(&spectrum, 0.0f, 0.0f, &waves->recorded[i]);
+            waves->records[i] = records[i];
+        }
+    }
+    float a = waves->recorded[0].significantHeight, b = waves->recorded[1].significantHeight, part = (float)fraction;
+    waves->asked = waves->recorded[part < 0.5f ? 0 : 1];
+    waves->asked.significantHeight = sqrtf((1.0f - part) * a * a + part * b * b);
+}
+
 bool AdvanceSea(Sea* sea, double time)
 {
-    swResult result = SW_SUCCESS;
-    for (int i = 0; i < sea->wavesCount && result == SW_SUCCESS; i++)
+    for (int i = 0; i < sea->wavesCount; i++)
     {
-        result = sea->waves[i].replay != NULL ? swSeaReplay_Advance(sea->waves[i].replay, time) : SW_SUCCESS;
+        SeaWaves* waves = &sea->waves[i];
+        if (waves->replay != NULL && swSeaReplay_Advance(waves->replay, time) != SW_SUCCESS)
+        {
+            return false;
+        }
+        if (waves->replay != NULL)
+        {
+            FollowReplay(waves);
+        }
     }
-    return result == SW_SUCCESS;
+    return true;
 }
 
 double GetReplaySeconds(const Sea* sea, int index)

@@ -17,6 +17,8 @@ typedef struct SeaWaves
     const char* file;    // of the measured spectrum, or empty
     swSeaReplay* replay; // NULL: one record stays
     swSeaReplayDef replayDef;
+    int records[2]; // that the replay is between, and what they hold
+    swSeaState recorded[2];
     swSeaState asked; // what the spectrum holds, at weight 1; of waves by hand only the height
     bool hasChanged;  // since the world had it
 } SeaWaves;
