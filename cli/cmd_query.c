@@ -262,6 +262,7 @@ typedef struct Source
 {
     Question question;
     swWorld* world;
+    swSceneSea* sea;
     const swQueryDef* def;
     GpuAnswers* gpu;
 } Source;
@@ -375,8 +376,10 @@ static int PrintTimes(const Source* source, const PointList* list, TimeRange tim
     BeginProgress("times", times.count);
     for (int i = 0; i < times.count; ++i)
     {
-        swWorld_SetTime(source->world, times.begin + times.step * i);
-        swResult result = swWorld_Step(source->world, 0.0);
+        double time = times.begin + times.step * i;
+        swWorld_SetTime(source->world, time);
+        swResult result = swSceneSea_Advance(source->sea, time);
+        result = result == SW_SUCCESS ? swWorld_Step(source->world, 0.0) : result;
         if (result != SW_SUCCESS)
         {
             EndProgress();
@@ -415,10 +418,10 @@ static swGpuQueryDef MakeGpuDef(const swQueryDef* def, Question question, int ca
 }
 
 // `device` NULL: the core answers.
-static int AnswerPoints(swWorld* world, const swQueryDef* def, const DeviceName* device, Question question,
-                        const PointList* list, TimeRange times)
+static int AnswerPoints(swWorld* world, swSceneSea* sea, const swQueryDef* def, const DeviceName* device,
+                        Question question, const PointList* list, TimeRange times)
 {
-    Source source = {.world = world, .def = def, .question = question};
+    Source source = {.world = world, .sea = sea, .def = def, .question = question};
     if (device != NULL)
     {
         swGpuQueryDef gpuDef = MakeGpuDef(def, question, list->count < BLOCK ? list->count : BLOCK);
@@ -440,24 +443,26 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
     swTaskPool* pool = AttachThreads(&host, 0);
     swScene* scene = NULL;
     swWorld* world = NULL;
+    swSceneSea sea = {0};
     int exitCode = EXIT_PROBLEM;
     swResult result = swReadScene(&host, scenePath, &scene);
     if (result == SW_SUCCESS)
     {
         scene->world.enableQueries = device == NULL;
         scene->world.enableVelocity = scene->world.enableAcceleration = device == NULL && question == QUESTION_MOTION;
-        result = swCreateSceneWorld(&host, scene, &world);
+        result = swOpenScene(&host, scene, &world, &sea);
     }
     if (result == SW_SUCCESS)
     {
         TimeRange times = {scene->time, 1.0, 1};
         bool isFine = timeText == NULL || ParseTimes(timeText, &times);
-        exitCode = isFine ? AnswerPoints(world, def, device, question, list, times) : EXIT_USAGE;
+        exitCode = isFine ? AnswerPoints(world, &sea, def, device, question, list, times) : EXIT_USAGE;
     }
     else
     {
         ComplainAboutResult(result, scenePath);
     }
+    swDestroySceneSea(&sea);
     swDestroyWorld(world);
     swDestroyScene(scene);
     swDestroyTaskPool(pool);

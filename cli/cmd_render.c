@@ -55,6 +55,8 @@ typedef struct Render
     RenderOptions options;
     swHost host;
     swScene* scene;
+    swSceneSea sea;
+    double seaTime; // of the last step, or where the sea was set to, s
     swWorld* world;
     swView* view;
     PictureMaker* maker;
@@ -148,9 +150,17 @@ static swSkyDef FindFrameSky(const Render* render, int frame)
     return sky;
 }
 
+static void JumpTo(Render* render, double time)
+{
+    swWorld_SetTime(render->world, time);
+    render->seaTime = time;
+}
+
 static bool Step(Render* render, double dt)
 {
-    swResult result = swWorld_Step(render->world, dt);
+    render->seaTime += dt;
+    swResult result = swSceneSea_Advance(&render->sea, render->seaTime);
+    result = result == SW_SUCCESS ? swWorld_Step(render->world, dt) : result;
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the sea could not be stepped");
@@ -163,7 +173,7 @@ static bool WarmUp(Render* render, double time)
 {
     int stepCount = (int)ceil(render->options.warmup / WARMUP_STEP);
     swSceneView view = FindFrameView(render, 0);
-    swWorld_SetTime(render->world, time - stepCount * WARMUP_STEP);
+    JumpTo(render, time - stepCount * WARMUP_STEP);
     BeginProgress("steps of foam", stepCount);
     bool isFine = true;
     for (int i = 0; i < stepCount && isFine; ++i)
@@ -183,7 +193,7 @@ static bool DrawFrame(Render* render, int frame, double time)
     double dt = frame > 0 ? 1.0 / options->fps : options->warmup > 0.0 ? WARMUP_STEP : 0.0;
     if (frame == 0 && options->warmup <= 0.0)
     {
-        swWorld_SetTime(render->world, time);
+        JumpTo(render, time);
     }
     swView_SetViewpoint(render->view, PlaceCamera(render, &view));
     if (!Step(render, dt))
@@ -289,7 +299,7 @@ static bool OpenSea(Render* render, const char* scenePath)
         return false;
     }
     scene->world.enableQueries = options->ride; // a picture needs no surface on the CPU
-    result = swCreateSceneWorld(&render->host, scene, &render->world);
+    result = swOpenScene(&render->host, scene, &render->world, &render->sea);
     if (result == SW_SUCCESS)
     {
         scene->view.enableCpuLayers = false;
@@ -358,6 +368,7 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
         isFine = false;
     }
     swDestroyView(render.view);
+    swDestroySceneSea(&render.sea);
     swDestroyWorld(render.world);
     swDestroyScene(render.scene);
     swDestroyTaskPool(pool);

@@ -168,16 +168,6 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     JsonCloseObject(&json);
 }
 
-// By name, else by number from 1 on; -1 if neither fits.
-static int FindLocation(const swMeasuredSea* sea, const char* text)
-{
-    int location = swMeasuredSea_FindLocation(sea, text);
-    char* end = NULL;
-    long number = strtol(text, &end, 10);
-    bool isNumber = end != text && *end == '\0' && number >= 1 && number <= swMeasuredSea_GetLocationCount(sea);
-    return location >= 0 ? location : isNumber ? (int)number - 1 : -1;
-}
-
 // A scene of nothing but the record, to make its sea of.
 static swScene* MakeRecordScene(const swMeasuredRecord* record)
 {
@@ -284,7 +274,7 @@ int RunSpectrum(int argumentCount, char** arguments)
         return EXIT_PROBLEM;
     }
     int exitCode = EXIT_USAGE;
-    int location = place != NULL ? FindLocation(sea, place) : -1;
+    int location = place != NULL ? swFindMeasuredPlace(sea, place) : -1;
     int index = swMeasuredSea_FindRecord(sea, location, at);
     if (place != NULL && location < 0)
     {

@@ -36,6 +36,121 @@ typedef struct Job
     atomic_int doneCount; // seeds
 } Job;
 
+// ---- waves by hand ----
+
+// The frequency of a wave that was given by hand, Hz, and its variance with the system's weight, m^2.
+static double FindComponent(const swScene* scene, const swWaveSystemDef* def, int index, double* variance)
+{
+    const swWaveComponent* component = &def->components[index];
+    double amplitude = (double)def->weight * (double)component->amplitude;
+    *variance = 0.5 * amplitude * amplitude;
+    return FindFrequency((double)component->wavelength, (double)def->spectrum.depth, (double)scene->world.gravity);
+}
+
+static double SumComponents(const swScene* scene, const swWaveSystemDef* def, double low, double high)
+{
+    double sum = 0.0, variance = 0.0;
+    for (int i = 0; i < def->componentCount; ++i)
+    {
+        double frequency = FindComponent(scene, def, i, &variance);
+        sum += frequency >= low && frequency < high ? variance : 0.0;
+    }
+    return sum;
+}
+
+static double SumComponentSlopes(const swWaveSystemDef* def)
+{
+    double sum = 0.0;
+    for (int i = 0; i < def->componentCount; ++i)
+    {
+        const swWaveComponent* component = &def->components[i];
+        double steepness =
+            2.0 * SW_PI * (double)def->weight * (double)component->amplitude / (double)component->wavelength;
+        sum += 0.5 * steepness * steepness;
+    }
+    return sum;
+}
+
+static double FindComponentPeak(const swScene* scene, const swWaveSystemDef* def)
+{
+    double peak = 0.0, most = 0.0, variance = 0.0;
+    for (int i = 0; i < def->componentCount; ++i)
+    {
+        double frequency = FindComponent(scene, def, i, &variance);
+        peak = variance > most ? frequency : peak;
+        most = fmax(most, variance);
+    }
+    return peak;
+}
+
+// Bins reach to every wave that was given, however far it is from the peak.
+static void WidenByComponents(const swScene* scene, double* low, double* high)
+{
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        const swWaveSystemDef* def = &scene->waves[i].def;
+        for (int j = 0; j < def->componentCount; ++j)
+        {
+            double variance = 0.0, frequency = FindComponent(scene, def, j, &variance);
+            *low = fmin(*low, 0.9 * frequency);
+            *high = fmax(*high, 1.1 * frequency);
+        }
+    }
+}
+
+static int FindBin(const SeaBins* bins, double frequency)
+{
+    for (int i = 0; i < bins->count; ++i)
+    {
+        if (frequency >= bins->low[i] && frequency < bins->high[i])
+        {
+            return i;
+        }
+    }
+    return -1;
+}
+
+// A line has no density: its variance is shared out over the bin that it falls into.
+static double SpreadOverBin(const SeaMeasurement* sea, const swWaveSystemDef* def, double frequency)
+{
+    int bin = FindBin(&sea->bins, frequency);
+    if (bin < 0)
+    {
+        return 0.0;
+    }
+    double low = sea->bins.low[bin], high = sea->bins.high[bin];
+    return SumComponents(sea->scene, def, low, high) / (high - low);
+}
+
+static void AddComponentDirections(const SeaMeasurement* sea, const swWaveSystemDef* def, double frequency, int count,
+                                   double* density)
+{
+    int bin = FindBin(&sea->bins, frequency);
+    for (int i = 0; i < def->componentCount && bin >= 0; ++i)
+    {
+        double variance = 0.0, own = FindComponent(sea->scene, def, i, &variance);
+        if (FindBin(&sea->bins, own) == bin)
+        {
+            double turns = (double)def->components[i].direction / (2.0 * SW_PI);
+            int sector = (int)floor((turns - floor(turns)) * count + 0.5) % count;
+            double width = sea->bins.high[bin] - sea->bins.low[bin];
+            density[sector] += variance / width * count / (2.0 * SW_PI);
+        }
+    }
+}
+
+static bool HasComponents(const swScene* scene)
+{
+    int count = 0;
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        count += scene->waves[i].def.componentCount;
+    }
+    return count > 0;
+}
+
+// ---- what to measure ----
+
 // Frequencies that the system makes waves of, Hz.
 static void FindRange(const swScene* scene, const swWaveSystemDef* def, double* low, double* high)
 {
@@ -44,8 +159,12 @@ static void FindRange(const swScene* scene, const swWaveSystemDef* def, double* 
     *high = FindFrequency((double)def->minWavelength, depth, gravity);
 }
 
-static double FindPeakFrequency(const swSceneWaves* waves)
+static double FindPeakFrequency(const swScene* scene, const swSceneWaves* waves)
 {
+    if (waves->def.componentCount > 0)
+    {
+        return FindComponentPeak(scene, &waves->def);
+    }
     swSeaState state;
     if (swSpectrum_GetSeaState(&waves->def.spectrum, 0.0f, 0.0f, &state) != SW_SUCCESS || state.peakPeriod <= 0.0f)
     {
@@ -60,7 +179,7 @@ static bool ChooseBins(SeaMeasurement* sea)
     double first = 1e9, last = 0.0, low = 1e9, high = 0.0;
     for (int i = 0; i < scene->wavesCount; ++i)
     {
-        double peak = FindPeakFrequency(scene->waves + i), systemLow = 0.0, systemHigh = 0.0;
+        double peak = FindPeakFrequency(scene, scene->waves + i), systemLow = 0.0, systemHigh = 0.0;
         FindRange(scene, &scene->waves[i].def, &systemLow, &systemHigh);
         first = peak > 0.0 ? fmin(first, peak) : first;
         last = fmax(last, peak);
@@ -82,6 +201,7 @@ static bool ChooseBins(SeaMeasurement* sea)
     {
         low = fmax(low, 0.4 * first);
         high = fmin(high, 4.0 * last);
+        WidenByComponents(scene, &low, &high);
         UseGrowingBins(low, high, 0.05 * first, 0.03, &sea->bins);
     }
     double period = 1.0 / first, length = FindWavelength(first, (double)INFINITY, (double)scene->world.gravity);
@@ -105,6 +225,7 @@ static swWorld* CreateSea(const swHost* host, const SeaMeasurement* sea, int see
     double last = sea->bins.high[sea->bins.count - 1];
     for (int i = 0; i < scene->wavesCount; ++i)
     {
+        scene->waves[i].isReplay = false; // the record nearest to the scene's time, for as long as it takes
         swWaveSystemDef* def = &scene->waves[i].def;
         def->seed += (uint32_t)seed * 1000u;
         double shortest = FindWavelength(1.02 * last, (double)def->spectrum.depth, (double)scene->world.gravity);
@@ -161,10 +282,23 @@ static void MeasureSeeds(void* context, int begin, int end, int worker)
     }
 }
 
+// Waves that the system leaves out by their length are not asked for.
+static bool IsInRange(const SeaMeasurement* sea, const swWaveSystemDef* def, double frequency)
+{
+    double low = 0.0, high = 0.0;
+    FindRange(sea->scene, def, &low, &high);
+    return frequency >= low && frequency <= high;
+}
+
 // One system's spectrum over the range it was measured in. Variance goes with the square of the weight.
 static bool AskSystem(const SeaMeasurement* sea, const swSceneWaves* waves, bool whole, swSeaState* state)
 {
     double low = sea->bins.low[0], high = sea->bins.high[sea->bins.count - 1];
+    if (waves->def.componentCount > 0)
+    {
+        state->meanSquareSlope = (float)SumComponentSlopes(&waves->def);
+        return true; // AskBins() has the rest
+    }
     if (whole)
     {
         FindRange(sea->scene, &waves->def, &low, &high);
@@ -183,8 +317,18 @@ static bool AskSystem(const SeaMeasurement* sea, const swSceneWaves* waves, bool
 }
 
 // Add one system's density at frequency and 2 pi i / count.
-static void AddDirections(const swWaveSystemDef* def, double frequency, int count, double* density)
+static void AddDirections(const SeaMeasurement* sea, const swWaveSystemDef* def, double frequency, int count,
+                          double* density)
 {
+    if (def->componentCount > 0)
+    {
+        AddComponentDirections(sea, def, frequency, count, density);
+        return;
+    }
+    if (!IsInRange(sea, def, frequency))
+    {
+        return;
+    }
     double energy =
         (double)def->weight * (double)def->weight * (double)swSpectrum_GetDensity(&def->spectrum, (float)frequency);
     swSpectrumDef shape = def->spectrum;
@@ -196,7 +340,7 @@ static void AddDirections(const swWaveSystemDef* def, double frequency, int coun
     }
 }
 
-// Several systems together, from their densities at a few frequencies of each bin.
+// Several systems together, or waves by hand, from their densities at a few frequencies of each bin.
 static void AskBins(const SeaMeasurement* sea, SeaSums* sums)
 {
     enum
@@ -214,7 +358,7 @@ static void AskBins(const SeaMeasurement* sea, SeaSums* sums)
         double f = sea->bins.low[bin] + width * (part % PARTS + 0.5);
         double k = 2.0 * SW_PI / FindWavelength(f, (double)def->spectrum.depth, (double)sea->scene->world.gravity);
         double density[DIRECTIONS] = {0.0};
-        AddDirections(def, f, DIRECTIONS, density);
+        AddDirections(sea, def, f, DIRECTIONS, density);
         for (int j = 0; j < DIRECTIONS; ++j)
         {
             double angle = 2.0 * SW_PI * j / DIRECTIONS, x = k * cos(angle), z = k * sin(angle);
@@ -233,7 +377,7 @@ static bool AskSea(const SeaMeasurement* sea, swSeaState* state)
 {
     const swScene* scene = sea->scene;
     bool isFine = true;
-    if (scene->wavesCount == 1)
+    if (scene->wavesCount == 1 && !HasComponents(scene))
     {
         isFine = AskSystem(sea, scene->waves, false, state);
     }
@@ -265,7 +409,8 @@ static double AskWhitecaps(const swScene* scene)
     for (int i = 0; i < scene->wavesCount; ++i)
     {
         const swSpectrumDef* def = &scene->waves[i].def.spectrum;
-        wind = def->kind == SW_SPECTRUM_TABLE ? wind : fmax(wind, (double)def->windSpeed);
+        bool hasWind = def->kind != SW_SPECTRUM_TABLE && scene->waves[i].def.componentCount == 0;
+        wind = hasWind ? fmax(wind, (double)def->windSpeed) : wind;
     }
     return wind > 0.0 ? fmin(3.84e-6 * pow(wind, 3.41), 1.0) : (double)NAN;
 }
@@ -276,8 +421,15 @@ double AskDensity(const SeaMeasurement* sea, double frequency)
     for (int i = 0; i < sea->scene->wavesCount; ++i)
     {
         const swWaveSystemDef* def = &sea->scene->waves[i].def;
-        sum +=
-            (double)def->weight * (double)def->weight * (double)swSpectrum_GetDensity(&def->spectrum, (float)frequency);
+        double square = (double)def->weight * (double)def->weight;
+        if (def->componentCount > 0)
+        {
+            sum += SpreadOverBin(sea, def, frequency);
+        }
+        else if (IsInRange(sea, def, frequency))
+        {
+            sum += square * (double)swSpectrum_GetDensity(&def->spectrum, (float)frequency);
+        }
     }
     return sum;
 }
@@ -287,7 +439,7 @@ void AskDirections(const SeaMeasurement* sea, double frequency, int count, doubl
     memset(density, 0, (size_t)count * sizeof(double));
     for (int i = 0; i < sea->scene->wavesCount; ++i)
     {
-        AddDirections(&sea->scene->waves[i].def, frequency, count, density);
+        AddDirections(sea, &sea->scene->waves[i].def, frequency, count, density);
     }
 }
 
@@ -298,7 +450,16 @@ double AskVariance(const SeaMeasurement* sea, double low, double high)
     {
         const swWaveSystemDef* def = &sea->scene->waves[i].def;
         swSeaState state;
-        if (swSpectrum_GetSeaState(&def->spectrum, (float)low, (float)high, &state) == SW_SUCCESS)
+        double first = 0.0, last = 0.0;
+        FindRange(sea->scene, def, &first, &last);
+        first = fmax(first, low);
+        last = fmin(last, high);
+        if (def->componentCount > 0)
+        {
+            sum += SumComponents(sea->scene, def, low, high);
+        }
+        else if (first < last &&
+                 swSpectrum_GetSeaState(&def->spectrum, (float)first, (float)last, &state) == SW_SUCCESS)
         {
             double height = (double)def->weight * (double)state.significantHeight;
             sum += height * height / 16.0;

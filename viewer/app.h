@@ -10,16 +10,13 @@
 
 #define FRAME_TIME_COUNT 180
 
-// The sea's clock.
-typedef struct Clock
+// How long frames take.
+typedef struct FrameTimes
 {
-    bool isPaused;
-    bool stepOnce;                      // while paused: one step of 1/60 s
-    float scale;                        // seconds of the sea per second
-    double lastFrame;                   // s of the window's clock
-    float frameTimes[FRAME_TIME_COUNT]; // ms, a ring
-    int frameTimeNext;
-} Clock;
+    double last;                          // when the last frame began, s of the window's clock
+    float milliseconds[FRAME_TIME_COUNT]; // a ring
+    int next;
+} FrameTimes;
 
 typedef struct App
 {
@@ -43,7 +40,9 @@ typedef struct App
     bool wantsReload;
     bool hasSceneFailed; // the last reload; the sea before it is still shown
 
-    Clock clock;
+    swClock clock; // the sea's
+    bool stepOnce; // one step on, also while paused
+    FrameTimes frameTimes;
     Camera camera;
     double waterHeight; // under the camera, m
     float wheel;        // clicks since the last frame

@@ -41,6 +41,14 @@ void PlaceCamera(Camera* camera, const swSceneView* view, double seaLevel)
     camera->lift = 0.0;
 }
 
+void ShiftCamera(Camera* camera, double x, double z)
+{
+    camera->position.x += x;
+    camera->position.z += z;
+    camera->target.x += x;
+    camera->target.z += z;
+}
+
 void ToggleOrbit(Camera* camera, double seaLevel)
 {
     if (camera->mode == CAMERA_ORBIT)

@@ -41,6 +41,9 @@ Camera DefaultCamera(double seaLevel);
 
 void PlaceCamera(Camera* camera, const swSceneView* view, double seaLevel);
 
+// The same place in coordinates whose origin lies elsewhere.
+void ShiftCamera(Camera* camera, double x, double z);
+
 // Switch between flying and orbiting without a jump: the orbit's centre is where the gaze meets the sea.
 void ToggleOrbit(Camera* camera, double seaLevel);
 

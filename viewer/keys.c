@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app.h"
 
+#include <math.h>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -8,11 +10,11 @@
 
 #define RADIANS_PER_PIXEL 0.0025f
 
-static void ScaleTime(App* app, float factor)
+static void ScaleTime(App* app, double factor)
 {
-    float scale = app->clock.scale * factor;
-    app->clock.scale = scale < 1.0f / 16.0f ? 1.0f / 16.0f : scale > 16.0f ? 16.0f : scale;
-    ShowNote(app, "time x %.3g", (double)app->clock.scale);
+    double scale = app->clock.scale * factor;
+    app->clock.scale = fabs(scale) < 1.0 / 16.0 || fabs(scale) > 1000.0 ? app->clock.scale : scale;
+    ShowNote(app, "time x %.3g", app->clock.scale);
 }
 
 static void ToggleFullscreen(App* app)
@@ -59,13 +61,13 @@ static void PressKey(App* app, int key, bool hasShift)
         break;
     case GLFW_KEY_PERIOD:
         app->clock.isPaused = true;
-        app->clock.stepOnce = true;
+        app->stepOnce = true;
         break;
     case GLFW_KEY_LEFT_BRACKET:
-        ScaleTime(app, 0.5f);
+        ScaleTime(app, 0.5);
         break;
     case GLFW_KEY_RIGHT_BRACKET:
-        ScaleTime(app, 2.0f);
+        ScaleTime(app, 2.0);
         break;
     case GLFW_KEY_O:
         ToggleOrbit(&app->camera, swWorld_GetSeaLevel(app->sea.world));

@@ -73,6 +73,9 @@ void ShowUiNote(const char* text);
 // A part of the panel that folds; draw its widgets if it returns true.
 bool BeginUiSection(const char* label, bool isOpen);
 
+// The same inside a section.
+bool BeginUiGroup(const char* label, bool isOpen);
+
 // Widgets between the two may have the same labels as others elsewhere.
 void PushUiScope(int id);
 void PopUiScope(void);
@@ -88,6 +91,7 @@ bool UiCheckbox(const char* label, bool* value);
 bool UiSlider(const char* label, float* value, float low, float high, const char* format);
 bool UiLogSlider(const char* label, float* value, float low, float high, const char* format);
 bool UiSliderInt(const char* label, int* value, int low, int high, const char* format);
+bool UiDoubleSlider(const char* label, double* value, double low, double high, const char* format);
 bool UiColor(const char* label, swVec3* rgb);
 
 // Name of item `index` for lists too long to spell out.
@@ -102,4 +106,7 @@ void UiBar(float fraction, const char* text);
 
 bool BeginUiTable(const char* label, int columnCount, const char* const* titles);
 void UiCell(const char* format, ...) UI_PRINTF(1, 2);
+
+// The next widget fills the next cell; it needs a label of its own, which is not shown if it begins with "##".
+void UiNextCell(void);
 void EndUiTable(void);

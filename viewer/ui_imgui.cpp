@@ -38,7 +38,7 @@ static void SetStyle(float scale)
     style.Colors[ImGuiCol_Header] = ImVec4(0.10f, 0.30f, 0.38f, 0.75f);
     style.Colors[ImGuiCol_HeaderHovered] = ImVec4(0.14f, 0.40f, 0.50f, 0.85f);
     style.Colors[ImGuiCol_HeaderActive] = ImVec4(0.16f, 0.46f, 0.57f, 1.0f);
-    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.13f, 0.19f, 0.22f, 0.80f);
+    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.17f, 0.25f, 0.29f, 0.90f);
     style.Colors[ImGuiCol_FrameBgHovered] = ImVec4(0.17f, 0.30f, 0.36f, 0.80f);
     style.Colors[ImGuiCol_FrameBgActive] = ImVec4(0.19f, 0.37f, 0.44f, 0.90f);
     style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.31f, 0.67f, 0.78f, 1.0f);
@@ -46,6 +46,7 @@ static void SetStyle(float scale)
     style.Colors[ImGuiCol_CheckMark] = ImVec4(0.45f, 0.83f, 0.93f, 1.0f);
     style.Colors[ImGuiCol_Button] = ImVec4(0.12f, 0.33f, 0.41f, 0.80f);
     style.Colors[ImGuiCol_ButtonHovered] = ImVec4(0.16f, 0.46f, 0.57f, 1.0f);
+    style.Colors[ImGuiCol_TableHeaderBg] = ImVec4(0.08f, 0.17f, 0.21f, 1.0f);
     style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.31f, 0.67f, 0.78f, 1.0f);
     style.Colors[ImGuiCol_PlotLines] = ImVec4(0.45f, 0.83f, 0.93f, 1.0f);
     style.ScaleAllSizes(scale);
@@ -180,6 +181,12 @@ bool BeginUiSection(const char* label, bool isOpen)
     return ImGui::CollapsingHeader(label, isOpen ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
 }
 
+bool BeginUiGroup(const char* label, bool isOpen)
+{
+    ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth;
+    return ImGui::TreeNodeEx(label, isOpen ? flags | ImGuiTreeNodeFlags_DefaultOpen : flags);
+}
+
 void PushUiScope(int id)
 {
     ImGui::PushID(id);
@@ -260,6 +267,11 @@ bool UiSliderInt(const char* label, int* value, int low, int high, const char* f
     return ImGui::SliderInt(label, value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
 }
 
+bool UiDoubleSlider(const char* label, double* value, double low, double high, const char* format)
+{
+    return ImGui::SliderScalar(label, ImGuiDataType_Double, value, &low, &high, format, ImGuiSliderFlags_AlwaysClamp);
+}
+
 bool UiColor(const char* label, swVec3* rgb)
 {
     return ImGui::ColorEdit3(label, &rgb->x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
@@ -321,6 +333,12 @@ void UiCell(const char* format, ...)
     va_start(arguments, format);
     ImGui::TextV(format, arguments);
     va_end(arguments);
+}
+
+void UiNextCell(void)
+{
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1.0f);
 }
 
 void EndUiTable(void)

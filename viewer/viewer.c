@@ -3,6 +3,7 @@
 
 #include "viewer.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,9 +19,9 @@
 #include "screenshot.h"
 
 #define TEST_STEP (1.0 / 30.0) // s of the sea per frame when frames are counted
-#define PAUSED_STEP (1.0 / 60.0)
-#define LONGEST_STEP 0.1   // a frame that took longer slows the sea instead of making it jump
-#define STAMP_INTERVAL 0.5 // s between looks at the scene file
+#define LONGEST_STEP 0.1       // a frame that took longer slows the sea instead of making it jump
+#define NEAR_ORIGIN 4096.0     // m from the host's origin that the camera may be
+#define STAMP_INTERVAL 0.5     // s between looks at the scene file
 #define MAX_WORKERS 15
 
 ViewerOptions DefaultViewerOptions(void)
@@ -44,6 +45,8 @@ static void PlaceInView(App* app, const swSceneView* view)
     app->sea.sky.sunAzimuth = sky.sunAzimuth;
     app->sea.sky.sunElevation = sky.sunElevation;
     PlaceCamera(&app->camera, view, swWorld_GetSeaLevel(app->sea.world));
+    swPosXZ origin = swWorld_GetOrigin(app->sea.world); // views are places in the sea
+    ShiftCamera(&app->camera, -origin.x, -origin.z);
     app->jumpExposure = true;
 }
 
@@ -160,6 +163,7 @@ static bool OpenFirstSea(App* app)
     {
         return false;
     }
+    app->clock.time = app->sea.scene ? app->sea.scene->time : 0.0;
     app->camera = DefaultCamera(swWorld_GetSeaLevel(app->sea.world));
     const swSceneView* view = app->sea.scene ? swScene_FindView(app->sea.scene, app->options.viewName) : NULL;
     if (view != NULL)
@@ -187,7 +191,9 @@ static void ReloadSea(App* app)
         ShowNote(app, "the scene has an error; see the panel");
         return;
     }
-    swWorld_SetTime(fresh.world, swWorld_GetTime(app->sea.world));
+    fresh.transition = app->sea.transition;
+    swWorld_SetTime(fresh.world, app->clock.time);
+    swWorld_SetOrigin(fresh.world, swWorld_GetOrigin(app->sea.world));
     app->graphics.vk.DeviceWaitIdle(app->graphics.device);
     CloseSea(&app->sea);
     app->sea = fresh;
@@ -211,20 +217,19 @@ static void FollowSceneFile(App* app)
     }
 }
 
-static void RecordFrameTime(Clock* clock, double seconds)
+static void RecordFrameTime(FrameTimes* times, double seconds)
 {
-    clock->frameTimes[clock->frameTimeNext] = (float)(seconds * 1e3);
-    clock->frameTimeNext = (clock->frameTimeNext + 1) % FRAME_TIME_COUNT;
+    times->milliseconds[times->next] = (float)(seconds * 1e3);
+    times->next = (times->next + 1) % FRAME_TIME_COUNT;
 }
 
 // Seconds since the last frame, as the camera moves by them.
-static double AdvanceClock(App* app)
+static double TakeFrameTime(App* app)
 {
-    Clock* clock = &app->clock;
     double now = glfwGetTime();
-    double passed = now - clock->lastFrame;
-    clock->lastFrame = now;
-    RecordFrameTime(clock, passed);
+    double passed = now - app->frameTimes.last;
+    app->frameTimes.last = now;
+    RecordFrameTime(&app->frameTimes, passed);
     if (app->options.frameCount > 0)
     {
         return TEST_STEP;
@@ -232,19 +237,36 @@ static double AdvanceClock(App* app)
     return passed < LONGEST_STEP ? passed : LONGEST_STEP;
 }
 
-static double GetSeaStep(Clock* clock, double passed)
+static double AdvanceTime(App* app, double passed)
 {
-    double step = clock->isPaused ? (clock->stepOnce ? PAUSED_STEP : 0.0) : passed * (double)clock->scale;
-    clock->stepOnce = false;
-    return step;
+    bool stepOnce = app->stepOnce;
+    app->stepOnce = false;
+    return stepOnce ? swClock_StepOnce(&app->clock) : swClock_Advance(&app->clock, passed);
+}
+
+// Coordinates move along with the camera, as those of a game do: none is ever far from 0, and the sea does not notice.
+static void KeepOriginNear(App* app)
+{
+    Camera* camera = &app->camera;
+    if (fabs(camera->position.x) < NEAR_ORIGIN && fabs(camera->position.z) < NEAR_ORIGIN)
+    {
+        return;
+    }
+    swPosXZ origin = swWorld_GetOrigin(app->sea.world);
+    double x = floor(camera->position.x), z = floor(camera->position.z);
+    swWorld_SetOrigin(app->sea.world, (swPosXZ){origin.x + x, origin.z + z});
+    ShiftCamera(camera, -x, -z);
 }
 
 static bool StepSea(App* app, double passed)
 {
     CameraInput input = ReadCameraInput(app);
     MoveCamera(&app->camera, &input, passed, swWorld_GetSeaLevel(app->sea.world));
+    KeepOriginNear(app);
     swView_SetViewpoint(app->sea.view, GetCameraEye(&app->camera));
-    if (swWorld_Step(app->sea.world, GetSeaStep(&app->clock, passed)) != SW_SUCCESS)
+    ApplyChanges(&app->sea, app->clock.isPaused);
+    double time = AdvanceTime(app, passed);
+    if (!AdvanceSea(&app->sea, time) || swWorld_StepTo(app->sea.world, time) != SW_SUCCESS)
     {
         return false;
     }
@@ -322,7 +344,7 @@ static PictureDef DescribePicture(App* app, double passed)
 // One frame into the image that was acquired.
 static bool MakeFrame(App* app, FrameInFlight* frame)
 {
-    double passed = AdvanceClock(app);
+    double passed = TakeFrameTime(app);
     BuildPanel(app);
     if (!StepSea(app, passed))
     {
@@ -392,14 +414,14 @@ static bool RunFrames(App* app)
 static bool OpenApp(App* app)
 {
     OpenHost(app);
-    app->clock.scale = 1.0f;
+    app->clock = swDefaultClock();
     app->showPanel = !app->options.hidePanel;
     app->jumpExposure = true;
     if (!OpenWindow(app) || !OpenDevice(app) || !OpenPanel(app) || !OpenFirstSea(app))
     {
         return false;
     }
-    app->clock.lastFrame = glfwGetTime();
+    app->frameTimes.last = glfwGetTime();
     return true;
 }
 

@@ -23,14 +23,18 @@ typedef struct swSceneView
     float sunElevation; ///< radians
 } swSceneView;
 
-/// One wave system of a scene; measured ones own their data.
+/// One wave system of a scene; it owns what was measured or given by hand.
 typedef struct swSceneWaves
 {
     swWaveSystemDef def;
+    swWaveComponent* components; ///< waves given by hand, def.components points here; NULL if there are none
+    int componentCount;
     swMeasuredSea* measured; ///< NULL for formulas
-    int record;              ///< which record of it
+    int record;              ///< which record of it; of a replay the nearest at the scene's time
     swSpectrumTable table;   ///< that record's; def.spectrum.table points here
-    char file[512];          ///< the spectrum file, or empty
+    char file[512];          ///< the spectrum file, the first of several, or empty
+    bool isReplay;           ///< the records play one after another
+    swSeaReplayDef replay;   ///< how, if they do; but its waves are `def`
 } swSceneWaves;
 
 /// A scene file, read. Its wave systems point into it: do not copy it.
@@ -67,8 +71,30 @@ SW_API const swSceneView* swScene_FindView(const swScene* scene, const char* nam
 /// The scene's sky as a view sees it: with the view's own sun if it has one. NULL view: the scene's.
 SW_API swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view);
 
-/// Create a world with the scene's wave systems at the scene's time.
-/// @return what swCreateWorld(), swCreateWaveSystem() and swWorld_Step() return
+/// The wave systems of a scene in a world, in the scene's order, and what drives those that are replayed.
+typedef struct swSceneSea
+{
+    int systemCount;
+    swWaveSystemId systems[SW_MAX_WAVE_SYSTEMS];
+    swSeaReplay* replays[SW_MAX_WAVE_SYSTEMS]; ///< NULL where nothing is replayed
+} swSceneSea;
+
+/// Add the scene's wave systems to a world; replays begin at the world's present time. The scene has to outlive the sea.
+/// @return what swCreateWaveSystem() and swCreateSeaReplay() return; the world is then as it was
+SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea);
+
+/// Set replayed systems to a time; call it before each step to that time. Does nothing for a scene without replays.
+/// @return as swSeaReplay_Advance()
+SW_API swResult swSceneSea_Advance(swSceneSea* sea, double time);
+
+/// Stop the replays, while the world is still there. The wave systems stay as they are.
+SW_API void swDestroySceneSea(swSceneSea* sea);
+
+/// Create a world with the scene's wave systems and step it to the scene's time.
+/// @return what swCreateWorld(), swCreateSceneSea() and swWorld_Step() return
+SW_API swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** world, swSceneSea* sea);
+
+/// The same without what drives replays: they stand still at the scene's time.
 SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
 
 /// Read a measured sea: any text that swParseMeasuredSea() reads; an NDBC energy file, the direction files beside it being
@@ -76,3 +102,6 @@ SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swW
 /// by the contents, plain or gzip (netCDF: plain).
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_NO_MEMORY
 SW_API swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea);
+
+/// Index of a place by its name or, if none has it, by its number from 1 on; -1 if there is none.
+SW_API int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text);

@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "core/base/host.h"
+#include "scene/scene_components.h"
 #include "scene/scene_file.h"
+#include "scene/scene_measured.h"
 #include "scene/scene_octaves.h"
 #include "scene/yaml_read.h"
 #include "seaway/scene.h"
@@ -175,18 +177,19 @@ static swResult readWater(swYaml* yaml, yaml_node_t* node, void* target)
 
 // ---- wave systems ----
 
-// In the order of swSpectrumKind, then what the one-knob functions make. The last two are not words of `spectrum` but
+// In the order of swSpectrumKind, then what the one-knob functions make. The last three are not words of `spectrum` but
 // keys of their own.
 static const char* const spectrumWords[] = {
     "jonswap", "pierson_moskowitz", "tma", "elfouhaily", "phillips", "octaves", "file", "wind_sea", "swell", NULL};
-static const char* const knobWords[] = {"beaufort", "sea_state"};
+static const char* const knobWords[] = {"beaufort", "sea_state", "components"};
 
 enum
 {
     WIND_SEA_KIND = SW_SPECTRUM_KIND_COUNT,
     SWELL_KIND,
     BEAUFORT_KIND,
-    SEA_STATE_KIND
+    SEA_STATE_KIND,
+    COMPONENTS_KIND
 };
 
 // In the order of swSpreadingKind.
@@ -202,8 +205,7 @@ typedef struct WavesText
     float spread;
     int spreading;
     swOctavesText octaves;
-    char file[512];
-    char at[32];
+    swMeasuredText measured;
     swWaveSystemDef def;
 } WavesText;
 
@@ -218,8 +220,12 @@ enum
     KIND,
     BEAUFORT,
     SEA_STATE,
+    COMPONENTS,
     FILE_NAME,
+    FILE_LIST,
+    PLACE,
     AT,
+    REPLAY,
     WIND_SPEED,
     FETCH,
     DURATION,
@@ -263,10 +269,30 @@ static swResult readOctavesKey(swYaml* yaml, yaml_node_t* node, void* target)
     return swReadOctaves(yaml, node, &((WavesText*)target)->octaves);
 }
 
+static swResult readComponentsKey(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    return swReadComponents(yaml, node, ((WavesText*)target)->waves);
+}
+
+static swResult readReplayKey(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    return swReadReplay(yaml, node, &((WavesText*)target)->measured);
+}
+
+// Read later, when the other keys are known.
+static swResult keepNode(swYaml* yaml, yaml_node_t* node, void* target)
+{
+    (void)yaml;
+    (void)node;
+    (void)target;
+    return SW_SUCCESS;
+}
+
 static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [KIND] = {.key = "spectrum", .type = SW_YAML_CHOICE, .offset = offsetof(WavesText, kind), .words = spectrumWords},
     [BEAUFORT] = {.key = "beaufort", .type = SW_YAML_FLOAT, .offset = TEXT(beaufort), .low = 0.0, .high = 12.0},
     [SEA_STATE] = {.key = "sea_state", .type = SW_YAML_FLOAT, .offset = TEXT(seaState), .low = 0.0, .high = 9.0},
+    [COMPONENTS] = {.key = "components", .type = SW_YAML_CUSTOM, .read = readComponentsKey},
     [DURATION] =
         {.key = "duration_h", .type = SW_YAML_FLOAT, .offset = TEXT(durationHours), .low = 0.1, .high = 1000.0},
     [SPREADING] = {.key = "spreading", .type = SW_YAML_CHOICE, .offset = TEXT(spreading), .words = spreadingWords},
@@ -284,8 +310,11 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [GRAVITY_SCALE] =
         {.key = "gravity_scale", .type = SW_YAML_FLOAT, .offset = TEXT(octaves.gravityScale), .low = 0.0, .high = 25.0},
     [LIMIT_BY_WIND] = {.key = "limit_by_wind", .type = SW_YAML_BOOL, .offset = TEXT(octaves.limitByWind)},
-    [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, file), .size = 512},
-    [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = offsetof(WavesText, at), .size = 32},
+    [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = TEXT(measured.file), .size = 512},
+    [FILE_LIST] = {.key = "files", .type = SW_YAML_CUSTOM, .read = keepNode},
+    [PLACE] = {.key = "location", .type = SW_YAML_TEXT, .offset = TEXT(measured.location), .size = 64},
+    [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = TEXT(measured.at), .size = 32},
+    [REPLAY] = {.key = "replay", .type = SW_YAML_CUSTOM, .read = readReplayKey},
     [WIND_SPEED] =
         {.key = "wind_speed_mps", .type = SW_YAML_FLOAT, .offset = SPECTRUM(windSpeed), .low = 0.1, .high = 100.0},
     [FETCH] = {.key = "fetch_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(fetch), .low = 1e3, .high = 1e7},
@@ -341,10 +370,10 @@ static const char* getKindWord(int kind)
     return kind >= BEAUFORT_KIND ? knobWords[kind - BEAUFORT_KIND] : spectrumWords[kind];
 }
 
-// `spectrum`, `beaufort` or `sea_state`: one of them, which is the kind.
+// `spectrum`, `beaufort`, `sea_state` or `components`: one of them, which is the kind.
 static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
 {
-    static const int fields[] = {KIND, BEAUFORT, SEA_STATE};
+    static const int fields[] = {KIND, BEAUFORT, SEA_STATE, COMPONENTS};
     const yaml_node_t* second = NULL;
     int count = 0;
     for (int i = 0; i < COUNT(fields); ++i)
@@ -354,17 +383,20 @@ static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, con
     }
     if (count == 0)
     {
-        return swFailYaml(yaml, node,
-                          "the key spectrum is missing; it is jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
-                          "octaves, file, wind_sea or swell. Or give a number of beaufort or sea_state.");
+        return swFailYaml(
+            yaml, node,
+            "the key spectrum is missing; it is jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
+            "octaves, file, wind_sea or swell. Or give a number of beaufort or sea_state, or a list of components.");
     }
     if (count > 1)
     {
-        return swFailYaml(yaml, second, "spectrum, beaufort and sea_state each make the waves; keep one of them.");
+        return swFailYaml(yaml, second,
+                          "spectrum, beaufort, sea_state and components each make the waves; keep one of them.");
     }
-    text->kind = nodes->nodes[BEAUFORT] != NULL    ? BEAUFORT_KIND
-                 : nodes->nodes[SEA_STATE] != NULL ? SEA_STATE_KIND
-                                                   : text->kind;
+    text->kind = nodes->nodes[BEAUFORT] != NULL     ? BEAUFORT_KIND
+                 : nodes->nodes[SEA_STATE] != NULL  ? SEA_STATE_KIND
+                 : nodes->nodes[COMPONENTS] != NULL ? COMPONENTS_KIND
+                                                    : text->kind;
     return SW_SUCCESS;
 }
 
@@ -376,9 +408,42 @@ static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, con
 #define WIND_SEAS (ONE(WIND_SEA_KIND) | NUMBERS)
 #define GROWING (ONE(SW_SPECTRUM_JONSWAP) | ONE(SW_SPECTRUM_TMA))
 #define EQUALISERS ONE(SW_SPECTRUM_OCTAVES)
+#define SPECTRA (~ONE(COMPONENTS_KIND))
+
+// The same of keys that only one method knows. Waves given by hand have a method of their own.
+static swResult checkMethodKeys(swYaml* yaml, WavesText* text, const swYamlNodes* nodes)
+{
+    static const struct
+    {
+        int field;
+        swWaveMethod method;
+    } rules[] = {
+        {RESOLUTION, SW_WAVES_FFT},
+        {TILE_WAVES, SW_WAVES_FFT},
+        {COMPONENTS_PER_OCTAVE, SW_WAVES_GERSTNER},
+        {REVERSE_WEIGHT, SW_WAVES_GERSTNER},
+        {DIRECTION_VARIANCE, SW_WAVES_GERSTNER},
+    };
+    if (text->kind == COMPONENTS_KIND && nodes->nodes[METHOD] != NULL && text->def.method != SW_WAVES_GERSTNER)
+    {
+        return swFailYaml(yaml, nodes->nodes[METHOD], "components are made with 'method: gerstner' only; remove this.");
+    }
+    text->def.method = text->kind == COMPONENTS_KIND ? SW_WAVES_GERSTNER : text->def.method;
+    for (int i = 0; i < COUNT(rules); ++i)
+    {
+        const yaml_node_t* node = nodes->nodes[rules[i].field];
+        if (node != NULL && rules[i].method != text->def.method)
+        {
+            return swFailYaml(yaml, node, "%s has an effect with 'method: %s' only; %s.",
+                              wavesFields[rules[i].field].key, methodWords[rules[i].method],
+                              rules[i].method == SW_WAVES_GERSTNER ? "add that or remove it" : "remove it");
+        }
+    }
+    return SW_SUCCESS;
+}
 
 // Keys that do not go with a kind of spectrum would have no effect: refused, so that nobody turns a dead knob.
-static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes* nodes)
+static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* nodes)
 {
     static const struct
     {
@@ -386,6 +451,9 @@ static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes
         unsigned kinds;
     } rules[] = {
         {FILE_NAME, FILES},
+        {FILE_LIST, FILES},
+        {PLACE, FILES},
+        {REPLAY, FILES},
         {AT, FILES},
         {TURN, FILES},
         {EXTEND_TAIL, FILES},
@@ -406,26 +474,28 @@ static swResult checkKeys(swYaml* yaml, const WavesText* text, const swYamlNodes
         {MULTIPLIER, EQUALISERS},
         {GRAVITY_SCALE, EQUALISERS},
         {LIMIT_BY_WIND, EQUALISERS},
+        {MIN_WAVELENGTH, SPECTRA},
+        {MAX_WAVELENGTH, SPECTRA},
+        {SEED, SPECTRA},
+        {COMPONENTS_PER_OCTAVE, SPECTRA},
+        {REVERSE_WEIGHT, SPECTRA},
+        {DIRECTION_VARIANCE, SPECTRA},
     };
     for (int i = 0; i < COUNT(rules); ++i)
     {
         const yaml_node_t* node = nodes->nodes[rules[i].field];
         if (node != NULL && (rules[i].kinds & ONE(text->kind)) == 0)
         {
-            return swFailYaml(yaml, node, "%s has no effect on the spectrum '%s'; remove it%s.",
-                              wavesFields[rules[i].field].key, getKindWord(text->kind),
-                              rules[i].field == DIRECTION ? ", or turn the measured sea with turn_deg" : "");
+            bool isTurned = rules[i].field == DIRECTION && text->kind == SW_SPECTRUM_TABLE;
+            return swFailYaml(yaml, node, "%s has no effect on %s'%s'; remove it%s.", wavesFields[rules[i].field].key,
+                              text->kind == COMPONENTS_KIND ? "" : "the spectrum ", getKindWord(text->kind),
+                              isTurned ? ", or turn the measured sea with turn_deg" : "");
         }
     }
-    static const int gerstnerFields[] = {COMPONENTS_PER_OCTAVE, REVERSE_WEIGHT, DIRECTION_VARIANCE};
-    for (int i = 0; i < COUNT(gerstnerFields) && text->def.method != SW_WAVES_GERSTNER; ++i)
+    swResult result = checkMethodKeys(yaml, text, nodes);
+    if (result != SW_SUCCESS)
     {
-        const yaml_node_t* node = nodes->nodes[gerstnerFields[i]];
-        if (node != NULL)
-        {
-            return swFailYaml(yaml, node, "%s has an effect with 'method: gerstner' only; add that or remove it.",
-                              wavesFields[gerstnerFields[i]].key);
-        }
+        return result;
     }
     // Wind seas by one knob have a spreading of their own.
     bool isCosine = nodes->nodes[SPREADING] != NULL ? text->spreading == SW_SPREADING_COSINE_2S
@@ -469,7 +539,7 @@ static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, 
         spectrum->kind = (swSpectrumKind)text->kind;
         spectrum->spreading = (swSpreadingKind)text->spreading;
     }
-    else
+    else if (text->kind != COMPONENTS_KIND)
     {
         swSpectrumDef made = makeKnobSpectrum(text, nodes);
         made.spreading = nodes->nodes[SPREADING] != NULL ? (swSpreadingKind)text->spreading : made.spreading;
@@ -520,53 +590,18 @@ static swResult checkSystem(swYaml* yaml, yaml_node_t* node, const swWaveSystemD
     return SW_SUCCESS;
 }
 
-static void joinPath(char* path, size_t size, const char* folder, const char* file)
+static swResult readMeasured(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
 {
-    bool isAlone = file[0] == '/' || folder == NULL || folder[0] == '\0';
-    snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file);
-}
-
-static swResult readFileSpectrum(swYaml* yaml, yaml_node_t* node, const WavesText* text, const swYamlNodes* nodes)
-{
-    swSceneWaves* waves = text->waves;
-    if (nodes->nodes[FILE_NAME] == NULL)
-    {
-        return swFailYaml(yaml, node,
-                          "a spectrum 'file' needs the key file with the name of an NDBC energy file or summary.");
-    }
-    char path[1024];
-    joinPath(path, sizeof(path), ((Reader*)yaml->context)->folder, text->file);
-    swResult result = swReadMeasuredSea(yaml->host, path, &waves->measured);
-    if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
-    {
-        swFailYaml(yaml, nodes->nodes[FILE_NAME], "the spectrum file %s cannot be used.", path);
-    }
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    memcpy(waves->file, text->file, sizeof(waves->file));
-    waves->record = swMeasuredSea_FindLargest(waves->measured);
-    if (nodes->nodes[AT] != NULL)
-    {
-        waves->record = swMeasuredSea_FindTime(waves->measured, text->at);
-        if (waves->record < 0)
-        {
-            return swFailYaml(yaml, nodes->nodes[AT], "at is '%s'; it must be a time such as 2022-05-10 10:50.",
-                              text->at);
-        }
-    }
-    waves->table = swMeasuredSea_GetRecord(waves->measured, waves->record).table;
-    waves->def.spectrum.table = &waves->table;
-    swSeaState seaState;
-    if (swSpectrum_GetSeaState(&waves->def.spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
-    {
-        char time[20];
-        memcpy(time, swMeasuredSea_GetRecord(waves->measured, waves->record).time, sizeof(time));
-        return swFailYaml(yaml, nodes->nodes[FILE_NAME],
-                          "the record of %s in %s has no energy; choose another with at.", time, path);
-    }
-    return SW_SUCCESS;
+    swMeasuredText* measured = &text->measured;
+    measured->system = node;
+    measured->fileNode = nodes->nodes[FILE_NAME];
+    measured->listNode = nodes->nodes[FILE_LIST];
+    measured->locationNode = nodes->nodes[PLACE];
+    measured->atNode = nodes->nodes[AT];
+    measured->replayNode = nodes->nodes[REPLAY];
+    measured->methodNode = nodes->nodes[METHOD];
+    measured->folder = ((Reader*)yaml->context)->folder;
+    return swReadSceneMeasured(yaml, measured, text->waves);
 }
 
 static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
@@ -589,7 +624,9 @@ static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
         return result;
     }
     waves->def = text.def;
-    return text.kind == SW_SPECTRUM_TABLE ? readFileSpectrum(yaml, node, &text, &nodes) : SW_SUCCESS;
+    waves->def.components = waves->components;
+    waves->def.componentCount = waves->componentCount;
+    return text.kind == SW_SPECTRUM_TABLE ? readMeasured(yaml, node, &text, &nodes) : SW_SUCCESS;
 }
 
 static swResult readWaves(swYaml* yaml, yaml_node_t* node, void* target)
@@ -740,6 +777,10 @@ static swResult readRoot(const swHost* host, const char* text, size_t size, cons
     {
         result = swReadYamlMapping(&yaml, root, "a scene", sceneFields, COUNT(sceneFields), getScene(&yaml), NULL);
     }
+    if (result == SW_SUCCESS)
+    {
+        swChooseReplayRecords(reader->scene);
+    }
     swCloseYaml(&yaml);
     return result;
 }
@@ -803,6 +844,7 @@ void swDestroyScene(swScene* scene)
         for (int i = 0; i < scene->wavesCount; ++i)
         {
             swDestroyMeasuredSea(scene->waves[i].measured);
+            swFreeComponents(&host, &scene->waves[i]);
         }
         swFree(&host, scene, sizeof(*scene));
     }

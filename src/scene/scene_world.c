@@ -29,30 +29,93 @@ swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view)
     return sky;
 }
 
-swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world)
+static swResult createSystem(swWorld* world, const swSceneWaves* waves, swSceneSea* sea)
 {
-    *world = NULL;
-    swWorld* made = NULL;
-    swResult result = swCreateWorld(host, &scene->world, &made);
-    for (int i = 0; i < scene->wavesCount && result == SW_SUCCESS; ++i)
+    int index = sea->systemCount;
+    if (!waves->isReplay)
     {
-        swWaveSystemId id;
-        result = swCreateWaveSystem(made, &scene->waves[i].def, &id);
-        if (result != SW_SUCCESS)
-        {
-            swLog(host, SW_LOG_ERROR, "Wave system %d of the scene '%s' could not be created.", i + 1, scene->name);
-        }
+        return swCreateWaveSystem(world, &waves->def, &sea->systems[index]);
     }
+    swSeaReplayDef def = waves->replay;
+    def.waves = waves->def;
+    swResult result = swCreateSeaReplay(world, &def, &sea->replays[index]);
     if (result == SW_SUCCESS)
     {
-        swWorld_SetTime(made, scene->time);
-        result = swWorld_Step(made, 0.0);
+        sea->systems[index] = swSeaReplay_GetSystem(sea->replays[index]);
     }
+    return result;
+}
+
+swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
+{
+    memset(sea, 0, sizeof(*sea));
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        swResult result = createSystem(world, &scene->waves[i], sea);
+        if (result != SW_SUCCESS)
+        {
+            swLog(&scene->host, SW_LOG_ERROR, "Wave system %d of the scene '%s' could not be created.", i + 1,
+                  scene->name);
+            int count = sea->systemCount;
+            swDestroySceneSea(sea);
+            for (int j = 0; j < count; ++j)
+            {
+                swDestroyWaveSystem(world, sea->systems[j]);
+            }
+            return result;
+        }
+        sea->systemCount += 1;
+    }
+    return SW_SUCCESS;
+}
+
+swResult swSceneSea_Advance(swSceneSea* sea, double time)
+{
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < sea->systemCount && result == SW_SUCCESS; ++i)
+    {
+        result = sea->replays[i] != NULL ? swSeaReplay_Advance(sea->replays[i], time) : SW_SUCCESS;
+    }
+    return result;
+}
+
+void swDestroySceneSea(swSceneSea* sea)
+{
+    for (int i = 0; i < sea->systemCount; ++i)
+    {
+        swDestroySeaReplay(sea->replays[i]);
+        sea->replays[i] = NULL;
+    }
+    sea->systemCount = 0;
+}
+
+swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** world, swSceneSea* sea)
+{
+    *world = NULL;
+    memset(sea, 0, sizeof(*sea));
+    swWorld* made = NULL;
+    swResult result = swCreateWorld(host, &scene->world, &made);
     if (result != SW_SUCCESS)
     {
+        return result;
+    }
+    swWorld_SetTime(made, scene->time);
+    result = swCreateSceneSea(made, scene, sea);
+    result = result == SW_SUCCESS ? swWorld_Step(made, 0.0) : result;
+    if (result != SW_SUCCESS)
+    {
+        swDestroySceneSea(sea);
         swDestroyWorld(made);
         return result;
     }
     *world = made;
     return SW_SUCCESS;
+}
+
+swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world)
+{
+    swSceneSea sea;
+    swResult result = swOpenScene(host, scene, world, &sea);
+    swDestroySceneSea(&sea);
+    return result;
 }

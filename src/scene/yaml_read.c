@@ -151,7 +151,7 @@ static swResult readTriple(swYaml* yaml, yaml_node_t* node, const swYamlField* f
     return result;
 }
 
-static swResult readText(swYaml* yaml, yaml_node_t* node, const swYamlField* field, char* target)
+swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const swYamlField* field, char* target)
 {
     int size = 0;
     const char* text = getScalar(node, &size);
@@ -222,7 +222,7 @@ static swResult readValue(swYaml* yaml, yaml_node_t* node, const swYamlField* fi
     switch (field->type)
     {
     case SW_YAML_TEXT:
-        return readText(yaml, node, field, member);
+        return swReadYamlText(yaml, node, field, member);
     case SW_YAML_BOOL:
         return readBool(yaml, node, field, (bool*)(void*)member);
     case SW_YAML_CHOICE:

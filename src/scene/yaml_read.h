@@ -66,5 +66,8 @@ swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, co
 swResult swReadYamlList(swYaml* yaml, yaml_node_t* node, const char* what, int limit, int* count);
 yaml_node_t* swGetYamlItem(swYaml* yaml, yaml_node_t* node, int index);
 
+// A text of at most field->size bytes, its zero included.
+swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const swYamlField* field, char* target);
+
 // Log "file:line: sentence" and return SW_ERROR_FORMAT.
 swResult swFailYaml(const swYaml* yaml, const yaml_node_t* node, const char* format, ...) SW_PRINTF(3, 4);

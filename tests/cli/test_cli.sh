@@ -234,6 +234,11 @@ test_stats() {
     grep -q 'measured on the surface' stats.svg || fail "the plot does not say what was measured"
     run 1 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --plot nosuch/plot.svg
     err 'its folder does not exist'
+    # Waves by hand ask for their own variance: 4 sqrt(0.4^2 / 2) m, not that of a wind.
+    printf 'waves:\n  - components: [{wavelength_m: 60, amplitude_m: 0.4, direction_from_deg: 270}]\n' >hand.yaml
+    run 0 stats hand.yaml --seeds 1 --duration 60
+    out '^Hs  *1\.131  *1\.13'
+    out '^from, mean  *270\.0'
     run 1 stats nosuch.yaml
     err 'nosuch.yaml'
 }

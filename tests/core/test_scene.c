@@ -15,6 +15,8 @@
 
 #define SCENES SW_SOURCE_DIR "/scenes"
 
+#define ONE_WAVE "\n      - {wavelength_m: 50, amplitude_m: 0.5, direction_from_deg: 270}\n"
+
 static char s_messages[4096];
 
 static void KeepMessages(void* context, swLogLevel level, const char* message)
@@ -181,7 +183,8 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
          "a.yaml:2: spectrum is 'tsunami'; it must be one of: jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
          "octaves, file, wind_sea, swell."},
         {"waves:\n  - seed: 1\n", "a.yaml:2: the key spectrum is missing"},
-        {"waves:\n  - spectrum: tma\n    beaufort: 5\n", "a.yaml:3: spectrum, beaufort and sea_state each make"},
+        {"waves:\n  - spectrum: tma\n    beaufort: 5\n",
+         "a.yaml:3: spectrum, beaufort, sea_state and components each make"},
         {"waves:\n  - beaufort: 13\n", "a.yaml:2: beaufort is 13; its range is 0 to 12."},
         {"waves:\n  - sea_state: 3\n    wind_speed_mps: 4\n",
          "a.yaml:3: wind_speed_mps has no effect on the spectrum 'sea_state'"},
@@ -213,6 +216,55 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"waves:\n  - spectrum: file\n    file: open_sea.yaml\n", "open_sea.yaml:1: no format"},
         {"waves:\n  - spectrum: file\n    file: data/harbour_storm.data_spec\n    at: noon\n",
          "a.yaml:4: at is 'noon'"},
+        {"waves:\n  - spectrum: jonswap\n    method: fourier\n",
+         "a.yaml:3: method is 'fourier'; it must be one of: fft, gerstner."},
+        {"waves:\n  - spectrum: jonswap\n    reverse_weight: 0.5\n",
+         "a.yaml:3: reverse_weight has an effect with 'method: gerstner' only; add that or remove it."},
+        {"waves:\n  - spectrum: jonswap\n    method: fft\n    components_per_octave: 4\n",
+         "a.yaml:4: components_per_octave has an effect with 'method: gerstner' only"},
+        {"waves:\n  - beaufort: 3\n    direction_variance_deg: 4\n", "a.yaml:3: direction_variance_deg has an effect"},
+        {"waves:\n  - beaufort: 3\n    method: gerstner\n    resolution: 64\n",
+         "a.yaml:4: resolution has an effect with 'method: fft' only; remove it."},
+        {"waves:\n  - beaufort: 3\n    method: gerstner\n    components_per_octave: 33\n",
+         "a.yaml:4: components_per_octave is 33; its range is 1 to 32."},
+        {"waves:\n  - beaufort: 3\n    method: gerstner\n    reverse_weight: -1\n", "its range is 0 to 1."},
+        {"waves:\n  - beaufort: 3\n    method: gerstner\n    direction_variance_deg: 181\n", "its range is 0 to 180."},
+        {"waves:\n  - spectrum: file\n    file: a\n    files: [b]\n", "a.yaml:4: file and files both name"},
+        {"waves:\n  - spectrum: file\n    files: []\n", "a.yaml:3: files is empty"},
+        {"waves:\n  - spectrum: file\n    files:\n      - data/harbour_storm.spec\n      - none.spec\n",
+         "a.yaml:5: the spectrum file " SCENES "/none.spec cannot be used."},
+        {"waves:\n  - spectrum: file\n    files:\n      - [a]\n", "a.yaml:4: files must be a text."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    location: Nowhere\n",
+         "a.yaml:4: location is 'Nowhere'; it must be the name or number of a place of the file, which has: 1."},
+        {"waves:\n  - spectrum: jonswap\n    location: 1\n", "a.yaml:3: location has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    replay: {speed: 2}\n", "a.yaml:3: replay has no effect"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: 3\n",
+         "a.yaml:4: replay must hold"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {sped: 3}\n",
+         "a.yaml:4: 'sped' is no key of replay; it has: from, time_s, speed."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {from: dawn}\n",
+         "a.yaml:4: from is 'dawn'; it must be a time"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {}\n    at: 2024-11-16 05:50\n",
+         "a.yaml:5: at chooses one record, but all are replayed; say replay: {from: 2024-11-16 05:50}."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {}\n    method: gerstner\n",
+         "a.yaml:5: a replay needs 'method: fft'"},
+        {"waves:\n  - components: []\n", "a.yaml:2: components is empty; give it a wave"},
+        {"waves:\n  - components: {wavelength_m: 4}\n", "a.yaml:2: components must be a list"},
+        {"waves:\n  - components:\n      - {wavelength_m: 4, amplitude_m: 0.1}\n",
+         "a.yaml:3: the component has no direction_from_deg; it needs"},
+        {"waves:\n  - components:\n      - {amplitude_m: 0.1}\n", "a.yaml:3: the component has no wavelength_m"},
+        {"waves:\n  - components:\n      - {wavelength_m: 5e3}\n",
+         "a.yaml:3: wavelength_m is 5000; its range is 0.0625 to 4096."},
+        {"waves:\n  - components:\n      - {length_m: 50}\n", "a.yaml:3: 'length_m' is no key of a component; it has:"},
+        {"waves:\n  - components:" ONE_WAVE "    spectrum: jonswap\n", "each make the waves; keep one of them."},
+        {"waves:\n  - components:" ONE_WAVE "    seed: 4\n",
+         "a.yaml:4: seed has no effect on 'components'; remove it."},
+        {"waves:\n  - components:" ONE_WAVE "    min_wavelength_m: 4\n", "a.yaml:4: min_wavelength_m has no effect"},
+        {"waves:\n  - components:" ONE_WAVE "    direction_from_deg: 4\n",
+         "a.yaml:4: direction_from_deg has no effect on 'components'; remove it."},
+        {"waves:\n  - components:" ONE_WAVE "    components_per_octave: 4\n", "a.yaml:4: components_per_octave has no"},
+        {"waves:\n  - components:" ONE_WAVE "    method: fft\n",
+         "a.yaml:4: components are made with 'method: gerstner' only"},
         {"waves: jonswap\n", "a.yaml:1: waves must be a list"},
         {"views:\n  - name: a\n  - name: a\n", "a.yaml:3: a view named 'a' stands above"},
         {"views:\n  - fov_deg: 50\n", "a.yaml:2: the view has no name"},
@@ -297,6 +349,153 @@ static void EverySpectrumCanBeWritten(void** state)
     swSeaState made;
     assert_int_equal(swSpectrum_GetSeaState(&scene->waves[8].def.spectrum, 0.0f, 0.0f, &made), SW_SUCCESS);
     assert_true(fabs((double)made.significantHeight / (0.22027 * 144.0 / 9.81) - 1.0) < 0.01);
+    swDestroyScene(scene);
+}
+
+static void FewWavesComeFromSpectraOrByHand(void** state)
+{
+    (void)state;
+    static const char text[] =
+        "waves:\n"
+        "  - {beaufort: 4, method: gerstner, components_per_octave: 3, reverse_weight: 0.25, direction_variance_deg: "
+        "90}\n"
+        "  - {spectrum: swell, significant_height_m: 1, peak_period_s: 9, method: gerstner}\n"
+        "  - {spectrum: jonswap, method: fft}\n"
+        "  - components:\n"
+        "      - {wavelength_m: 50, amplitude_m: 0.5, direction_from_deg: 270}\n"
+        "      - {wavelength_m: 20, amplitude_m: 0.25, direction_from_deg: 180, phase_deg: -90}\n"
+        "    method: gerstner\n"
+        "    chop: 0.5\n"
+        "    weight: 2\n"
+        "    depth_m: 7\n"
+        "    loop_period_s: 100\n";
+    swScene* scene = NULL;
+    if (ReadText(text, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    const swWaveSystemDef* few = &scene->waves[0].def;
+    assert_true(few->method == SW_WAVES_GERSTNER && few->componentsPerOctave == 3 && few->reverseWeight == 0.25f &&
+                IsNear((double)few->directionVariance, SW_PI / 2) && few->componentCount == 0);
+    swWaveSystemDef defaults = swDefaultWaveSystemDef();
+    few = &scene->waves[1].def;
+    assert_true(few->method == SW_WAVES_GERSTNER && few->componentsPerOctave == defaults.componentsPerOctave &&
+                few->reverseWeight == 0.0f && few->directionVariance == 0.0f);
+    assert_true(scene->waves[2].def.method == SW_WAVES_FFT);
+    const swWaveSystemDef* given = &scene->waves[3].def;
+    assert_true(given->method == SW_WAVES_GERSTNER && given->componentCount == 2 && given->chop == 0.5f &&
+                given->weight == 2.0f && given->spectrum.depth == 7.0f && given->loopPeriod == 100.0f);
+    assert_ptr_equal(given->components, scene->waves[3].components);
+    assert_true(given->components[0].wavelength == 50.0f && given->components[0].amplitude == 0.5f &&
+                IsNear(cos((double)given->components[0].direction), 1.0) && given->components[0].phase == 0.0f);
+    assert_true(given->components[1].wavelength == 20.0f && given->components[1].amplitude == 0.25f &&
+                IsNear(sin((double)given->components[1].direction), -1.0) &&
+                IsNear((double)given->components[1].phase, -SW_PI / 2));
+    swDestroyScene(scene);
+}
+
+static void WavesByHandStandWhereTheyWereAsked(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swScene* scene = NULL;
+    swWorld* world = NULL;
+    assert_int_equal(ReadText("waves:\n  - components:" ONE_WAVE "    chop: 0\n", &scene), SW_SUCCESS);
+    assert_int_equal(swCreateSceneWorld(&host, scene, &world), SW_SUCCESS);
+    for (int i = 0; i < 50; ++i)
+    {
+        double height = swWorld_GetHeight(world, (double)i, 17.0);
+        assert_true(fabs(height - 0.5 * cos(2.0 * SW_PI * i / 50.0)) < 1e-4);
+    }
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+}
+
+// Three hours of two places, in two files that overlap; the second has a calm.
+static const char s_places[] = "SWAN   1\nTIME\n1\nLONLAT\n2\n4.5 52.25\n5 52.5\nAFREQ\n3\n0.05\n0.1\n0.2\n"
+                               "NDIR\n4\n0\n90\n180\n270\nQUANT\n1\nVaDens\nm2/Hz/degr\n-99\n"
+                               "%s.0000\nFACTOR\n1e-4\n0 0 0 0\n%d 0 0 0\n0 0 0 0\n%s\n"
+                               "%s.0000\nFACTOR\n1e-4\n0 0 0 0\n0 %d 0 0\n0 0 0 0\n%s\n";
+#define OTHER_PLACE "FACTOR\n1e-4\n0 0 0 0\n0 0 0 9\n0 0 0 0"
+
+static void WriteText(const char* path, const char* text)
+{
+    FILE* file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void PlacesAndSeriesAreChosen(void** state)
+{
+    (void)state;
+    char folder[] = "/tmp/seaway_scene_XXXXXX", first[64], second[64], text[2048];
+    assert_non_null(mkdtemp(folder));
+    snprintf(first, sizeof(first), "%s/one.spec", folder);
+    snprintf(second, sizeof(second), "%s/two.spec", folder);
+    snprintf(text, sizeof(text), s_places, "20240102.00", 100, OTHER_PLACE, "20240102.01", 400, OTHER_PLACE);
+    WriteText(first, text);
+    snprintf(text, sizeof(text), s_places, "20240102.02", 0, OTHER_PLACE, "20240102.03", 900, OTHER_PLACE);
+    WriteText(second, text);
+
+    swHost host = MakeHost();
+    swScene* scene = NULL;
+    static const char one[] = "waves:\n  - {spectrum: file, file: one.spec, location: 2, at: 2024-01-02 01:10}\n";
+    if (swReadSceneText(&host, one, sizeof(one) - 1, "a.yaml", folder, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    swMeasuredRecord record = swMeasuredSea_GetRecord(scene->waves[0].measured, scene->waves[0].record);
+    assert_int_equal(record.location, 1);
+    assert_string_equal(record.time, "2024-01-02 01:00");
+    swDestroyScene(scene);
+
+    // Several places and none chosen.
+    host = MakeHost();
+    static const char none[] = "waves:\n  - spectrum: file\n    file: one.spec\n    replay: {}\n";
+    assert_int_equal(swReadSceneText(&host, none, sizeof(none) - 1, "a.yaml", folder, &scene), SW_ERROR_FORMAT);
+    assert_non_null(strstr(s_messages, "a.yaml:3: the file has 2 places; choose one of them with location: 1, 2."));
+
+    // Two files, of which a calm is left out.
+    host = MakeHost();
+    static const char both[] =
+        "time_s: 20\nwaves:\n  - spectrum: file\n    files: [two.spec, one.spec]\n    location: 1\n"
+        "    replay: {from: 2024-01-02 00:30, time_s: 10, speed: 360}\n";
+    if (swReadSceneText(&host, both, sizeof(both) - 1, "a.yaml", folder, &scene) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    assert_non_null(strstr(s_messages, "two.spec: 1 record without energy is left out"));
+    const swSceneWaves* waves = &scene->waves[0];
+    assert_int_equal(swMeasuredSea_GetCount(waves->measured), 3);
+    assert_true(waves->isReplay && waves->replay.startTime == 10.0 && waves->replay.speed == 360.0 &&
+                waves->replay.startSeconds == swMeasuredSea_GetRecord(waves->measured, 0).seconds + 1800.0);
+    assert_int_equal(waves->record, 1); // 01:30 at the scene's time, half-way to 02:00 of which there is none
+    remove(first);
+    remove(second);
+    rmdir(folder);
+
+    swWorld* world = NULL;
+    swSceneSea sea;
+    assert_int_equal(swOpenScene(&host, scene, &world, &sea), SW_SUCCESS);
+    static const double times[] = {5.0, 15.0, 45.0}; // the records themselves
+    static const double energies[] = {100.0, 400.0, 900.0};
+    for (int i = 0; i < 3; ++i)
+    {
+        swBandInfo bands[SW_MAX_BANDS];
+        double variance = 0.0, wanted = energies[i] * 1e-4 * 90.0 * 0.075; // m^2/Hz/degree, degrees, Hz
+        assert_int_equal(swSceneSea_Advance(&sea, times[i]), SW_SUCCESS);
+        assert_int_equal(swWorld_StepTo(world, times[i]), SW_SUCCESS);
+        int count = swWaveSystem_GetBands(world, sea.systems[0], bands);
+        for (int j = 0; j < count; ++j)
+        {
+            variance += (double)bands[j].variance;
+        }
+        print_message("at %.0f s variance %.4f m^2, recorded %.4f\n", times[i], variance, wanted);
+        assert_true(fabs(variance / wanted - 1.0) < 0.01);
+    }
+    swDestroySceneSea(&sea);
+    swDestroyWorld(world);
     swDestroyScene(scene);
 }
 
@@ -428,13 +627,12 @@ static void SummariesAreSeasToo(void** state)
     swDestroyScene(scene);
 }
 
-static void FailingMemoryLeavesNothingBehind(void** state)
+static void FailEachAllocation(const char* path)
 {
-    (void)state;
     CountingMemory memory;
     swHost host = MakeCountingHost(&memory);
     swScene* scene = NULL;
-    assert_int_equal(swReadScene(&host, SCENES "/buoy.yaml", &scene), SW_SUCCESS);
+    assert_int_equal(swReadScene(&host, path, &scene), SW_SUCCESS);
     swDestroyScene(scene);
     assert_int_equal(atomic_load(&memory.bytes), 0);
     long long allocations = atomic_load(&memory.allocations);
@@ -442,11 +640,19 @@ static void FailingMemoryLeavesNothingBehind(void** state)
     {
         atomic_store(&memory.allocations, 0);
         atomic_store(&memory.failAt, i);
-        assert_int_equal(swReadScene(&host, SCENES "/buoy.yaml", &scene), SW_ERROR_NO_MEMORY);
+        assert_int_equal(swReadScene(&host, path, &scene), SW_ERROR_NO_MEMORY);
         assert_null(scene);
         assert_int_equal(atomic_load(&memory.bytes), 0);
     }
-    print_message("%lld allocations, each failed once\n", allocations);
+    print_message("%s: %lld allocations, each failed once\n", path, allocations);
+}
+
+static void FailingMemoryLeavesNothingBehind(void** state)
+{
+    (void)state;
+    FailEachAllocation(SCENES "/buoy.yaml");
+    FailEachAllocation(SCENES "/crossing.yaml");
+    FailEachAllocation(SCENES "/hindcast.yaml");
 }
 
 int main(void)
@@ -457,6 +663,9 @@ int main(void)
         cmocka_unit_test(WrongScenesAreNamedWithTheirLine),
         cmocka_unit_test(ShippedScenesMakeSeas),
         cmocka_unit_test(EverySpectrumCanBeWritten),
+        cmocka_unit_test(FewWavesComeFromSpectraOrByHand),
+        cmocka_unit_test(WavesByHandStandWhereTheyWereAsked),
+        cmocka_unit_test(PlacesAndSeriesAreChosen),
         cmocka_unit_test(PackedSetsAreFoundByTheirNames),
         cmocka_unit_test(SummariesAreSeasToo),
         cmocka_unit_test(FailingMemoryLeavesNothingBehind),

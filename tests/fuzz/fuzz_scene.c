@@ -24,6 +24,11 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
         FUZZ_CHECK((swScene_FindView(scene, NULL) != NULL) == (scene->viewCount > 0));
         for (int i = 0; i < scene->wavesCount; ++i)
         {
+            const swWaveSystemDef* def = &scene->waves[i].def;
+            for (int j = 0; j < def->componentCount; ++j)
+            {
+                FUZZ_CHECK(def->components[j].wavelength > 0.0f && isfinite(def->components[j].phase));
+            }
             swSeaState seaState;
             if (swSpectrum_GetSeaState(&scene->waves[i].def.spectrum, 0.0f, 0.0f, &seaState) == SW_SUCCESS)
             {

@@ -109,6 +109,21 @@ static void LookingUpStopsBeforeTheZenith(void** state)
     assert_true(camera.pitch > 1.5f);
 }
 
+static void AnotherOriginShiftsAnOrbitAsAWhole(void** state)
+{
+    (void)state;
+    Camera camera = MakeCamera(7.0, 1.0f, -0.3f);
+    ToggleOrbit(&camera, seaLevel);
+    Camera other = camera;
+    ShiftCamera(&other, -5000.0, 3000.0);
+    CameraInput input = {.right = 1.0f, .turnUp = 0.01f, .wheel = 1.0f};
+    MoveCamera(&camera, &input, 0.5, seaLevel);
+    MoveCamera(&other, &input, 0.5, seaLevel);
+    assert_true(fabs(other.position.x - (camera.position.x - 5000.0)) < 1e-6);
+    assert_true(fabs(other.position.y - camera.position.y) < 1e-6);
+    assert_true(fabs(other.position.z - (camera.position.z + 3000.0)) < 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -120,6 +135,7 @@ int main(void)
         cmocka_unit_test(TheEyeRidesOverACrestAndComesBack),
         cmocka_unit_test(TheEyeDivesOnlyIfAsked),
         cmocka_unit_test(LookingUpStopsBeforeTheZenith),
+        cmocka_unit_test(AnotherOriginShiftsAnOrbitAsAWhole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sea state: every wave system's spectrum, live, and the record of a measured one; foam.
+// Sea state: the wave systems and what each is made of, live: a formula, an equaliser, a record or a replay; foam.
 
 #include <math.h>
 #include <stdio.h>
@@ -21,8 +21,7 @@ static const char* GetRecordTime(void* context, int index)
     return text;
 }
 
-// Where waves come from, degrees clockwise from north, of a direction they go.
-static float ToBearing(float direction)
+float ToBearing(float direction)
 {
     float degrees = fmodf(ToDegrees(direction) - 90.0f, 360.0f);
     return degrees < 0.0f ? degrees + 360.0f : degrees;
@@ -52,12 +51,16 @@ static bool DrawSpreading(swSpectrumDef* spectrum)
     return hasChanged;
 }
 
-static bool DrawFormula(swSpectrumDef* spectrum)
+bool DrawFormula(swSpectrumDef* spectrum)
 {
     int kind = (int)spectrum->kind;
     float fetch = spectrum->fetch * 1e-3f;
     float bearing = ToBearing(spectrum->direction);
     bool hasChanged = UiChoice("spectrum", &kind, SW_SPECTRUM_TABLE, GetKindName, NULL);
+    if (hasChanged && kind == SW_SPECTRUM_OCTAVES)
+    {
+        *spectrum = swMakeOctaveSpectrum(spectrum); // begins as what was there
+    }
     hasChanged |= UiSlider("wind", &spectrum->windSpeed, 1.0f, 40.0f, "%.1f m/s");
     bool hasGamma = kind == SW_SPECTRUM_JONSWAP || kind == SW_SPECTRUM_TMA;
     if (hasGamma || kind == SW_SPECTRUM_ELFOUHAILY)
@@ -77,17 +80,20 @@ static bool DrawFormula(swSpectrumDef* spectrum)
         spectrum->direction = SW_DIRECTION_FROM_BEARING((double)bearing);
         hasChanged = true;
     }
-    hasChanged |= DrawSpreading(spectrum);
+    hasChanged |= BeginUiGroup("Directions", false) && DrawSpreading(spectrum);
     spectrum->kind = (swSpectrumKind)kind;
     spectrum->fetch = fetch * 1e3f;
+    if (kind == SW_SPECTRUM_OCTAVES && BeginUiGroup("Octaves", true))
+    {
+        hasChanged |= DrawEqualiser(spectrum);
+    }
     return hasChanged;
 }
 
-static bool DrawMeasured(SeaWaves* waves, swSpectrumDef* spectrum, int* record)
+static bool DrawRecord(SeaWaves* waves)
 {
-    float turn = ToDegrees(spectrum->direction);
+    int* record = &waves->record;
     int last = swMeasuredSea_GetCount(waves->measured) - 1;
-    UiFaint("%s", waves->file);
     bool hasChanged = UiChoice("record", record, last + 1, GetRecordTime, (void*)(uintptr_t)waves->measured);
     hasChanged |= last > 0 && UiSliderInt("record number", record, 0, last, "%d");
     if (UiButton("largest"))
@@ -96,6 +102,47 @@ static bool DrawMeasured(SeaWaves* waves, swSpectrumDef* spectrum, int* record)
         hasChanged = true;
     }
     UiTip("The record with the largest significant height");
+    return hasChanged;
+}
+
+// Where a replay is, and how fast it runs.
+static void DrawReplay(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    double seconds = GetReplaySeconds(sea, index), fraction = 0.0;
+    float speed = (float)waves->replayDef.speed;
+    int before = 0, after = 0;
+    char now[20];
+    WriteUtc(seconds, now);
+    UiText("%s UTC", now);
+    swSeaReplay_GetRecords(waves->replay, &before, &after, &fraction);
+    swMeasuredRecord a = swMeasuredSea_GetRecord(waves->measured, before);
+    swMeasuredRecord b = swMeasuredSea_GetRecord(waves->measured, after);
+    char text[64];
+    snprintf(text, sizeof(text), "%.11s %.5s to %.5s", a.time, a.time + 11, b.time + 11);
+    UiBar((float)fraction, text);
+    if (UiLogSlider("replay speed", &speed, -1e5f, 1e5f, "x %.0f"))
+    {
+        ChangeReplay(sea, index, seconds, (double)speed);
+    }
+    UiTip("Seconds of records that pass in one of the sea; the timeline above moves through them");
+}
+
+static bool DrawMeasured(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    swSpectrumDef* spectrum = &waves->def.spectrum;
+    float turn = ToDegrees(spectrum->direction);
+    bool hasChanged = false;
+    UiFaint("%s", waves->file);
+    if (waves->replay != NULL)
+    {
+        DrawReplay(sea, index);
+    }
+    else
+    {
+        hasChanged = DrawRecord(waves);
+    }
     hasChanged |= UiSlider("height Hs", &spectrum->significantHeight, 0.0f, 20.0f,
                            spectrum->significantHeight > 0.0f ? "%.2f m" : "as measured");
     if (UiSlider("turned by", &turn, -180.0f, 180.0f, "%.0f deg"))
@@ -108,35 +155,65 @@ static bool DrawMeasured(SeaWaves* waves, swSpectrumDef* spectrum, int* record)
     return hasChanged;
 }
 
-static void DrawAsked(const SeaWaves* waves)
+static const char* NameKind(const SeaWaves* waves)
 {
-    const swSeaState* asked = &waves->asked;
-    UiFaint("Hs %.2f m  Tp %.1f s  Tm02 %.1f s", (double)asked->significantHeight, (double)asked->peakPeriod,
-            (double)asked->periodTm02);
-    UiFaint("from %.0f deg, spread %.0f deg", (double)ToBearing(asked->meanDirection),
-            (double)ToDegrees(asked->spread));
+    return waves->replay != NULL           ? "replay"
+           : waves->measured != NULL       ? "measured"
+           : waves->def.componentCount > 0 ? "by hand"
+                                           : GetKindName(NULL, (int)waves->def.spectrum.kind);
+}
+
+static int CountModes(const Sea* sea, int index)
+{
+    swBandInfo bands[SW_MAX_BANDS];
+    int count = swWaveSystem_GetBands(sea->world, sea->waves[index].id, bands), sum = 0;
+    for (int i = 0; i < count; i++)
+    {
+        sum += bands[i].modeCount;
+    }
+    return sum;
+}
+
+// All systems at a glance.
+static void DrawSystems(const Sea* sea)
+{
+    static const char* const titles[] = {"", "kind", "Hs m", "Tp s", "from", "waves"};
+    if (!BeginUiTable("systems", 6, titles))
+    {
+        return;
+    }
+    for (int i = 0; i < sea->wavesCount; i++)
+    {
+        const SeaWaves* waves = &sea->waves[i];
+        bool hasShape = waves->asked.peakPeriod > 0.0f;
+        UiCell("%d", i + 1);
+        UiCell("%s", NameKind(waves));
+        UiCell("%.2f", (double)(waves->asked.significantHeight * waves->def.weight));
+        UiCell(hasShape ? "%.1f" : "-", (double)waves->asked.peakPeriod);
+        UiCell(hasShape ? "%.0f" : "-", (double)ToBearing(waves->asked.meanDirection));
+        UiCell("%d", CountModes(sea, i));
+    }
+    EndUiTable();
 }
 
 static void DrawWaves(App* app, int index)
 {
     SeaWaves* waves = &app->sea.waves[index];
-    swWaveSystemDef def = waves->def;
-    int record = waves->record;
+    swWaveSystemDef* def = &waves->def;
     char label[64];
-    snprintf(label, sizeof(label), "Waves %d: %s", index + 1,
-             waves->measured ? "measured" : GetKindName(NULL, (int)def.spectrum.kind));
+    snprintf(label, sizeof(label), "Waves %d: %s###waves", index + 1, NameKind(waves));
     PushUiScope(index);
     if (BeginUiSection(label, index == 0))
     {
-        bool hasChanged = waves->measured ? DrawMeasured(waves, &def.spectrum, &record) : DrawFormula(&def.spectrum);
-        hasChanged |= UiSlider("weight", &def.weight, 0.0f, 2.0f, "%.2f");
-        hasChanged |= UiSlider("chop", &def.chop, 0.0f, 2.0f, "%.2f");
+        bool hasChanged = waves->measured           ? DrawMeasured(&app->sea, index)
+                          : def->componentCount > 0 ? DrawComponents(waves)
+                                                    : DrawFormula(&def->spectrum);
+        hasChanged |= waves->replay == NULL && def->componentCount == 0 &&
+                      BeginUiGroup("Method", def->method == SW_WAVES_GERSTNER) && DrawMethod(def);
+        hasChanged |= UiSlider("weight", &def->weight, 0.0f, 2.0f, "%.2f");
+        hasChanged |= UiSlider("chop", &def->chop, 0.0f, 2.0f, "%.2f");
         UiTip("Horizontal motion; 1 is that of a trochoidal wave");
-        DrawAsked(waves);
-        if (hasChanged)
-        {
-            ChangeWaves(&app->sea, index, &def, record);
-        }
+        waves->hasChanged |= hasChanged;
     }
     PopUiScope();
 }
@@ -160,6 +237,12 @@ static void DrawFoam(App* app)
 
 void DrawSeaPanel(App* app)
 {
+    if (BeginUiSection("Wave systems", true))
+    {
+        DrawSystems(&app->sea);
+        UiSlider("changes take", &app->sea.transition, 0.0f, 30.0f, app->sea.transition > 0.0f ? "%.1f s" : "no time");
+        UiTip("How long the sea takes to become what was set, without a jump");
+    }
     for (int i = 0; i < app->sea.wavesCount; i++)
     {
         DrawWaves(app, i);

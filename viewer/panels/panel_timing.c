@@ -8,13 +8,13 @@
 #define MAX_PASSES 48
 #define MEBI (1.0 / (1024.0 * 1024.0))
 
-static void DrawFrameTimes(const Clock* clock)
+static void DrawFrameTimes(const FrameTimes* times)
 {
     float sum = 0.0f, worst = 0.0f;
     int count = 0;
     for (int i = 0; i < FRAME_TIME_COUNT; i++)
     {
-        float time = clock->frameTimes[i];
+        float time = times->milliseconds[i];
         sum += time;
         worst = time > worst ? time : worst;
         count += time > 0.0f;
@@ -23,7 +23,7 @@ static void DrawFrameTimes(const Clock* clock)
     float mean = count > 0 ? sum / (float)count : 0.0f;
     snprintf(label, sizeof(label), "frame %.1f ms, worst %.1f ms, %.1f /s", (double)mean, (double)worst,
              mean > 0.0f ? 1e3 / (double)mean : 0.0);
-    UiGraph(label, clock->frameTimes, FRAME_TIME_COUNT, clock->frameTimeNext, worst > 33.4f ? worst : 33.4f);
+    UiGraph(label, times->milliseconds, FRAME_TIME_COUNT, times->next, worst > 33.4f ? worst : 33.4f);
 }
 
 static void DrawPasses(const swGpu* gpu)
@@ -59,7 +59,7 @@ void DrawTimingPanel(App* app)
     {
         return;
     }
-    DrawFrameTimes(&app->clock);
+    DrawFrameTimes(&app->frameTimes);
     DrawPasses(app->gpu);
     UiText("%s%s", swGpu_GetDeviceName(app->gpu), swGpu_IsSoftware(app->gpu) ? " (software)" : "");
     UiText("core: %s, %.1f MiB", swIsa_GetName(swWorld_GetIsa(sea->world)),

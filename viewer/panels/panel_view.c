@@ -14,7 +14,13 @@ static void DrawCamera(App* app)
     Camera* camera = &app->camera;
     swPos eye = GetCameraEye(camera);
     float fov = ToDegrees(camera->verticalFov);
-    UiText("x %.1f  y %.1f  z %.1f m", eye.x, eye.y, eye.z);
+    swPosXZ origin = swWorld_GetOrigin(app->sea.world);
+    UiText("x %.1f  y %.1f  z %.1f m", origin.x + eye.x, eye.y, origin.z + eye.z);
+    if (origin.x != 0.0 || origin.z != 0.0)
+    {
+        UiFaint("origin of coordinates at x %.0f, z %.0f m", origin.x, origin.z);
+        UiTip("Moved along with the camera; the sea stays where it is");
+    }
     UiText("heading %.0f deg, pitch %.0f deg", (double)ToDegrees(camera->heading), (double)ToDegrees(camera->pitch));
     bool isOrbit = camera->mode == CAMERA_ORBIT;
     if (UiCheckbox("orbit", &isOrbit))

@@ -16,11 +16,7 @@ float ToRadians(float degrees)
 static void DrawSummary(App* app)
 {
     const Sea* sea = &app->sea;
-    const Clock* clock = &app->clock;
     double seaLevel = swWorld_GetSeaLevel(sea->world);
-    UiText("%.1f s%s", swWorld_GetTime(sea->world), clock->isPaused ? ", paused" : "");
-    UiSameLine();
-    UiFaint("time x %.3g", (double)clock->scale);
     UiText("Hs %.2f m asked, %.2f m in the bands", (double)GetAskedHeight(sea), (double)GetCarriedHeight(sea));
     UiText("Water here %+.2f m, eye %.1f m above it", app->waterHeight - seaLevel,
            GetCameraEye(&app->camera).y - app->waterHeight);
@@ -31,6 +27,7 @@ void DrawPanels(App* app)
     BeginUiPanel("Seaway (F1)");
     DrawSummary(app);
     DrawMessagePanel(app);
+    DrawTimePanel(app);
     DrawSeaPanel(app);
     DrawSkyPanel(app);
     DrawViewPanel(app);
