@@ -194,7 +194,7 @@ static void DigestSeesSeedTimeAndWeight(void** state)
     assert_true(swWorld_GetDigest(small.world) != digest);
     digest = swWorld_GetDigest(small.world);
     swWaveSystem_SetWeight(small.world, small.waves, 1.0f + 0x1p-20f);
-    assert_true(swWorld_GetDigest(small.world) == digest); // from the next step on
+    assert_true(swWorld_GetDigest(small.world) != digest); // it decides what comes
     swWorld_Step(small.world, 0.0);
     assert_true(swWorld_GetDigest(small.world) != digest);
     swDestroyWorld(small.world);
@@ -270,7 +270,7 @@ static void TheFrameOutlivesItsWaveSystemUntilTheNextStep(void** state)
     swWaveSystemId other;
     assert_int_equal(swCreateWaveSystem(small.world, &def, &other), SW_SUCCESS); // takes the same slot
     assert_int_equal(other.index1, small.waves.index1);
-    assert_true(swWorld_GetDigest(small.world) == digest);
+    assert_true(swWorld_GetDigest(small.world) != digest); // of what comes
     assert_true(swWorld_GetHeight(small.world, 5.0, 5.0) == height);
     assert_true(frame->tiles[0].modes[0].qz >= 0 && frame->tilesVersion == version);
     swWorld_Step(small.world, 0.0);
