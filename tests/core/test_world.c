@@ -200,6 +200,23 @@ static void DigestSeesSeedTimeAndWeight(void** state)
     swDestroyWorld(small.world);
 }
 
+static void TimeStaysWithinItsRange(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    SmallWorld small;
+    assert_int_equal(CreateSmallWorld(&host, &small), SW_SUCCESS);
+    swWorld_SetTime(small.world, 274877906944.0 - 2.0);
+    assert_int_equal(swWorld_Step(small.world, 2.0), SW_SUCCESS);
+    assert_true(isfinite(swWorld_GetHeight(small.world, 1.0, 2.0)));
+#ifdef NDEBUG // otherwise it stops here
+    assert_int_equal(swWorld_Step(small.world, 1.0), SW_ERROR_INVALID);
+    assert_true(swWorld_GetTime(small.world) == 274877906944.0);
+#endif
+    assert_int_equal(swWorld_StepTo(small.world, 0.0), SW_SUCCESS);
+    swDestroyWorld(small.world);
+}
+
 static void GoingBackInTimeGivesTheSameSurface(void** state)
 {
     (void)state;
@@ -429,6 +446,7 @@ int main(void)
         cmocka_unit_test(AWarmStepOrQueryAllocatesNothing),
         cmocka_unit_test(AnyNumberOfThreadsAndAnyInstructionSetGiveTheSameBits),
         cmocka_unit_test(DigestSeesSeedTimeAndWeight),
+        cmocka_unit_test(TimeStaysWithinItsRange),
         cmocka_unit_test(GoingBackInTimeGivesTheSameSurface),
         cmocka_unit_test(WeightScalesTheSurface),
         cmocka_unit_test(TheFrameOutlivesItsWaveSystemUntilTheNextStep),
