@@ -219,7 +219,8 @@ SW_API int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, cons
 
 /// The two records of a place between which a time lies, to replay a sea: *before and *after are their indices and
 /// *fraction in [0, 1] says how far the time is on the way from one to the other. Before the first record and after the
-/// last one both are that record, and the fraction is 0.
+/// last one both are that record, and the fraction is 0. A gap is bridged however long it is: compare the two records'
+/// seconds with the gap that you would bridge (a buoy that reports each hour may have been silent for weeks).
 /// @param seconds since 1970, UTC
 /// @return false if there is no such place or `seconds` is NAN
 SW_API bool swMeasuredSea_Bracket(const swMeasuredSea* sea, int location, double seconds, int* before, int* after,

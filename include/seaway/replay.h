@@ -53,8 +53,8 @@ SW_API void swDestroySeaReplay(swSeaReplay* replay);
 SW_API swWaveSystemId swSeaReplay_GetSystem(const swSeaReplay* replay);
 
 /// Set the sea to what it is at a time of the world, past or future; call it before the step to that time. Before the
-/// first record and after the last the sea is theirs. Costs nothing between two records; where a time passes into the next
-/// pair, a fresh initial spectrum (12 to 50 ms on one thread).
+/// first record and after the last the sea is theirs; over a gap in the records it changes as slowly as the gap is long.
+/// Costs nothing between two records; where a time passes into the next pair, a fresh initial spectrum (12 to 50 ms on one thread).
 /// @return SW_ERROR_NO_MEMORY, SW_ERROR_INVALID if the wave system is gone or a record has no energy; the sea stays as it was
 SW_API swResult swSeaReplay_Advance(swSeaReplay* replay, double time);
 

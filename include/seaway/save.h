@@ -21,6 +21,17 @@ SW_API swResult swWorld_Save(const swWorld* world, void* data, size_t* size);
 /// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED
 SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa isa, swWorld** world);
 
+/// Take a world back to a state of its own that was saved, as a game in lockstep does when a player's input comes late. It
+/// goes on with the same bits as before. Handles and views stay what they were then; a wave system that was made since is
+/// gone. Allocates nothing, and costs a step.
+///
+/// The world must still have all waves of that state, and the same views: it goes back over weights, fades, jumps in time, and
+/// over systems that were made; not over a step after a system was destroyed or given other waves, nor over the end of such a
+/// change. That is refused with a sentence in the log; make another world by swRestoreWorld() then. A refusal changes
+/// nothing.
+/// @return SW_ERROR_FORMAT, SW_ERROR_UNSUPPORTED if the world has other waves, views or another def
+SW_API swResult swWorld_Rewind(swWorld* world, const void* data, size_t size);
+
 /// Views in the order of their making, for a world that was restored.
 SW_API int swWorld_GetViewCount(const swWorld* world);
 SW_API swView* swWorld_GetView(swWorld* world, int index);

@@ -220,8 +220,12 @@ typedef struct swSeaState
     float meanSquareSlope;   ///< integral of k^2 S of the frequencies integrated, k by depth and surface tension
 } swSeaState;
 
-/// One-dimensional density at f, m^2/Hz. Returns 0 outside the spectrum. Any thread.
+/// One-dimensional density at f, m^2/Hz. Returns 0 outside the spectrum. Any thread. Like the next one, each call prepares the
+/// spectrum anew, about 0.2 ms.
 SW_API float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency);
+
+/// The same at many frequencies, preparing the spectrum once.
+SW_API void swSpectrum_GetDensities(const swSpectrumDef* def, int count, const float* frequencies, float* densities);
 
 /// Density of direction at f, 1/rad; integrates to 1 over the circle. Any thread.
 SW_API float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float direction);

@@ -115,7 +115,7 @@ SW_API bool swWaveSystem_IsValid(const swWorld* world, swWaveSystemId id);
 /// Where only amplitudes differ (spectrum, wavelengths, chop, weight), each wave keeps its phase and changes its height,
 /// which costs no more than a sea that stays. Changes of seed, tiles, depth, loop or method cross-fade two seas of the
 /// same energy; both cost until it is over. A change may interrupt another.
-/// Costs a fresh initial spectrum: some 20 ms on one thread, shared out over the host's workers.
+/// Costs a fresh initial spectrum: 12 to 50 ms on one thread, shared out over the host's workers.
 /// @param seconds range [0, SW_MAX_TRANSITION]
 /// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (tiles or free waves, or a fourth cross-fade at once);
 /// then nothing has changed

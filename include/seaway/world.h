@@ -83,13 +83,14 @@ SW_API swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld
 /// Destroys everything in the world. NULL is allowed. Views and GPU worlds made from it go first.
 SW_API void swDestroyWorld(swWorld* world);
 
-/// Advance by dt seconds (0 is allowed and makes the surface of the present time). Range [0, 3600].
+/// Advance by dt seconds (0 is allowed and makes the surface of the present time). Range [0, 3600], and not to a time beyond
+/// 2.7e11 s (8,700 years).
 /// A warm step allocates nothing and takes no lock.
-/// @return SW_ERROR_NO_MEMORY only on the first step after something was created
+/// @return SW_ERROR_INVALID if dt is out of range, SW_ERROR_NO_MEMORY only on the first step after something was created
 SW_API swResult swWorld_Step(swWorld* world, double dt);
 
-/// Jump to a time, s, past or future; the surface follows with the next step. Waves are a function of time alone.
-/// Foam has a past: when a step comes out earlier than the last one, or more than a second later, it starts anew from the
+/// Jump to a time, s, past or future, within 2.7e11 s of 0; the surface follows with the next step. Waves are a function of
+/// time alone. Foam has a past: when a step comes out earlier than the last one, or more than a second later, it starts anew from the
 /// state that the present waves would sustain. For a still picture with trails, step through some seconds before it.
 SW_API void swWorld_SetTime(swWorld* world, double time);
 
@@ -118,7 +119,10 @@ SW_API float swWorld_GetGravity(const swWorld* world);
 SW_API swIsa swWorld_GetIsa(const swWorld* world);
 SW_API const char* swIsa_GetName(swIsa isa);
 
-/// 64 bits that are equal on two machines exactly if their surfaces are: a hash over time and every tile's bits.
+/// 64 bits that are equal on two machines if their seas are and will be: a hash over all that decides the sea (def, times,
+/// systems with their waves, changes that were ordered, begun or not) and the bits of the surface as the last step left it.
+/// For machines whose worlds have the same enableQueries. Where the origin lies, views and their foam have no part in it.
+/// A world that was just restored has the digest of the one that was saved. As costly as a third of a step.
 SW_API uint64_t swWorld_GetDigest(const swWorld* world);
 
 /// Bytes that the world holds.

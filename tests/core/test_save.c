@@ -10,6 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "core/base/hash.h"
 #include "core/world/world.h"
 #include "support/counting_host.h"
 #include <seaway/seaway.h>
@@ -264,6 +265,250 @@ static void DamagedBytesAreRefused(void** state)
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
 
+// ---- back to a state of the same world ----
+
+typedef struct Saved
+{
+    size_t size;
+    unsigned char* data;
+} Saved;
+
+static Saved Save(const swWorld* world)
+{
+    Saved saved = {0};
+    assert_int_equal(swWorld_Save(world, NULL, &saved.size), SW_SUCCESS);
+    saved.data = malloc(saved.size);
+    assert_non_null(saved.data);
+    assert_int_equal(swWorld_Save(world, saved.data, &saved.size), SW_SUCCESS);
+    return saved;
+}
+
+static void ExpectSaved(const swWorld* world, const Saved* wanted)
+{
+    Saved now = Save(world);
+    assert_int_equal(now.size, wanted->size);
+    assert_memory_equal(now.data, wanted->data, now.size);
+    free(now.data);
+}
+
+static void StepSome(swWorld* world, int count)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        swView_SetViewpoint(swWorld_GetView(world, 0), (swPos){10.0 + 7.0 * i, 30.0 + 9.0 * i, -4.0});
+        assert_int_equal(swWorld_Step(world, 0.07), SW_SUCCESS);
+    }
+}
+
+static void ARollBackGoesOnWithTheSameBits(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swWorld* world = MakeWorld(&host);
+    swWaveSystemId id = GetSystem(world, 1);
+    swWaveSystemDef def = swWaveSystem_Get(world, id);
+    def.spectrum.windSpeed = 15.0f;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 30.0), SW_SUCCESS); // a mix all the while
+    def.seed = 12;
+    StepSome(world, 2);
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 30.0), SW_SUCCESS); // and a cross-fade
+    StepSome(world, 2);
+    swWaveSystem_FadeWeight(world, id, 0.3f, 0.4);
+    Saved then = Save(world);
+    uint64_t digest = swWorld_GetDigest(world);
+    StepSome(world, 12);
+    Saved wanted = Save(world);
+    swFoamDef foam = swDefaultFoamDef();
+    foam.fadeRate = 2.0f;
+    swWorld_SetFoam(world, &foam);
+    swWaveSystem_SetWeight(world, id, 2.0f);
+    swWorld_SetOrigin(world, (swPosXZ){1e5, 3.0});
+    def.seed = 99;
+    swWaveSystemId late;
+    assert_int_equal(swCreateWaveSystem(world, &def, &late), SW_SUCCESS);
+    StepSome(world, 7);
+    swWorld_SetTime(world, 12.0);
+    StepSome(world, 3);
+    int allocations = atomic_load(&memory.allocations);
+    for (int i = 0; i < 2; ++i)
+    {
+        assert_int_equal(swWorld_Rewind(world, then.data, then.size), SW_SUCCESS);
+        assert_true(swWorld_GetDigest(world) == digest);
+        ExpectSaved(world, &then);
+        assert_false(swWaveSystem_IsValid(world, late));
+        StepSome(world, 12);
+        ExpectSaved(world, &wanted);
+    }
+    assert_int_equal(atomic_load(&memory.allocations), allocations);
+    free(then.data);
+    free(wanted.data);
+    swDestroyWorld(world);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
+
+static void ExpectRefusal(swWorld* world, const Saved* saved, swResult wanted)
+{
+    Saved before = Save(world);
+    assert_int_equal(swWorld_Rewind(world, saved->data, saved->size), wanted);
+    ExpectSaved(world, &before);
+    free(before.data);
+}
+
+static void WhatAWorldNoLongerHasItDoesNotGoBackTo(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorld* world = MakeWorld(&host);
+    Saved then = Save(world);
+    swWaveSystemId id = GetSystem(world, 1);
+    swWaveSystemDef def = swWaveSystem_Get(world, id);
+    def.seed = 99;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 0.0), SW_SUCCESS);
+    StepSome(world, 2);
+    ExpectRefusal(world, &then, SW_ERROR_UNSUPPORTED);
+    def.seed = 7;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 0.0), SW_SUCCESS);
+    StepSome(world, 2);
+    swViewDef viewDef = swDefaultViewDef();
+    swView* view;
+    assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+    ExpectRefusal(world, &then, SW_ERROR_UNSUPPORTED);
+    swDestroyView(view);
+    assert_int_equal(swWorld_Rewind(world, then.data, then.size), SW_SUCCESS); // the same waves, made anew
+    ExpectSaved(world, &then);
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* other;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &other), SW_SUCCESS);
+    ExpectRefusal(other, &then, SW_ERROR_UNSUPPORTED);
+    then.data[then.size / 2] ^= 1;
+    ExpectRefusal(world, &then, SW_ERROR_FORMAT);
+    swDestroyWorld(other);
+    swDestroyWorld(world);
+    free(then.data);
+}
+
+// ---- crafted bytes ----
+
+static void SignBytes(Saved* saved)
+{
+    swHash hash = swBeginHash();
+    size_t size = saved->size - 8;
+    for (size_t i = 0; i < size; i += 8)
+    {
+        uint64_t word = 0;
+        for (size_t k = 0; k < 8 && i + k < size; ++k)
+        {
+            word |= (uint64_t)saved->data[i + k] << (8 * k);
+        }
+        swAddHash(&hash, word);
+    }
+    swAddHash(&hash, size);
+    uint64_t value = swEndHash(&hash);
+    for (int k = 0; k < 8; ++k)
+    {
+        saved->data[size + (size_t)k] = (unsigned char)(value >> (8 * k));
+    }
+}
+
+// Whatever float of a state is no number: refused, or without effect on the surface.
+static void NoNumbersAreLetIn(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    host.log = NULL;
+    swWorld* world = MakeWorld(&host);
+    swWaveSystemId id = GetSystem(world, 1);
+    swWaveSystemDef def = swWaveSystem_Get(world, id);
+    def.spectrum.windSpeed = 15.0f;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 30.0), SW_SUCCESS);
+    StepSome(world, 2);
+    Saved saved = Save(world);
+    static const unsigned char nan[4] = {0, 0, 0xc0, 0x7f};
+    int refused = 0, tried = 0;
+    for (size_t at = 30; at + 12 < saved.size; at += 1 + saved.size / 400)
+    {
+        unsigned char kept[4];
+        memcpy(kept, saved.data + at, 4);
+        memcpy(saved.data + at, nan, 4);
+        SignBytes(&saved);
+        swWorld* restored = NULL;
+        tried += 1;
+        if (swRestoreWorld(&host, saved.data, saved.size, SW_ISA_BEST, &restored) == SW_SUCCESS)
+        {
+            swWorld_Step(restored, 0.1);
+            assert_true(isfinite(swWorld_GetHeight(restored, 1.0, 2.0)));
+            const float* foam = swView_GetFoam(swWorld_GetView(restored, 0), 0);
+            for (int i = 0; i < 64 * 64; ++i)
+            {
+                assert_true(foam[i] >= 0.0f && foam[i] <= 1.0f);
+            }
+            swDestroyWorld(restored);
+        }
+        else
+        {
+            refused += 1;
+        }
+        if (swWorld_Rewind(world, saved.data, saved.size) == SW_SUCCESS)
+        {
+            assert_true(isfinite(swWorld_GetHeight(world, 1.0, 2.0)));
+        }
+        memcpy(saved.data + at, kept, 4);
+    }
+    print_message("%d of %d refused\n", refused, tried);
+    SignBytes(&saved);
+    assert_int_equal(swWorld_Rewind(world, saved.data, saved.size), SW_SUCCESS);
+    ExpectSaved(world, &saved);
+    swDestroyWorld(world);
+    free(saved.data);
+}
+
+// What was ordered shows before it begins, and a world has the digest of the one that it was saved from.
+static void DigestsSeeWhatIsToCome(void** state)
+{
+    (void)state;
+    for (int queries = 0; queries < 2; ++queries)
+    {
+        swHost host = swDefaultHost();
+        swWorldDef worldDef = swDefaultWorldDef();
+        worldDef.enableQueries = queries == 1;
+        swWorld* world;
+        assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+        uint64_t digests[8] = {swWorld_GetDigest(world)};
+        swWaveSystemDef def = MakeDef();
+        swWaveSystemId id;
+        assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+        digests[1] = swWorld_GetDigest(world);
+        swWorld_Step(world, 0.5);
+        digests[2] = swWorld_GetDigest(world);
+        swWaveSystem_FadeWeight(world, id, 0.5f, 3.0);
+        digests[3] = swWorld_GetDigest(world);
+        def.spectrum.windSpeed += 0.001f;
+        assert_int_equal(swWaveSystem_Set(world, id, &def, 3.0), SW_SUCCESS);
+        digests[4] = swWorld_GetDigest(world);
+        def.seed += 1;
+        assert_int_equal(swWaveSystem_Set(world, id, &def, 0.0), SW_SUCCESS);
+        digests[5] = swWorld_GetDigest(world);
+        swWorld_SetTime(world, 9.0);
+        digests[6] = swWorld_GetDigest(world);
+        swWorld* restored = SaveAndRestore(world, SW_ISA_SCALAR);
+        assert_true(swWorld_GetDigest(restored) == digests[6]);
+        swWorld_Step(world, 0.5);
+        swWorld_Step(restored, 0.5);
+        digests[7] = swWorld_GetDigest(world);
+        assert_true(swWorld_GetDigest(restored) == digests[7]);
+        for (int i = 0; i < 8; ++i)
+        {
+            for (int k = 0; k < i; ++k)
+            {
+                assert_true(digests[i] != digests[k]);
+            }
+        }
+        swDestroyWorld(world);
+        swDestroyWorld(restored);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -271,6 +516,10 @@ int main(void)
         cmocka_unit_test(ChangesUnderWayGoOn),
         cmocka_unit_test(AViewMadeSinceTheLastStepHasNoPast),
         cmocka_unit_test(DamagedBytesAreRefused),
+        cmocka_unit_test(ARollBackGoesOnWithTheSameBits),
+        cmocka_unit_test(WhatAWorldNoLongerHasItDoesNotGoBackTo),
+        cmocka_unit_test(NoNumbersAreLetIn),
+        cmocka_unit_test(DigestsSeeWhatIsToCome),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -356,6 +356,23 @@ static void WrongSpectraAreNamed(void** state)
     }
 }
 
+static void ManyDensitiesAreThoseOfOneByOne(void** state)
+{
+    (void)state;
+    swSpectrumDef def = swDefaultSpectrumDef();
+    float frequencies[40], densities[40];
+    for (int i = 0; i < 40; ++i)
+    {
+        frequencies[i] = 0.02f * (float)i;
+    }
+    swSpectrum_GetDensities(&def, 40, frequencies, densities);
+    for (int i = 0; i < 40; ++i)
+    {
+        assert_true(densities[i] == swSpectrum_GetDensity(&def, frequencies[i]));
+    }
+    assert_true(densities[8] > 0.0f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -370,6 +387,7 @@ int main(void)
         cmocka_unit_test(TailContinuesTheLastBins),
         cmocka_unit_test(PartsOfASeaAddUp),
         cmocka_unit_test(WrongSpectraAreNamed),
+        cmocka_unit_test(ManyDensitiesAreThoseOfOneByOne),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Digest of a simulated sea: two wave systems, a moving view with layers and foam on the CPU, queries. Two machines,
-// compilers, instruction sets or thread counts agree exactly if their digests do.
+// Digest of a simulated sea: three wave systems that change, a moving view with layers and foam on the CPU, queries of
+// heights, velocities, the water below and other times, rays. Half way the world is saved, and another one, made of its
+// bytes, goes on. Two machines, compilers, instruction sets or thread counts agree exactly if their digests do.
 //
 //   sea_digest [--isa scalar|sse2|avx2|neon|best] [--threads N] [--minutes M]    print one digest
 //   sea_digest --compare [--minutes M]       all instruction sets of this machine with 1, 2 and 5 threads
@@ -84,16 +85,18 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
     swPosXZ points[POINT_COUNT];
     float heights[POINT_COUNT];
     swVec3 normals[POINT_COUNT];
+    swVec3 velocities[POINT_COUNT];
     for (int i = 0; i < POINT_COUNT; ++i)
     {
         points[i].x = 1.0e5 + 7.25 * i;
         points[i].z = -3.0e4 + 0.125 * i * i;
     }
     swQueryDef def = swDefaultQueryDef();
-    swSurfaceSamples samples = {.height = heights, .normal = normals};
+    swSurfaceSamples samples = {.height = heights, .normal = normals, .velocity = velocities};
     swWorld_QuerySurface(world, &def, POINT_COUNT, points, &samples, NULL);
     hash = Hash(hash, heights, sizeof(heights));
     hash = Hash(hash, normals, sizeof(normals));
+    hash = Hash(hash, velocities, sizeof(velocities)); // from their own tiles
 
     // A few at another time, and of the water below, wave by wave.
     enum
@@ -118,6 +121,61 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
     return Hash(hash, motion, sizeof(motion));
 }
 
+// From a mast down to the sea all around, and back up from below.
+static uint64_t HashRays(uint64_t hash, const swWorld* world)
+{
+    enum
+    {
+        RAYS = 16
+    };
+    swRay rays[RAYS];
+    swRayHit hits[RAYS];
+    for (int i = 0; i < RAYS; ++i)
+    {
+        float up = i % 4 == 3 ? 1.0f : -1.0f;
+        swPos origin = {1.0e5 + 3.5 * i, up > 0.0f ? -20.0 : 25.0, -3.0e4 - 1.75 * i};
+        rays[i] = swDefaultRay(origin, (swVec3){0.25f * (float)(i - 8), up, 0.125f * (float)i});
+        rays[i].radius = i % 2 == 0 ? 0.0f : 0.5f;
+        rays[i].maxDistance = 200.0f;
+    }
+    swQueryDef def = swDefaultQueryDef();
+    def.minWavelength = 1.0f;
+    swWorld_CastRays(world, &def, RAYS, rays, hits);
+    for (int i = 0; i < RAYS; ++i)
+    {
+        hash = Hash(hash, &hits[i].distance, sizeof(hits[i].distance));
+        hash = Hash(hash, &hits[i].point, sizeof(hits[i].point));
+        hash = Hash(hash, &hits[i].normal, sizeof(hits[i].normal));
+    }
+    return hash;
+}
+
+// The world is another one afterwards; its digest is that of before.
+static swResult SaveAndRestore(const swHost* host, swIsa isa, swWorld** world, swView** view)
+{
+    size_t size = 0;
+    swResult result = swWorld_Save(*world, NULL, &size);
+    void* data = malloc(size);
+    swWorld* restored = NULL;
+    result = data == NULL ? SW_ERROR_NO_MEMORY : result;
+    result = result == SW_SUCCESS ? swWorld_Save(*world, data, &size) : result;
+    result = result == SW_SUCCESS ? swRestoreWorld(host, data, size, isa, &restored) : result;
+    free(data);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (swWorld_GetDigest(restored) != swWorld_GetDigest(*world))
+    {
+        fprintf(stderr, "sea_digest: a restored world has another digest\n");
+        result = SW_ERROR_FORMAT;
+    }
+    swDestroyWorld(*world);
+    *world = restored;
+    *view = swWorld_GetView(restored, 0);
+    return result;
+}
+
 static uint64_t HashLayers(uint64_t hash, const swView* view)
 {
     for (int slice = 0; slice < swView_GetSliceCount(view); ++slice)
@@ -131,9 +189,11 @@ static uint64_t HashLayers(uint64_t hash, const swView* view)
     return hash;
 }
 
-static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* digest)
+static swResult Sail(const swHost* host, const Run* run, swWorld** worldPlace, uint64_t* digest)
 {
-    int stepCount = (int)(minutes * 60.0 / STEP_SECONDS);
+    swWorld* world = *worldPlace;
+    swView* view = swWorld_GetView(world, 0);
+    int stepCount = (int)(run->minutes * 60.0 / STEP_SECONDS);
     uint64_t hash = 0xcbf29ce484222325u;
     for (int step = 1; step <= stepCount; ++step)
     {
@@ -151,7 +211,16 @@ static swResult Sail(swWorld* world, swView* view, double minutes, uint64_t* dig
         }
         if (step % 10 == 0)
         {
-            hash = HashLayers(HashQueries(hash, world), view);
+            hash = HashLayers(HashRays(HashQueries(hash, world), world), view);
+        }
+        if (step == stepCount / 2)
+        {
+            result = SaveAndRestore(host, run->isa, &world, &view);
+            *worldPlace = world;
+            if (result != SW_SUCCESS)
+            {
+                return result;
+            }
         }
     }
     *digest = hash;
@@ -167,6 +236,7 @@ static swResult MakeDigest(const Run* run, uint64_t* digest)
     swView* view = NULL;
     swWorldDef worldDef = swDefaultWorldDef();
     worldDef.isa = run->isa;
+    worldDef.enableVelocity = true;
     swViewDef viewDef = swDefaultViewDef();
     viewDef.sliceCount = 4;
     viewDef.resolution = 64;
@@ -180,8 +250,7 @@ static swResult MakeDigest(const Run* run, uint64_t* digest)
     }
     result = result != SW_SUCCESS ? result : AddWaves(world);
     result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
-    result = result != SW_SUCCESS ? result : Sail(world, view, run->minutes, digest);
-    swDestroyView(view);
+    result = result != SW_SUCCESS ? result : Sail(&host, run, &world, digest);
     swDestroyWorld(world);
     swDestroyTaskPool(pool);
     return result;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // V22: a measured spectrum goes in, and buoys on the surface measure the same sea: significant height, periods, mean
-// direction and spread, for sixteen seeds, each by itself. Seeds run side by side on all processors.
+// direction and spread, for sixteen seeds, each by itself. Seeds run side by side on all processors. The sea is made by
+// transforms, or of Gerstner waves, 32 an octave, each of which stands for 1.1 % of frequency. Where a file's bins are not
+// three times as wide, some hold half as many waves again as others, and a peak may be found two bins away. Where seas nearly
+// cancel each other in the mean, so few waves leave it uncertain by some degrees.
 
 #include "truth.h"
 
@@ -16,6 +19,7 @@
 typedef struct MeasuredCase
 {
     swMeasuredRecord record;
+    swWaveMethod method;
     SeaBins bins;
     swSeaState asked;
     int askedPeak; // bin
@@ -38,10 +42,16 @@ static void MeasureSeed(void* context, int seed)
 {
     MeasuredCase* measured = context;
     SeaGauges gauges = {.area = 8000.0, .gaugeCount = 256, .duration = 800.0};
+    if (measured->method == SW_WAVES_GERSTNER)
+    {
+        gauges.area *= 8.0; // a few long waves beat over tens of kilometres
+    }
     swSpectrumDef spectrum = MakeTableSpectrum(measured);
     double highest = 1.02 * measured->bins.high[measured->bins.count - 1]; // shorter waves are not measured
     swWaveSystemDef def =
         MakeWaves(&spectrum, FindWavelength(highest, (double)INFINITY, 9.81), 4096.0, 1u + (uint32_t)seed);
+    def.method = measured->method;
+    def.componentsPerOctave = 32;
     swWorld* world = CreateTruthSea(&def);
     measured->isFine[seed] = RecordSea(world, &gauges, &measured->bins, 1, &measured->sums[seed]);
     FindSeaState(&measured->bins, &measured->sums[seed], &measured->states[seed]);
@@ -91,28 +101,39 @@ static Offsets FindWorst(const MeasuredCase* measured, int count)
     return worst;
 }
 
+static double FindPeakLimit(const MeasuredCase* measured)
+{
+    const SeaBins* bins = &measured->bins;
+    double width = bins->high[measured->askedPeak] / bins->low[measured->askedPeak] - 1.0;
+    return measured->method == SW_WAVES_GERSTNER && width < 3.0 * (exp2(0.5 / 32.0) - 1.0) ? 2.0 : 1.0;
+}
+
 static void CheckCase(const char* name, const MeasuredCase* measured)
 {
     Offsets worst = FindWorst(measured, Seeds(SEED_COUNT));
     char what[512], sea[384];
-    snprintf(sea, sizeof(sea), "%s%s%s, Hs %.2f m, Tp %.1f s", name, measured->record.time[0] != 0 ? ", " : "",
-             measured->record.time, (double)measured->asked.significantHeight, (double)measured->asked.peakPeriod);
+    snprintf(sea, sizeof(sea), "%s%s%s, Hs %.2f m, Tp %.1f s%s", name, measured->record.time[0] != 0 ? ", " : "",
+             measured->record.time, (double)measured->asked.significantHeight, (double)measured->asked.peakPeriod,
+             measured->method == SW_WAVES_GERSTNER ? ", Gerstner waves" : "");
     snprintf(what, sizeof(what), "%s: Hs, worst of 16 seeds", sea);
     FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "%", 2}, 2.0, 100.0 * worst.height);
     snprintf(what, sizeof(what), "%s: Tp, worst of 16 seeds", sea);
-    FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "bins", 0}, 1.0, worst.peak);
+    FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "bins", 0}, FindPeakLimit(measured), worst.peak);
     snprintf(what, sizeof(what), "%s: Tm02, worst of 16 seeds", sea);
     FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "%", 2}, 2.0, 100.0 * worst.period);
     snprintf(what, sizeof(what), "%s: mean direction, worst of 16 seeds", sea);
-    FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "\xc2\xb0", 2}, 3.0, worst.direction);
+    bool isVague = measured->method == SW_WAVES_GERSTNER && (double)measured->asked.spread > 60.0 * DEGREE;
+    FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "\xc2\xb0", 2}, isVague ? 5.0 : 3.0,
+              worst.direction);
     snprintf(what, sizeof(what), "%s: spread, worst of 16 seeds", sea);
     FindBelow(&(Finding){"V22", what, "file to surface to spectrum", "\xc2\xb0", 2}, 3.0, worst.spread);
 }
 
-static void MeasureRecord(const char* name, const swMeasuredSea* sea, int index)
+static void MeasureRecordBy(swWaveMethod method, const char* name, const swMeasuredSea* sea, int index)
 {
     MeasuredCase* measured = calloc(1, sizeof(MeasuredCase));
     assert_non_null(measured);
+    measured->method = method;
     measured->record = swMeasuredSea_GetRecord(sea, index);
     UseTableBins(&measured->record.table, &measured->bins);
     measured->askedPeak = FindAskedPeak(measured);
@@ -122,6 +143,12 @@ static void MeasureRecord(const char* name, const swMeasuredSea* sea, int index)
     RunJobs(MeasureSeed, measured, Seeds(SEED_COUNT));
     CheckCase(name, measured);
     free(measured);
+}
+
+static void MeasureRecord(const char* name, const swMeasuredSea* sea, int index)
+{
+    MeasureRecordBy(SW_WAVES_FFT, name, sea, index);
+    MeasureRecordBy(SW_WAVES_GERSTNER, name, sea, index);
 }
 
 static void MeasureFile(const char* path)

@@ -2,7 +2,10 @@
 // V9: the slopes of the surface and the roughness that the picture adds for ripples make up the slopes that Cox and Munk
 // saw, within the scatter of their measurements, under winds for which they measured.
 // V10: the unified spectrum has those slopes by itself, if its ripples of millimetres are counted; what of it is waves of
-// 6 cm and longer is measured on the surface.
+// 6 cm and longer is measured on the surface. Both hold within a tenth, or within the scatter of the measurements where that
+// is more. The wind of the glitter blew at 41 feet, the spectrum's blows at 10 m. Below
+// 3 m/s the spectrum as published keeps its short waves while the sea falls calm: at 2 m/s it has half as much slope again as
+// was seen. Such winds are no target.
 
 #include "truth.h"
 
@@ -121,10 +124,17 @@ static swSpectrumDef MakeUnified(double wind)
     return spectrum;
 }
 
+// The wind at 12.5 m over one of U10, by the law of the logarithm with drag after [Wu 1982].
+static double RaiseWind(double wind)
+{
+    double drag = (0.8 + 0.065 * wind) * 1e-3;
+    return wind * (1.0 + sqrt(drag) / 0.4 * log(1.25));
+}
+
 static void TheUnifiedSpectrumHasTheSlopesOfTheGlitter(void** state)
 {
     (void)state;
-    static const double winds[] = {5.0, 7.0, 10.0, 12.0, 14.0};
+    static const double winds[] = {3.0, 4.0, 5.0, 7.0, 10.0, 12.0, 14.0};
     for (int i = 0; i < (int)(sizeof(winds) / sizeof(winds[0])); ++i)
     {
         swSpectrumDef spectrum = MakeUnified(winds[i]);
@@ -134,8 +144,9 @@ static void TheUnifiedSpectrumHasTheSlopesOfTheGlitter(void** state)
         char what[128];
         snprintf(what, sizeof(what), "Mean square slope of the unified spectrum down to 1.5 mm, U10 %.0f m/s",
                  winds[i]);
-        FindWithin(&(Finding){"V10", what, "0.003 + 0.00512 U [Cox 1954]", "", 4}, FindGlitter(winds[i]),
-                   (double)all.meanSquareSlope, 0.2);
+        double seen = FindGlitter(RaiseWind(winds[i]));
+        FindNear(&(Finding){"V10", what, "0.003 + 0.00512 U12.5 [Cox 1954]", "", 4}, seen, (double)all.meanSquareSlope,
+                 fmax(0.004, 0.1 * seen));
     }
 }
 

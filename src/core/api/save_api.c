@@ -10,7 +10,7 @@
 #include "seaway/save.h"
 
 #define SAVE_MARK 0x5741534159415753u // "SWAYASAW"
-#define SAVE_VERSION 1u
+#define SAVE_VERSION 2u
 #define HASH_SIZE 8
 
 static uint64_t hashBytes(const uint8_t* data, size_t size)
@@ -146,6 +146,50 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa
     }
     *worldOut = world;
     return SW_SUCCESS;
+}
+
+static bool isSameDef(const swWorldDef* a, const swWorldDef* b)
+{
+    return a->gravity == b->gravity && a->surfaceTension == b->surfaceTension && a->seaLevel == b->seaLevel &&
+           a->enableQueries == b->enableQueries && a->enableVelocity == b->enableVelocity &&
+           a->enableAcceleration == b->enableAcceleration;
+}
+
+swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
+{
+    bool isValid = world != NULL && data != NULL;
+    SW_ASSERT(isValid);
+    if (!isValid)
+    {
+        return SW_ERROR_INVALID;
+    }
+    swResult result = checkBytes(&world->host, data, size);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swStream stream = {.purpose = SW_STREAM_READ, .data = (uint8_t*)data, .size = size - HASH_SIZE};
+    uint64_t mark;
+    uint32_t version;
+    swWorldDef def = world->def;
+    streamHead(&stream, &mark, &version, &def);
+    if (stream.isBroken || swCheckWorldDef(&world->host, &def) != SW_SUCCESS)
+    {
+        return failFormat(&world->host, "hold a world that cannot be");
+    }
+    if (!isSameDef(&def, &world->def))
+    {
+        return swFail(&world->host, SW_ERROR_UNSUPPORTED,
+                      "the world cannot go back to a saved state: that is of a world with another def");
+    }
+    const swFoamDef foam = world->def.foam;
+    world->def.foam = world->frame.foam = def.foam;
+    result = swRewindState(world, &stream);
+    if (result != SW_SUCCESS)
+    {
+        world->def.foam = world->frame.foam = foam;
+    }
+    return result == SW_ERROR_FORMAT ? failFormat(&world->host, "hold a state that cannot be") : result;
 }
 
 int swWorld_GetViewCount(const swWorld* world)

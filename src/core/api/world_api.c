@@ -101,9 +101,9 @@ void swDestroyWorld(swWorld* world)
 
 swResult swWorld_Step(swWorld* world, double dt)
 {
-    bool isValid = dt >= 0.0 && dt <= SW_LONGEST_STEP;
-    SW_ASSERT(world != NULL && isValid);
-    if (world == NULL || !isValid)
+    bool isValid = world != NULL && dt >= 0.0 && dt <= SW_LONGEST_STEP && fabs(world->time + dt) <= SW_LARGEST_TIME;
+    SW_ASSERT(isValid);
+    if (!isValid)
     {
         return SW_ERROR_INVALID;
     }

@@ -37,6 +37,13 @@ void swAddHash(swHash* hash, uint64_t word)
     hash->count += 1;
 }
 
+void swAddHashDouble(swHash* hash, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    swAddHash(hash, bits);
+}
+
 static uint64_t loadPair(const float* values)
 {
     uint32_t low, high;

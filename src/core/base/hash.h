@@ -15,6 +15,7 @@ typedef struct swHash
 
 swHash swBeginHash(void);
 void swAddHash(swHash* hash, uint64_t word);
+void swAddHashDouble(swHash* hash, double value);
 // The bits of floats, two a word; an odd last one stands alone.
 void swAddHashFloats(swHash* hash, const float* values, size_t count);
 uint64_t swEndHash(const swHash* hash);

@@ -225,19 +225,62 @@ void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands)
     }
 }
 
+void swAddHashMix(swHash* hash, const swModeMix* mix)
+{
+    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    {
+        const BandMix* band = &mix->bands[i];
+        swAddHash(hash, (uint64_t)band->count);
+        swAddHashDouble(hash, band->variance0);
+        swAddHashDouble(hash, band->variance1);
+        swAddHashDouble(hash, band->covariance);
+        for (int k = 0; k < band->count; ++k)
+        {
+            swAddHashFloats(hash, band->pairs[k].from, MIXED);
+            swAddHashFloats(hash, band->pairs[k].to, MIXED);
+        }
+    }
+}
+
 // ---- as bytes ----
+
+// No water is as high or as steep as this.
+#define LARGEST_AMPLITUDE 1e6f
+
+static void streamFinite(swStream* stream, float* values, int count)
+{
+    swStreamFloats(stream, values, (size_t)count);
+    for (int i = 0; i < count; ++i)
+    {
+        stream->isBroken = stream->isBroken || !(fabsf(values[i]) <= LARGEST_AMPLITUDE); // NaN as well
+    }
+}
+
+static void streamPositive(swStream* stream, float* value)
+{
+    streamFinite(stream, value, 1);
+    stream->isBroken = stream->isBroken || *value < 0.0f;
+}
+
+static void streamDouble(swStream* stream, double* value)
+{
+    swStreamF64(stream, value);
+    stream->isBroken = stream->isBroken || !(fabs(*value) <= 1e12);
+}
 
 static void streamBand(swStream* stream, int maxBin, swBandModes* band)
 {
     swStreamRange(stream, &band->maxBin, 0, maxBin);
     swStreamI64(stream, &band->loopTicks);
-    swStreamF32(stream, &band->minWavelength);
-    swStreamF32(stream, &band->maxWavelength);
-    swStreamF32(stream, &band->variance);
-    swStreamF32(stream, &band->slopeVarianceX);
-    swStreamF32(stream, &band->slopeVarianceZ);
-    swStreamF32(stream, &band->strainVariance);
+    stream->isBroken = stream->isBroken || band->loopTicks < 0;
+    streamPositive(stream, &band->minWavelength);
+    streamPositive(stream, &band->maxWavelength);
+    streamPositive(stream, &band->variance);
+    streamPositive(stream, &band->slopeVarianceX);
+    streamPositive(stream, &band->slopeVarianceZ);
+    streamPositive(stream, &band->strainVariance);
     swStreamF32(stream, &band->depth);
+    stream->isBroken = stream->isBroken || !(band->depth >= 0.0f); // infinite over deep water
 }
 
 // Bins within the tile's lattice, the half plane only, in order.
@@ -268,9 +311,9 @@ static swResult streamBandMix(swStream* stream, const swHost* host, int most, in
     streamBand(stream, maxBin, &mix->from);
     streamBand(stream, maxBin, &mix->to);
     streamBand(stream, maxBin, band);
-    swStreamF64(stream, &mix->variance0);
-    swStreamF64(stream, &mix->variance1);
-    swStreamF64(stream, &mix->covariance);
+    streamDouble(stream, &mix->variance0);
+    streamDouble(stream, &mix->variance1);
+    streamDouble(stream, &mix->covariance);
     if (swIsReading(stream) && count > 0 && !stream->isBroken)
     {
         band->modes = swAllocateZero(host, (size_t)count * sizeof(swMode));
@@ -285,8 +328,8 @@ static swResult streamBandMix(swStream* stream, const swHost* host, int most, in
     for (int i = 0; i < mix->count && !stream->isBroken; ++i)
     {
         streamMode(stream, maxBin, i > 0 ? &band->modes[i - 1] : NULL, &band->modes[i]);
-        swStreamFloats(stream, mix->pairs[i].from, MIXED);
-        swStreamFloats(stream, mix->pairs[i].to, MIXED);
+        streamFinite(stream, mix->pairs[i].from, MIXED);
+        streamFinite(stream, mix->pairs[i].to, MIXED);
     }
     return SW_SUCCESS;
 }

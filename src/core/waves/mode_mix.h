@@ -4,6 +4,7 @@
 // A sea that turns into another one, wave by wave. Both have the same waves with the same phases, so that any mixture of
 // amplitudes is a sea: nothing jumps, whatever the spectra.
 
+#include "core/base/hash.h"
 #include "core/base/stream.h"
 #include "core/waves/waves_fft.h"
 
@@ -19,6 +20,9 @@ void swFreeModeMix(const swHost* host, swModeMix* mix);
 // Set the bands' amplitudes and variances: 0 is the first sea, 1 the second. The energy of a band runs linearly between
 // its energies in both.
 void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands);
+
+// All that a mix is made of; its share is not part of it.
+void swAddHashMix(swHash* hash, const swModeMix* mix);
 
 // A mix and its bands as bytes. Reading makes both, as swMakeModeMix() does; SW_ERROR_FORMAT if they are no mix of bands
 // on `tileWaves` and `resolution`.

@@ -217,15 +217,23 @@ double swIntegrateCompiled(const swCompiledSpectrum* spectrum, double omega0, do
     return moments.zero;
 }
 
-float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency)
+void swSpectrum_GetDensities(const swSpectrumDef* def, int count, const float* frequencies, float* densities)
 {
     swCompiledSpectrum spectrum;
     swComplaint complaint;
-    if (!swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint))
+    bool isFine = swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint);
+    for (int i = 0; i < count; ++i)
     {
-        return 0.0f;
+        double omega = SW_TURN * (double)frequencies[i];
+        densities[i] = isFine ? (float)(swGetCompiledDensity(&spectrum, omega) * SW_TURN) : 0.0f;
     }
-    return (float)(swGetCompiledDensity(&spectrum, SW_TURN * (double)frequency) * SW_TURN);
+}
+
+float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency)
+{
+    float density;
+    swSpectrum_GetDensities(def, 1, &frequency, &density);
+    return density;
 }
 
 float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float direction)

@@ -4,9 +4,13 @@
 // repeats and goes just where it should.
 //
 // Each octave is cut into componentsPerOctave strips of equal ratio of wavelength. A strip's wave has all of its energy,
-// sits at a random place of it (as probable as the energy there) and goes in a direction of the spectrum's distribution:
-// the circle is cut into as many parts of equal probability as the octave has waves, and each wave gets one of them.
-// Which one, where in the strip, and with which phase are drawn independently of each other.
+// sits at a random place of it (as probable as the energy there) and goes in a direction of the spectrum's distribution.
+// Few strips have most of a peak's energy, so directions drawn by chance alone would miss the mean direction by many degrees
+// where seas cross. Two things keep them from that. Neighbours share out the distribution: of any two one goes to either half
+// of it, of any four one to each quarter, and so on, in an order that is drawn anew at each halving (a scrambled net
+// [Owen 1995]). And of many such draws the one is taken whose waves together come nearest to the spectrum's mean direction
+// and spread: to energy times cos and sin of the direction and of twice the direction.
+// Place and phase are drawn independently of that.
 //
 // reverseWeight gives each wave a twin that runs the other way with that part of its height; the two share the energy.
 
@@ -22,6 +26,14 @@
 
 // Points of the circle at which the distribution of directions is summed.
 #define DIRECTIONS 360
+#define DIRECTION_STEP (TURN / DIRECTIONS)
+
+// Draws of all directions, and what the best is chosen by: cos, sin, cos 2, sin 2.
+#define DRAWS 64
+#define MOMENTS 4
+
+// Of the number of a strip: 16 octaves of 32 at most.
+#define STRIP_BITS 9
 
 // Waves lower than this are left out, m.
 #define LEAST_AMPLITUDE 1e-6
@@ -35,6 +47,13 @@ enum
     STREAM_PHASE
 };
 
+typedef struct Strip
+{
+    int band, index;
+    double omega, energy;
+    float directions[DRAWS]; // from the mean one, of each draw
+} Strip;
+
 typedef struct Builder
 {
     const swWaveSystemDef* def;
@@ -44,7 +63,20 @@ typedef struct Builder
     int capacity;
     int count;
     swFreeWave* waves;
+    double circle[DIRECTIONS][MOMENTS]; // of the points of the circle
+    int stripCount;
+    Strip* strips;              // longest first
+    double off[DRAWS][MOMENTS]; // energy times what each draw's waves are off
 } Builder;
+
+// Directions of the waves of one omega: a table from the mean direction's opposite on, or evenly around the mean one.
+typedef struct Spread
+{
+    double even; // half the angle; 0: by the table
+    double total;
+    double density[DIRECTIONS + 1];
+    double moments[MOMENTS];
+} Spread;
 
 static double getUnit(const Builder* builder, int band, int index, uint32_t stream)
 {
@@ -94,56 +126,126 @@ static double findPlace(const Builder* builder, double low, double high, double 
     return 0.5 * (low + high);
 }
 
-// The direction below which a part of the waves of omega go, counted from the mean direction's opposite.
-static double findDirection(const Builder* builder, double omega, double part)
+// ---- directions, counted from the mean one ----
+
+static void fillMoments(double angle, double moments[MOMENTS])
 {
-    const swWaveSystemDef* def = builder->def;
-    double mean = (double)def->spectrum.direction;
-    if (def->directionVariance > 0.0f)
+    double cosine = swCos(angle), sine = swSin(angle);
+    moments[0] = cosine;
+    moments[1] = sine;
+    moments[2] = cosine * cosine - sine * sine;
+    moments[3] = 2.0 * sine * cosine;
+}
+
+static void fillEvenSpread(double half, Spread* spread)
+{
+    *spread = (Spread){.even = half};
+    spread->moments[0] = swSin(half) / half;
+    spread->moments[2] = 0.5 * swSin(2.0 * half) / half;
+}
+
+static void fillSpread(const Builder* builder, double omega, Spread* spread)
+{
+    if (builder->def->directionVariance > 0.0f)
     {
-        return mean + (2.0 * part - 1.0) * (double)def->directionVariance;
+        fillEvenSpread((double)builder->def->directionVariance, spread);
+        return;
     }
-    double density[DIRECTIONS + 1];
-    double total = 0.0;
-    double step = TURN / DIRECTIONS;
+    double mean = (double)builder->def->spectrum.direction;
+    *spread = (Spread){.total = 0.0};
     for (int i = 0; i <= DIRECTIONS; ++i)
     {
-        density[i] = swGetCompiledDensity2(builder->spectrum, omega, mean - SW_PI + i * step);
-        total += i > 0 ? 0.5 * (density[i - 1] + density[i]) : 0.0;
+        spread->density[i] = swGetCompiledDensity2(builder->spectrum, omega, mean - SW_PI + i * DIRECTION_STEP);
+        spread->total += i > 0 ? 0.5 * (spread->density[i - 1] + spread->density[i]) : 0.0;
     }
-    double wanted = part * total;
+    for (int i = 0; i < DIRECTIONS && spread->total > 0.0; ++i)
+    {
+        for (int m = 0; m < MOMENTS; ++m)
+        {
+            spread->moments[m] += spread->density[i] / spread->total * builder->circle[i][m];
+        }
+    }
+}
+
+// The direction below which a part of the waves go.
+static double findDirection(const Spread* spread, double part)
+{
+    if (spread->even > 0.0)
+    {
+        return (2.0 * part - 1.0) * spread->even;
+    }
+    double wanted = part * spread->total;
     for (int i = 0; i < DIRECTIONS; ++i)
     {
-        double piece = 0.5 * (density[i] + density[i + 1]);
+        double left = spread->density[i], right = spread->density[i + 1];
+        double piece = 0.5 * (left + right);
         if (wanted <= piece || i == DIRECTIONS - 1)
         {
-            // Within a piece the density is linear: solve a t^2 / 2 + density t = wanted.
-            double slope = density[i + 1] - density[i];
-            double root = sqrt(fmax(density[i] * density[i] + 2.0 * slope * wanted, 0.0));
-            double along = density[i] + root > 0.0 ? 2.0 * wanted / (density[i] + root) : 0.5;
-            return mean - SW_PI + (i + fmin(along, 1.0)) * step;
+            // Within a piece the density is linear: solve slope t^2 / 2 + left t = wanted.
+            double root = sqrt(fmax(left * left + 2.0 * (right - left) * wanted, 0.0));
+            double along = left + root > 0.0 ? 2.0 * wanted / (left + root) : 0.5;
+            return -SW_PI + (i + fmin(along, 1.0)) * DIRECTION_STEP;
         }
         wanted -= piece;
     }
-    return mean;
+    return 0.0;
 }
 
-// The place of `index` in a random order of `count` things.
-static int getShuffled(const Builder* builder, int band, int index, int count)
+// Where in the distribution strip `number` goes, in (0, 1): the number's bits in reverse order, each turned over or not by a
+// hash of the bits before it, and a random place within what they leave.
+static double getDirectionPart(const Builder* builder, uint32_t number, int draw)
 {
-    uint64_t own = swHashWave(builder->def->seed, band, index, 0, STREAM_ORDER);
-    int place = 0;
-    for (int i = 0; i < count; ++i)
+    uint32_t prefix = 1; // a one in front tells how many bits there are
+    double part = 0.0, weight = 1.0;
+    for (int bit = 0; bit < STRIP_BITS; ++bit)
     {
-        uint64_t other = swHashWave(builder->def->seed, band, i, 0, STREAM_ORDER);
-        place += other < own || (other == own && i < index) ? 1 : 0;
+        uint32_t digit = number >> bit & 1;
+        uint64_t hash = swHashWave(builder->def->seed, draw, (int)prefix, 0, STREAM_ORDER);
+        weight *= 0.5;
+        part += (digit ^ (uint32_t)(hash >> 63)) != 0 ? weight : 0.0;
+        prefix = prefix << 1 | digit;
     }
-    return place;
+    return part + weight * swHashToUnit(swHashWave(builder->def->seed, draw, (int)number, 0, STREAM_DIRECTION));
 }
 
-static void addComponent(Builder* builder, int band, int index, double k0, double k1)
+// The strip's direction by each draw, and what that is off.
+static void drawDirections(Builder* builder, const Spread* spread, Strip* strip)
 {
-    const swWaveSystemDef* def = builder->def;
+    uint32_t number = (uint32_t)(strip->band * builder->def->componentsPerOctave + strip->index);
+    for (int draw = 0; draw < DRAWS; ++draw)
+    {
+        double direction = findDirection(spread, getDirectionPart(builder, number, draw)), moments[MOMENTS];
+        strip->directions[draw] = (float)direction;
+        fillMoments(direction, moments);
+        for (int m = 0; m < MOMENTS; ++m)
+        {
+            builder->off[draw][m] += strip->energy * (moments[m] - spread->moments[m]);
+        }
+    }
+}
+
+static int chooseDraw(const Builder* builder)
+{
+    int best = 0;
+    double least = (double)INFINITY;
+    for (int draw = 0; draw < DRAWS; ++draw)
+    {
+        double square = 0.0;
+        for (int m = 0; m < MOMENTS; ++m)
+        {
+            square += builder->off[draw][m] * builder->off[draw][m];
+        }
+        best = square < least ? draw : best;
+        least = fmin(square, least);
+    }
+    return best;
+}
+
+// ---- strips ----
+
+// A strip with energy, and a random place in it for its wave.
+static void addStrip(Builder* builder, int band, int index, double k0, double k1)
+{
     double omega0 = swGetOmega(&builder->dispersion, k0);
     double omega1 = swGetOmega(&builder->dispersion, k1);
     double energy = swIntegrateCompiled(builder->spectrum, omega0, omega1);
@@ -152,20 +254,31 @@ static void addComponent(Builder* builder, int band, int index, double k0, doubl
         return;
     }
     double place = getUnit(builder, band, index, STREAM_PLACE);
-    double omega = findPlace(builder, omega0, omega1, place * energy);
-    double k = swGetWaveNumber(&builder->dispersion, omega);
-    int count = def->componentsPerOctave;
-    double part = (getShuffled(builder, band, index, count) + getUnit(builder, band, index, STREAM_DIRECTION)) / count;
-    double direction = findDirection(builder, omega, part);
+    Strip* strip = &builder->strips[builder->stripCount++];
+    strip->band = band;
+    strip->index = index;
+    strip->energy = energy;
+    strip->omega = findPlace(builder, omega0, omega1, place * energy);
+    Spread spread;
+    fillSpread(builder, strip->omega, &spread);
+    drawDirections(builder, &spread, strip);
+}
+
+static void addWaves(Builder* builder, const Strip* strip, int draw)
+{
+    const swWaveSystemDef* def = builder->def;
+    double direction = (double)def->spectrum.direction + (double)strip->directions[draw];
+    double k = swGetWaveNumber(&builder->dispersion, strip->omega);
     double reverse = (double)def->reverseWeight;
-    double amplitude = sqrt(2.0 * energy / (1.0 + reverse * reverse));
-    addWave(builder, k, direction, amplitude, TURN * getUnit(builder, band, index, STREAM_PHASE));
+    double amplitude = sqrt(2.0 * strip->energy / (1.0 + reverse * reverse));
+    int twin = strip->index + def->componentsPerOctave;
+    addWave(builder, k, direction, amplitude, TURN * getUnit(builder, strip->band, strip->index, STREAM_PHASE));
     addWave(builder, k, direction + SW_PI, reverse * amplitude,
-            TURN * getUnit(builder, band, index + count, STREAM_PHASE));
+            TURN * getUnit(builder, strip->band, twin, STREAM_PHASE));
 }
 
 // Shortest strips last, so that waves come longest first but for their places within a strip.
-static void addOctaves(Builder* builder)
+static void addStrips(Builder* builder)
 {
     const swWaveSystemDef* def = builder->def;
     int count = def->componentsPerOctave;
@@ -180,11 +293,33 @@ static void addOctaves(Builder* builder)
             double low = fmax(shortest, (double)def->minWavelength);
             if (low < high)
             {
-                addComponent(builder, band, index, TURN / high, TURN / low);
+                addStrip(builder, band, index, TURN / high, TURN / low);
             }
             longest = shortest;
         }
     }
+}
+
+static swResult addOctaves(Builder* builder, const swHost* host)
+{
+    size_t size = (size_t)SW_MAX_BANDS * (size_t)builder->def->componentsPerOctave * sizeof(Strip);
+    builder->strips = swAllocate(host, size);
+    if (builder->strips == NULL)
+    {
+        return SW_ERROR_NO_MEMORY;
+    }
+    for (int i = 0; i < DIRECTIONS; ++i)
+    {
+        fillMoments(-SW_PI + i * DIRECTION_STEP, builder->circle[i]);
+    }
+    addStrips(builder);
+    int draw = chooseDraw(builder);
+    for (int i = 0; i < builder->stripCount; ++i)
+    {
+        addWaves(builder, &builder->strips[i], draw);
+    }
+    swFree(host, builder->strips, size);
+    return SW_SUCCESS;
 }
 
 static void addGivenWaves(Builder* builder)
@@ -229,9 +364,17 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
     builder.capacity = isGiven ? def->componentCount : 2 * SW_MAX_BANDS * def->componentsPerOctave;
     size_t size = (size_t)builder.capacity * sizeof(swFreeWave);
     builder.waves = swAllocate(host, size);
-    if (builder.waves != NULL)
+    result = builder.waves != NULL ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
+    if (result == SW_SUCCESS && isGiven)
     {
-        (isGiven ? addGivenWaves : addOctaves)(&builder);
+        addGivenWaves(&builder);
+    }
+    else if (result == SW_SUCCESS)
+    {
+        result = addOctaves(&builder, host);
+    }
+    if (result == SW_SUCCESS)
+    {
         sortWaves(builder.waves, builder.count);
         size_t used = (size_t)builder.count * sizeof(swFreeWave);
         *waves = swAllocate(host, used);
@@ -241,10 +384,6 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
             *waveCount = builder.count;
         }
         result = *waves != NULL || used == 0 ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
-    }
-    else
-    {
-        result = SW_ERROR_NO_MEMORY;
     }
     swFree(host, builder.waves, size);
     swFreeCompiledSpectrum(host, spectrum);

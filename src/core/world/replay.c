@@ -16,7 +16,8 @@ struct swSeaReplay
     swWaveSystemId system;
     int before, after; // records; -1: none yet
     double fraction;
-    swWaveSet* sets[2]; // of both; the second may be the first
+    uint32_t rewindCount; // of the world, when the pair became current
+    swWaveSet* sets[2];   // of both; the second may be the first
 };
 
 swSeaReplayDef swDefaultSeaReplayDef(void)
@@ -92,6 +93,7 @@ static swResult changePair(swSeaReplay* replay, swWaveSystem* system, int before
     replay->sets[1] = sets[1];
     replay->before = before;
     replay->after = after;
+    replay->rewindCount = replay->world->rewindCount;
     return SW_SUCCESS;
 }
 
@@ -111,7 +113,7 @@ swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
         return SW_ERROR_INVALID;
     }
     swWaveSystem* system = &replay->world->systems[replay->system.index1 - 1];
-    if (before != replay->before || after != replay->after)
+    if (before != replay->before || after != replay->after || replay->rewindCount != replay->world->rewindCount)
     {
         swResult result = changePair(replay, system, before, after);
         if (result != SW_SUCCESS)
@@ -120,7 +122,7 @@ swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
         }
     }
     replay->fraction = fraction;
-    swShareLayer(system, (float)fraction);
+    swShareLayer(replay->world, system, (float)fraction);
     return SW_SUCCESS;
 }
 

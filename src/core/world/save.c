@@ -225,9 +225,30 @@ static swResult streamPlainSet(swWorld* world, swStream* stream, swWaveSet** set
     return result;
 }
 
+// Ahead of each set stand its hash, by which a world that has it already knows it, and the number of its bytes.
+static size_t beginSet(swStream* stream, uint64_t* hash, uint32_t* size)
+{
+    swStreamU64(stream, hash);
+    swStreamU32(stream, size);
+    return stream->at;
+}
+
+static void endSet(swStream* stream, size_t begin)
+{
+    uint32_t size = (uint32_t)(stream->at - begin);
+    if (stream->purpose == SW_STREAM_WRITE)
+    {
+        swStream head = {.purpose = SW_STREAM_WRITE, .data = stream->data, .size = begin, .at = begin - sizeof size};
+        swStreamU32(&head, &size);
+    }
+}
+
 static swResult streamSet(swWorld* world, swStream* stream, SetList* list, int index)
 {
     swWaveSet* set = swIsReading(stream) ? NULL : list->sets[index];
+    uint64_t hash = set != NULL ? set->hash : 0;
+    uint32_t size = 0;
+    size_t begin = beginSet(stream, &hash, &size);
     int to = set != NULL && set->to != NULL ? findInList(list, set->to) : -1;
     swStreamRange(stream, &to, -1, index - 1);
     swResult result = SW_SUCCESS;
@@ -243,9 +264,11 @@ static swResult streamSet(swWorld* world, swStream* stream, SetList* list, int i
     {
         result = swStreamMix(world, stream, list->sets[to], &set);
     }
+    endSet(stream, begin);
     if (result == SW_SUCCESS)
     {
         list->sets[index] = set;
+        list->count = swIsReading(stream) ? index + 1 : list->count;
     }
     return result;
 }
@@ -262,7 +285,6 @@ static swResult streamSets(swWorld* world, swStream* stream, SetList* list)
         {
             return result;
         }
-        list->count = i + 1;
     }
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
@@ -294,7 +316,6 @@ static void streamLayer(swStream* stream, const SetList* list, swWaveLayer* laye
     if (swIsReading(stream) && !stream->isBroken && list->count > 0)
     {
         layer->set = list->sets[index];
-        layer->set->useCount += 1;
         bool isMix = layer->set->mix != NULL;
         layer->isMixing = layer->isMixing && isMix;
         layer->isShared = layer->isShared && isMix;
@@ -316,9 +337,9 @@ static void streamSystem(swStream* stream, const SetList* list, swWaveSystem* sy
     }
 }
 
-static void streamSystems(swWorld* world, swStream* stream, const SetList* list)
+// Layers that are read do not yet count as users of their sets.
+static void streamSystems(swStream* stream, const SetList* list, swIdPool* ids, swWaveSystem* systems)
 {
-    swIdPool* ids = &world->systemIds;
     swStreamU64(stream, &ids->used);
     if (ids->used >> SW_MAX_WAVE_SYSTEMS != 0)
     {
@@ -332,12 +353,34 @@ static void streamSystems(swWorld* world, swStream* stream, const SetList* list)
         if ((ids->used >> slot & 1) != 0)
         {
             count += 1;
-            streamSystem(stream, list, &world->systems[slot]);
+            streamSystem(stream, list, &systems[slot]);
         }
     }
     if (swIsReading(stream))
     {
         ids->count = count;
+    }
+}
+
+static void useLayers(const swWaveSystem* systems)
+{
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < systems[slot].layerCount; ++i)
+        {
+            systems[slot].layers[i].set->useCount += 1;
+        }
+    }
+}
+
+static void unuseLayers(swWorld* world, const swWaveSystem* systems)
+{
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < systems[slot].layerCount; ++i)
+        {
+            swReleaseSet(world, systems[slot].layers[i].set);
+        }
     }
 }
 
@@ -362,68 +405,105 @@ static void streamPlace(swStream* stream, swPos* place)
     stream->isBroken = stream->isBroken || !isNear;
 }
 
-// `last` is the viewpoint of the last step.
-static void streamView(swStream* stream, swView* view, swPos* last)
+// What a view has beside its def and its foam.
+typedef struct ViewState
 {
-    streamPlace(stream, &view->viewpoint);
-    streamPlace(stream, last);
-    swStreamBool(stream, &view->stack.isPlaced);
-    swStreamRange(stream, &view->stack.scaleLevel, 0, view->stack.maxScaleLevel);
-    swStreamBool(stream, &view->foamState.isRunning);
-    swStreamI64(stream, &view->foamState.remainder);
-    swStreamI64(stream, &view->foamState.clock);
-    swStreamU32(stream, &view->foamState.resetCount);
-    const swFoamState* foam = &view->foamState;
+    swPos viewpoint, last; // of the next step, of the last one
+    bool isPlaced;
+    int scaleLevel;
+    swFoamState foam;
+} ViewState;
+
+static void streamViewState(swStream* stream, int maxScaleLevel, ViewState* state)
+{
+    streamPlace(stream, &state->viewpoint);
+    streamPlace(stream, &state->last);
+    swStreamBool(stream, &state->isPlaced);
+    swStreamRange(stream, &state->scaleLevel, 0, maxScaleLevel);
+    swFoamState* foam = &state->foam;
+    swStreamBool(stream, &foam->isRunning);
+    swStreamI64(stream, &foam->remainder);
+    swStreamI64(stream, &foam->clock);
+    swStreamU32(stream, &foam->resetCount);
     bool isClock = foam->remainder >= 0 && foam->remainder < (int64_t)SW_TICKS_PER_SECOND && foam->clock >= 0 &&
                    foam->clock < LARGEST_TICKS;
     stream->isBroken = stream->isBroken || !isClock;
-    if (view->def.enableCpuLayers)
+}
+
+static size_t countTexels(const swViewDef* def)
+{
+    return def->enableCpuLayers ? (size_t)def->sliceCount * (size_t)def->resolution * (size_t)def->resolution : 0;
+}
+
+// Into `foam`, or only looked at where that is NULL.
+static void streamFoam(swStream* stream, size_t texels, float* foam)
+{
+    for (size_t i = 0; i < texels && !stream->isBroken; ++i)
     {
-        size_t side = (size_t)view->def.resolution;
-        swStreamFloats(stream, view->foam[view->foamIndex], side * side * (size_t)view->def.sliceCount);
+        float value = foam != NULL ? foam[i] : 0.0f;
+        swStreamF32(stream, &value);
+        stream->isBroken = stream->isBroken || !(value >= 0.0f && value <= 1.0f); // NaN as well
+        if (foam != NULL && swIsReading(stream))
+        {
+            foam[i] = value;
+        }
     }
 }
 
-// Before memory for layers is asked for: their foam must be there.
-static bool hasFoam(const swStream* stream, const swViewDef* def)
+static ViewState getViewState(const swView* view)
 {
-    size_t texels = (size_t)def->sliceCount * (size_t)def->resolution * (size_t)def->resolution;
-    return !def->enableCpuLayers || stream->size - stream->at >= texels * sizeof(float);
+    const swViewFrame* frame = swFindViewFrame(view);
+    return (ViewState){
+        .viewpoint = view->viewpoint,
+        .last = frame != NULL ? frame->viewpoint : view->viewpoint,
+        .isPlaced = view->stack.isPlaced,
+        .scaleLevel = view->stack.scaleLevel,
+        .foam = view->foamState,
+    };
+}
+
+// Slices are those of the last step, where the next one finds its foam.
+static void setViewState(swView* view, const ViewState* state)
+{
+    view->viewpoint = state->viewpoint;
+    view->stack.isPlaced = state->isPlaced;
+    view->stack.scaleLevel = state->scaleLevel;
+    view->foamState = state->foam;
+    if (state->isPlaced)
+    {
+        swPlaceStack(&view->stack, state->last, view->world->def.seaLevel);
+    }
 }
 
 static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos* last)
 {
     swView* view = swIsReading(stream) ? NULL : world->views[index];
     swViewDef def = view != NULL ? view->def : swDefaultViewDef();
+    ViewState state = view != NULL ? getViewState(view) : (ViewState){.isPlaced = false};
     streamViewDef(stream, &def);
     if (swIsReading(stream))
     {
-        if (stream->isBroken || swCheckViewDef(world, &def) != SW_SUCCESS || !hasFoam(stream, &def))
-        {
-            return SW_ERROR_FORMAT;
-        }
-        swResult result = swAddView(world, &def, &view);
+        // Before memory for layers is asked for: their foam must be there.
+        bool isFine = !stream->isBroken && swCheckViewDef(world, &def) == SW_SUCCESS &&
+                      stream->size - stream->at >= countTexels(&def) * sizeof(float);
+        swResult result = isFine ? swAddView(world, &def, &view) : SW_ERROR_FORMAT;
         if (result != SW_SUCCESS)
         {
             return result;
         }
     }
-    else
+    streamViewState(stream, def.maxScaleLevel, &state);
+    streamFoam(stream, countTexels(&def), view->foam[view->foamIndex]);
+    if (stream->isBroken)
     {
-        const swViewFrame* frame = swFindViewFrame(view);
-        *last = frame != NULL ? frame->viewpoint : view->viewpoint;
+        return SW_ERROR_FORMAT;
     }
-    streamView(stream, view, last);
-    return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
-}
-
-// Slices of the last step, where the next one finds its foam.
-static void placeStack(swView* view, swPos last)
-{
-    if (view->stack.isPlaced)
+    *last = state.last;
+    if (swIsReading(stream))
     {
-        swPlaceStack(&view->stack, last, view->world->def.seaLevel);
+        setViewState(view, &state);
     }
+    return SW_SUCCESS;
 }
 
 static swResult streamViews(swWorld* world, swStream* stream, swPos last[SW_MAX_VIEWS])
@@ -436,10 +516,6 @@ static swResult streamViews(swWorld* world, swStream* stream, swPos last[SW_MAX_
         if (result != SW_SUCCESS)
         {
             return result;
-        }
-        if (swIsReading(stream))
-        {
-            placeStack(world->views[i], last[i]);
         }
     }
     return SW_SUCCESS;
@@ -473,24 +549,60 @@ static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VI
     }
 }
 
+// Times, the origin, and whether a change waits for the next step.
+typedef struct Clocks
+{
+    double time, stepped;
+    int64_t ticks;
+    swPosXZ origin;
+    bool isChanged;
+} Clocks;
+
+static Clocks getClocks(const swWorld* world)
+{
+    return (Clocks){world->time, world->frame.time, world->frame.ticks, world->origin, world->isChanged};
+}
+
+static bool isWithin(double value, double largest)
+{
+    return value <= largest && value >= -largest; // false for NaN
+}
+
+static void streamClocks(swStream* stream, Clocks* clocks)
+{
+    swStreamF64(stream, &clocks->time);
+    swStreamF64(stream, &clocks->stepped);
+    swStreamI64(stream, &clocks->ticks);
+    swStreamF64(stream, &clocks->origin.x);
+    swStreamF64(stream, &clocks->origin.z);
+    swStreamBool(stream, &clocks->isChanged);
+    bool isFine = isWithin(clocks->time, SW_LARGEST_TIME) && isWithin(clocks->stepped, SW_LARGEST_TIME) &&
+                  isWithin(clocks->origin.x, 1e9) && isWithin(clocks->origin.z, 1e9) &&
+                  clocks->ticks == (int64_t)floor(clocks->stepped * SW_TICKS_PER_SECOND + 0.5);
+    stream->isBroken = stream->isBroken || !isFine;
+}
+
+// Everything that was read is in its place but what a step works out.
+static void finishReading(swWorld* world, const Clocks* clocks, const swPos last[SW_MAX_VIEWS])
+{
+    world->time = clocks->time;
+    world->origin = clocks->origin;
+    world->frame.ticks = clocks->ticks;
+    world->isTileListStale = true;
+    makeFrame(world, clocks->stepped, last);
+    world->isChanged = clocks->isChanged;
+}
+
 swResult swStreamState(swWorld* world, swStream* stream)
 {
-    double stepped = world->frame.time;
-    swStreamF64(stream, &world->time);
-    swStreamF64(stream, &stepped);
-    swStreamI64(stream, &world->frame.ticks);
-    swStreamF64(stream, &world->origin.x);
-    swStreamF64(stream, &world->origin.z);
-    bool isFine = world->time <= SW_LARGEST_TIME && world->time >= -SW_LARGEST_TIME && stepped <= SW_LARGEST_TIME &&
-                  stepped >= -SW_LARGEST_TIME && world->origin.x <= 1e12 && world->origin.x >= -1e12 &&
-                  world->origin.z <= 1e12 && world->origin.z >= -1e12 &&
-                  world->frame.ticks == (int64_t)floor(stepped * SW_TICKS_PER_SECOND + 0.5);
-    if (!isFine)
+    Clocks clocks = getClocks(world);
+    SetList list = {0};
+    swPos last[SW_MAX_VIEWS];
+    streamClocks(stream, &clocks);
+    if (stream->isBroken)
     {
         return SW_ERROR_FORMAT;
     }
-    SetList list = {0};
-    swPos last[SW_MAX_VIEWS];
     if (!swIsReading(stream))
     {
         listSets(world, &list);
@@ -498,8 +610,12 @@ swResult swStreamState(swWorld* world, swStream* stream)
     swResult result = streamSets(world, stream, &list);
     if (result == SW_SUCCESS)
     {
-        streamSystems(world, stream, &list);
+        streamSystems(stream, &list, &world->systemIds, world->systems);
         result = stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
+    }
+    if (swIsReading(stream))
+    {
+        useLayers(world->systems);
     }
     for (int i = 0; i < list.count && swIsReading(stream); ++i)
     {
@@ -508,12 +624,124 @@ swResult swStreamState(swWorld* world, swStream* stream)
     result = result == SW_SUCCESS ? streamViews(world, stream, last) : result;
     if (result == SW_SUCCESS && swIsReading(stream))
     {
-        result = swIsWithinLimits(world) ? SW_SUCCESS : SW_ERROR_FORMAT;
-        world->isTileListStale = true;
+        result = swIsWithinLimits(world, world->systems) ? SW_SUCCESS : SW_ERROR_FORMAT;
         if (result == SW_SUCCESS)
         {
-            makeFrame(world, stepped, last);
+            finishReading(world, &clocks, last);
         }
+    }
+    return result;
+}
+
+// ---- back to a state of this world ----
+
+// All of a state but waves and foam, read before anything is changed.
+typedef struct Rewind
+{
+    Clocks clocks;
+    SetList sets; // of the world's own
+    swIdPool ids;
+    swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
+    ViewState views[SW_MAX_VIEWS];
+    size_t foam[SW_MAX_VIEWS]; // where it is in the stream
+} Rewind;
+
+static swResult failRewind(const swWorld* world, const char* what)
+{
+    return swFail(&world->host, SW_ERROR_UNSUPPORTED, "the world cannot go back to a saved state: %s", what);
+}
+
+// The sets by their hashes; what stands behind them is what the world has.
+static swResult findSets(swWorld* world, swStream* stream, SetList* found)
+{
+    SetList own = {0};
+    listSets(world, &own);
+    swStreamRange(stream, &found->count, 0, MAX_SETS);
+    for (int i = 0; i < found->count && !stream->isBroken; ++i)
+    {
+        uint64_t hash = 0;
+        uint32_t size = 0;
+        beginSet(stream, &hash, &size);
+        stream->isBroken = stream->isBroken || size > stream->size - stream->at;
+        stream->at += stream->isBroken ? 0 : size;
+        for (int k = 0; k < own.count; ++k)
+        {
+            found->sets[i] = own.sets[k]->hash == hash ? own.sets[k] : found->sets[i];
+        }
+        if (found->sets[i] == NULL && !stream->isBroken)
+        {
+            return failRewind(world, "a wave system had other waves then, which are gone; make a world of it with "
+                                     "swRestoreWorld()");
+        }
+    }
+    return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
+}
+
+static bool isSameViewDef(const swViewDef* a, const swViewDef* b)
+{
+    return a->sliceCount == b->sliceCount && a->resolution == b->resolution && a->finestTexel == b->finestTexel &&
+           a->maxScaleLevel == b->maxScaleLevel && a->enableCpuLayers == b->enableCpuLayers;
+}
+
+static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind)
+{
+    int count = 0;
+    swStreamRange(stream, &count, 0, SW_MAX_VIEWS);
+    if (!stream->isBroken && count != world->viewCount)
+    {
+        return failRewind(world, "it had another number of views then");
+    }
+    for (int i = 0; i < count && !stream->isBroken; ++i)
+    {
+        swViewDef def = world->views[i]->def;
+        streamViewDef(stream, &def);
+        if (!stream->isBroken && !isSameViewDef(&def, &world->views[i]->def))
+        {
+            return failRewind(world, "a view had another def then");
+        }
+        streamViewState(stream, def.maxScaleLevel, &rewind->views[i]);
+        rewind->foam[i] = stream->at;
+        streamFoam(stream, countTexels(&def), NULL);
+    }
+    return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
+}
+
+static void applyRewind(swWorld* world, const swStream* stream, const Rewind* rewind)
+{
+    useLayers(rewind->systems);
+    unuseLayers(world, world->systems);
+    world->systemIds = rewind->ids;
+    memcpy(world->systems, rewind->systems, sizeof world->systems);
+    swPos last[SW_MAX_VIEWS];
+    for (int i = 0; i < world->viewCount; ++i)
+    {
+        swView* view = world->views[i];
+        swStream foam = *stream;
+        foam.at = rewind->foam[i];
+        streamFoam(&foam, countTexels(&view->def), view->foam[view->foamIndex]);
+        setViewState(view, &rewind->views[i]);
+        last[i] = rewind->views[i].last;
+    }
+    world->rewindCount += 1;
+    finishReading(world, &rewind->clocks, last);
+}
+
+swResult swRewindState(swWorld* world, swStream* stream)
+{
+    Rewind rewind = {.ids = swMakeIdPool(SW_MAX_WAVE_SYSTEMS)};
+    streamClocks(stream, &rewind.clocks);
+    swResult result = stream->isBroken ? SW_ERROR_FORMAT : findSets(world, stream, &rewind.sets);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    streamSystems(stream, &rewind.sets, &rewind.ids, rewind.systems);
+    result = stream->isBroken ? SW_ERROR_FORMAT : readViews(world, stream, &rewind);
+    bool isFine = stream->at == stream->size && swIsWithinLimits(world, rewind.systems);
+    result = result == SW_SUCCESS && !isFine ? SW_ERROR_FORMAT : result;
+    if (result == SW_SUCCESS)
+    {
+        applyRewind(world, stream, &rewind);
     }
     return result;
 }

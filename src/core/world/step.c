@@ -59,6 +59,7 @@ void swStepWorldTo(swWorld* world, double time)
     beginFrame(world, time); // time, tiles, slices snapped to texels
     stepSystems(world);      // spectra to tiles
     swStepLayers(world);     // tiles to slices, then foam
+    world->isChanged = false;
 }
 
 void swStepWorld(swWorld* world, double dt)

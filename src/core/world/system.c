@@ -35,6 +35,11 @@ static double getProgress(const swRamp* ramp, int64_t ticks)
     return passed > 0 ? (double)passed / (double)ramp->length : 0.0;
 }
 
+bool swIsRampOver(const swRamp* ramp, int64_t ticks)
+{
+    return getProgress(ramp, ticks) >= 1.0;
+}
+
 float swGetRamp(const swRamp* ramp, int64_t ticks)
 {
     float part = (float)getProgress(ramp, ticks);
@@ -83,10 +88,10 @@ static void countWaves(const swWaveSystem* systems, int* tiles, int* waves)
     }
 }
 
-bool swIsWithinLimits(swWorld* world)
+bool swIsWithinLimits(const swWorld* world, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS])
 {
     int tiles, waves;
-    countWaves(world->systems, &tiles, &waves);
+    countWaves(systems, &tiles, &waves);
     if (tiles > SW_MAX_TILES)
     {
         swFail(&world->host, SW_ERROR_LIMIT, "the world would have %d tiles; %d are possible", tiles, SW_MAX_TILES);
@@ -106,12 +111,13 @@ static swResult placeSystem(swWorld* world, int slot, const swWaveSystem* system
 {
     swWaveSystem before = world->systems[slot];
     world->systems[slot] = *system;
-    if (!swIsWithinLimits(world))
+    if (!swIsWithinLimits(world, world->systems))
     {
         world->systems[slot] = before;
         return SW_ERROR_LIMIT;
     }
     world->isTileListStale = true;
+    world->isChanged = true;
     return SW_SUCCESS;
 }
 
@@ -158,6 +164,7 @@ void swRemoveSystem(swWorld* world, swId id)
     releaseLayers(world, system, system->layerCount);
     *system = (swWaveSystem){0};
     world->isTileListStale = true;
+    world->isChanged = true;
     swFreeId(&world->systemIds, id);
 }
 
@@ -248,11 +255,12 @@ swResult swShowSet(swWorld* world, swWaveSystem* system, swWaveSet* set)
     return replaceLayers(world, (int)(system - world->systems), set);
 }
 
-void swShareLayer(swWaveSystem* system, float share)
+void swShareLayer(swWorld* world, swWaveSystem* system, float share)
 {
     swWaveLayer* layer = &system->layers[system->layerCount - 1];
     layer->share = makeConstant(share);
     layer->isShared = layer->set->mix != NULL;
+    world->isChanged = true;
 }
 
 static swResult changeWaves(swWorld* world, int slot, swWaveSet* set, double seconds)
@@ -295,6 +303,7 @@ void swRampWeight(swWorld* world, swWaveSystem* system, float weight, double sec
 {
     float before = swGetRamp(&system->weight, world->frame.ticks);
     system->weight = seconds == 0.0 ? makeConstant(weight) : makeRamp(world, before, weight, seconds);
+    world->isChanged = true;
 }
 
 // ---- as time goes on ----

@@ -230,6 +230,7 @@ static void numberSet(swWorld* world, swWaveSet* set)
 {
     world->version += 1;
     set->version = world->version;
+    set->hash = swHashSet(set);
     set->useCount = 1;
 }
 

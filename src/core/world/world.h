@@ -31,6 +31,7 @@ typedef struct swWaveSet
     struct swWaveSet* nextRetired;
     int useCount; // layers, and mixes made of it
     uint32_t version;
+    uint64_t hash;       // of its waves at weight 1, or of what a mix is made from
     swWaveSystemDef def; // its table and components are in `copies`
     void* copies;
     size_t copiesSize;
@@ -121,7 +122,9 @@ struct swWorld
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swWaveSet* retired;
     bool isTileListStale;
-    uint32_t version; // grows with every wave set, list of tiles and view
+    bool isChanged;       // systems or weights are other ones than in the last step
+    uint32_t rewindCount; // systems may have other waves than a replay gave them
+    uint32_t version;     // grows with every wave set, list of tiles and view
 
     void* scratch; // one part a worker
     size_t scratchSize;
@@ -161,9 +164,10 @@ void swAdvanceSystems(swWorld* world); // layers and mixes to the frame's time, 
 void swFreeAllSystems(swWorld* world);
 void swRampWeight(swWorld* world, swWaveSystem* system, float weight, double seconds);
 swResult swShowSet(swWorld* world, swWaveSystem* system, swWaveSet* set); // as the only layer, at once
-void swShareLayer(swWaveSystem* system, float share);                     // of a mix that does not run by itself
+void swShareLayer(swWorld* world, swWaveSystem* system, float share);     // of a mix that does not run by itself
 const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system);        // what was asked for last
 float swGetRamp(const swRamp* ramp, int64_t ticks);
+bool swIsRampOver(const swRamp* ramp, int64_t ticks);
 
 // tile_list.c
 void swListTiles(swWorld* world); // systems and weights to the frame's tiles and free waves
@@ -184,11 +188,14 @@ swViewFrame* swFindViewFrame(const swView* view); // NULL before its first step
 void swStepWorld(swWorld* world, double dt);
 void swStepWorldTo(swWorld* world, double time);
 
-bool swIsWithinLimits(swWorld* world); // of tiles and free waves; a sentence in the log if not
+// Tiles and free waves of the world's systems, or of such as it may get; a sentence in the log if there are too many.
+bool swIsWithinLimits(const swWorld* world, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);
 
 // save.c
 void swStreamWorldDef(swStream* stream, swWorldDef* def);
 swResult swStreamState(swWorld* world, swStream* stream); // everything but the def
+swResult swRewindState(swWorld* world, swStream* stream); // the same, read into a world that has all of the waves
 
 // digest.c
 uint64_t swHashWorld(const swWorld* world);
+uint64_t swHashSet(const swWaveSet* set);

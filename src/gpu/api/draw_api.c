@@ -209,11 +209,8 @@ swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, cons
     renderer->time = (float)fmod(picture->time, 4096.0);
     renderer->exposureEv = picture->exposureEv;
     renderer->debug = picture->debug;
-    swPicture inSea = *picture; // the camera's place is in the host's coordinates
-    swPosXZ origin = swGetWorldOrigin(renderer->gpuWorld->world);
-    inSea.camera.position.x += origin.x;
-    inSea.camera.position.z += origin.z;
-    swBuildPicture(&inSea, frame, view, renderer->gpuWorld->detail.width, &renderer->picture);
+    swBuildPicture(picture, swGetWorldOrigin(renderer->gpuWorld->world), frame, view, renderer->gpuWorld->detail.width,
+                   &renderer->picture);
     swResult result = swUploadPicture(gpu, &renderer->picture);
     if (result != SW_SUCCESS)
     {

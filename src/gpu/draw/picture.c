@@ -18,6 +18,10 @@
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define SW_CLOUD_DRIFT 0.015 // km/s
 
+// The clouds' noise has no period of its own. Floats hold a metre within half of this around the sea's origin, km; another
+// sky begins beyond.
+#define SW_CLOUD_PERIOD 16384.0
+
 static swVec4 withW(swVec3 v, float w)
 {
     return (swVec4){v.x, v.y, v.z, w};
@@ -26,6 +30,12 @@ static swVec4 withW(swVec3 v, float w)
 static double wrap(double x, double period)
 {
     return x - floor(x / period) * period;
+}
+
+// Within half a period on both sides of 0.
+static double wrapEven(double x, double period)
+{
+    return wrap(x + 0.5 * period, period) - 0.5 * period;
 }
 
 // Projection times view, columns. Both are camera-relative, so the fourth column is the projection's own.
@@ -173,13 +183,17 @@ static void setTime(const swPicture* picture, swPictureFrame* built)
     p->foamZ = (float)wrap(built->rings.anchorZ, SW_FOAM_PERIOD);
     p->foamPhase = (float)(turn - floor(turn));
     p->foamSeed = (float)wrap(2.0 * floor(turn), 512.0);
-    p->cloudX = (float)(picture->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * picture->time);
-    p->cloudZ = (float)(picture->camera.position.z * 1e-3);
+    p->cloudX = (float)wrapEven(picture->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * picture->time, SW_CLOUD_PERIOD);
+    p->cloudZ = (float)wrapEven(picture->camera.position.z * 1e-3, SW_CLOUD_PERIOD);
 }
 
-void swBuildPicture(const swPicture* picture, const swFrame* frame, const swViewFrame* view, uint32_t detailSide,
-                    swPictureFrame* built)
+void swBuildPicture(const swPicture* inHost, swPosXZ origin, const swFrame* frame, const swViewFrame* view,
+                    uint32_t detailSide, swPictureFrame* built)
 {
+    swPicture inSea = *inHost;
+    inSea.camera.position.x += origin.x;
+    inSea.camera.position.z += origin.z;
+    const swPicture* picture = &inSea;
     memset(&built->params, 0, sizeof(built->params));
     built->params.debugMode = (uint32_t)picture->debug;
     swBuildMeshRings(view, &built->rings);

@@ -499,8 +499,9 @@ static bool slicesMoved(const swGpuView* view, const swViewFrame* frame)
 
 static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame, swGpuView* view)
 {
-    bool isSteady = !view->hasFoam || view->foamResetCount != viewFrame->foamResetCount;
-    int64_t steps = isSteady ? 0 : viewFrame->foamClock - view->foamClock;
+    int64_t passed = viewFrame->foamClock - view->foamClock;
+    bool isSteady = !view->hasFoam || view->foamResetCount != viewFrame->foamResetCount || passed < -SW_FOAM_RATE;
+    int64_t steps = isSteady || passed < 0 ? 0 : passed; // a world that went back a little meets its foam again
     view->foamMoves = isSteady || steps != 0 || slicesMoved(view, viewFrame);
     if (!view->foamMoves)
     {
@@ -535,7 +536,9 @@ static void commitFoam(const swViewFrame* viewFrame, swGpuView* view)
     {
         view->foamIndex ^= 1;
         view->hasFoam = true;
-        view->foamClock = viewFrame->foamClock;
+        bool isBehind = view->foamResetCount == viewFrame->foamResetCount && view->foamClock > viewFrame->foamClock &&
+                        view->foamClock - viewFrame->foamClock <= SW_FOAM_RATE;
+        view->foamClock = isBehind ? view->foamClock : viewFrame->foamClock;
         view->foamResetCount = viewFrame->foamResetCount;
         memcpy(view->foamSlices, viewFrame->slices, sizeof(view->foamSlices));
     }
