@@ -147,7 +147,7 @@ typedef enum swGpuQueryKind
     SW_GPU_QUERY_KIND_SURFACE,
 
     /// The water at places, as swWorld_QueryVolume(): depth and pressure head always, orbital velocity and local acceleration
-    /// as outputs. Waves are summed one by one, which takes some twenty times as long as the surface does; waves too
+    /// as outputs. Waves are summed one by one, which takes some fifteen times as long as the surface does; waves too
     /// short to reach any place of a group of 64 cost nothing, so places in order of depth are the cheapest.
     SW_GPU_QUERY_KIND_VOLUME,
 
