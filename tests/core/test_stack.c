@@ -31,7 +31,7 @@ static void CheckStack(const swStack* stack, swPos viewpoint)
         double texel = stack->finestTexel * exp2(stack->scaleLevel + i);
         assert_true(slice->texel == texel);
         assert_int_equal(slice->level, stack->scaleLevel + i);
-        assert_true(slice->minWavelength == (float)(4.0 * texel));
+        assert_true(slice->minWavelength == (float)(8.0 * texel));
         // The viewer is within the texel in the middle.
         double fromX = viewpoint.x - (double)(slice->firstX + stack->resolution / 2) * texel;
         double fromZ = viewpoint.z - (double)(slice->firstZ + stack->resolution / 2) * texel;
