@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From the smooth amount of foam to foam with holes. The texture's channels are patterns whose values are spread evenly
-// over 0 .. 1, so a threshold of 1 - amount leaves exactly that amount covered: laces at two scales decide where foam
+// over 0 .. 1, so that a threshold can leave just that amount covered, see foamEdge(): laces at two scales decide where foam
 // is, bubbles how thick. The pattern rests on the water, drifts with it, and is renewed bit by bit: two copies with
 // different offsets take turns. Where a pixel is wider than the pattern, the amount itself is the answer.
 
@@ -41,6 +41,14 @@ vec2 foamBend(sampler2D pattern, vec2 p)
     return p + 110.0 * (slow - 0.5);
 }
 
+// Value that the sum of two laces, plus 1/2, exceeds in a share of places: the quantile of 0.8 and 0.6 times even numbers.
+float foamEdge(float share)
+{
+    float few = sqrt(0.96 * min(share, 1.0 - share));
+    float rare = min(few, 0.6) - 0.2;
+    return abs(share - 0.5) < 0.125 ? 0.9 - 0.8 * share : share < 0.5 ? 1.0 - rare : rare;
+}
+
 // Blend that keeps the spread.
 float blendEven(float a, float b, float t)
 {
@@ -63,6 +71,23 @@ float foamValue(sampler2D pattern, vec2 p, float lod, float pixel, float seed)
     return value;
 }
 
+// Foam from afar comes in clumps of tens of metres: the crests and groups of waves that the slice does not carry, of which
+// `amount` holds the mean alone. A factor of mean 1, of which most places have less and some much more. Without it even foam
+// would be wherever the laces have their peaks, once a pattern.
+float foamClumps(sampler2D pattern, vec2 p, float lod, float seed)
+{
+    vec2 jump = foamJump(seed + 0.11);
+    float sum = textureLod(pattern, foamTurn(p, vec2(5.0, -3.0)) + jump, max(lod + 2.5, 2.0)).r +
+                textureLod(pattern, foamTurn(p, vec2(-7.0, 9.0)) - jump, max(lod + 3.5, 2.0)).g +
+                textureLod(pattern, foamTurn(p, vec2(15.0, 16.0)) + jump.yx, max(lod + 4.5, 2.0)).r;
+    return 2.0 * sum - 3.0; // a sum of three even numbers is nearly normal, with deviation 1/2
+}
+
+float foamClumping(float normal, float spread)
+{
+    return exp(spread * (normal - 0.5 * spread));
+}
+
 FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float amount, float phase, float seed)
 {
     FoamDetail foam;
@@ -80,11 +105,19 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     float first = foamValue(pattern, p, lod, pixel, seed + (phase > 0.5 ? 2.0 : 0.0));
     float second = foamValue(pattern, p, lod, pixel, seed + 1.0);
     float value = blendEven(second, first, turn) + 0.5;
+    // Nearby the laces themselves are seen, far off nothing smaller than hundreds of metres is.
+    float spread = 1.1 * smoothstep(0.02, 0.15, pixel) * (1.0 - smoothstep(1.0, 9.0, pixel));
+    if (spread > 0.0)
+    {
+        float clumps = blendEven(foamClumps(pattern, p, lod, seed + 1.0),
+                                 foamClumps(pattern, p, lod, seed + (phase > 0.5 ? 2.0 : 0.0)), turn);
+        amount = min(amount * foamClumping(clumps, spread), 1.0);
+    }
 
     float seen = 1.0 - smoothstep(1.0, 6.0, pixel);
-    float soft = 0.12 + 0.12 * smoothstep(0.02, 1.0, pixel);
     // Even the densest foam keeps some holes.
-    float edge = 1.0 - amount * (1.0 - 0.18 * amount);
+    float edge = foamEdge(amount * (1.0 - 0.18 * amount));
+    float soft = min(0.12 + 0.12 * smoothstep(0.02, 1.0, pixel), 0.8 * (1.2 - edge));
     float holes = smoothstep(edge - soft, edge + soft, value);
     foam.cover = mix(amount, holes, seen);
 
