@@ -105,8 +105,8 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     float first = foamValue(pattern, p, lod, pixel, seed + (phase > 0.5 ? 2.0 : 0.0));
     float second = foamValue(pattern, p, lod, pixel, seed + 1.0);
     float value = blendEven(second, first, turn) + 0.5;
-    // Nearby the laces themselves are seen, far off nothing smaller than hundreds of metres is.
-    float spread = 1.1 * smoothstep(0.02, 0.15, pixel) * (1.0 - smoothstep(1.0, 9.0, pixel));
+    // Nearby the laces themselves are seen; far off their and the clumps' periods would be.
+    float spread = 1.1 * smoothstep(0.02, 0.15, pixel) * (1.0 - smoothstep(0.5, 3.5, pixel));
     if (spread > 0.0)
     {
         float clumps = blendEven(foamClumps(pattern, p, lod, seed + 1.0),
@@ -114,7 +114,7 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
         amount = min(amount * foamClumping(clumps, spread), 1.0);
     }
 
-    float seen = 1.0 - smoothstep(1.0, 6.0, pixel);
+    float seen = 1.0 - smoothstep(0.5, 4.0, pixel);
     // Even the densest foam keeps some holes.
     float edge = foamEdge(amount * (1.0 - 0.18 * amount));
     float soft = min(0.12 + 0.12 * smoothstep(0.02, 1.0, pixel), 0.8 * (1.2 - edge));

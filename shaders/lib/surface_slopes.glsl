@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slopes of the sea at a pixel, and the variance of those that the pixel cannot resolve.
 //
-// Long waves come from the slices, chop and all. A slice carries waves from four of its texels up, so a coarser slice is
+// Long waves come from the slices, chop and all. A slice carries waves from eight of its texels up, so a coarser slice is
 // also a filtered one: the slice is chosen by distance, like the mesh's, or coarser where a pixel covers more. Every band
 // that the chosen slices leave out comes from the layers of its own tile's slopes, filtered by their mips along the pixel's
 // footprint; what a mip has averaged away is its mean square less the square of its mean. Needs shared/picture.h and

@@ -85,15 +85,20 @@ void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprin
         {
             continue;
         }
-        if (band.maxWavelength < 0.7 * footprint.shortest)
+        vec2 moments = vec2(band.slopeVarianceX, band.slopeVarianceZ);
+        // Of waves hardly longer than a pixel only the mean counts: a tile is 16 of its longest waves wide, and what is left
+        // of its pattern would show how it repeats.
+        float merged = smoothstep(0.2, 0.7, footprint.shortest / band.maxWavelength);
+        if (merged >= 1.0)
         {
-            slopes.variance += missing * vec2(band.slopeVarianceX, band.slopeVarianceZ);
+            slopes.variance += missing * moments;
             continue;
         }
         vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
         vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side);
-        slopes.mean += missing * m.xy;
-        slopes.variance += missing * max(m.zw - m.xy * m.xy, vec2(0.0));
+        vec2 mean = (1.0 - merged) * m.xy;
+        slopes.mean += missing * mean;
+        slopes.variance += missing * max(mix(m.zw, moments, merged) - mean * mean, vec2(0.0));
     }
 }
 

@@ -113,8 +113,8 @@ static void CheckHits(Parity* parity, const swGpuQuery* query, const char* what,
         distance = fmax(distance, apart);
         point = fmax(point, hypot(gpu->point.x - cpu->point.x, gpu->point.z - cpu->point.z));
     }
-    printf("  %-30s gap %.2g m, distance %.2g m, point %.2g m; %d of %d hit, %d other water\n", what, gap, distance, point,
-           hitCount, count, different);
+    printf("  %-30s gap %.2g m, distance %.2g m, point %.2g m; %d of %d hit, %d other water\n", what, gap, distance,
+           point, hitCount, count, different);
     assert_true(gap < GAP_M);
     assert_true(different <= others);
 }
@@ -130,10 +130,14 @@ typedef struct Aim
 static void CheckAims(Parity* parity, swPosXZ around, int count)
 {
     static const Aim aims[] = {
-        {"down from above", 10.0, 30.0, 1.0, 0.0f},     {"steeply", 10.0, 30.0, 20.0, 0.0f},
-        {"grazing", 2.0, 4.0, 0.05, 0.0f},              {"up from below", -30.0, -10.0, -1.0, 0.0f},
-        {"spheres from above", 10.0, 30.0, 1.0, 0.5f},  {"spheres from below", -30.0, -10.0, -1.0, 0.5f},
-        {"from around the surface", -1.0, 1.0, 0.3, 0.2f}, {"away from the water", 20.0, 30.0, -0.3, 0.0f},
+        {"down from above", 10.0, 30.0, 1.0, 0.0f},
+        {"steeply", 10.0, 30.0, 20.0, 0.0f},
+        {"grazing", 2.0, 4.0, 0.05, 0.0f},
+        {"up from below", -30.0, -10.0, -1.0, 0.0f},
+        {"spheres from above", 10.0, 30.0, 1.0, 0.5f},
+        {"spheres from below", -30.0, -10.0, -1.0, 0.5f},
+        {"from around the surface", -1.0, 1.0, 0.3, 0.2f},
+        {"away from the water", 20.0, 30.0, -0.3, 0.0f},
     };
     swGpuQuery* query = MakeQuery(parity, count, 0.0f);
     for (size_t i = 0; i < sizeof(aims) / sizeof(aims[0]); ++i)
