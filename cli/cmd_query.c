@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: MIT
-// `seaway query`: the surface at points and times, CSV in and CSV out.
+// `seaway query`: the water at points, along rays and on grids, at any times; CSV in and CSV out.
 
-#include <errno.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "args.h"
-#include "gpu_answers.h"
 #include "progress.h"
+#include "query_answers.h"
 #include "verbs.h"
 
-#define MAX_COLUMNS 16
-#define BLOCK 65536 // points asked at once
-
-typedef struct PointList
-{
-    swPosXZ* points;
-    double* heights; // y of each point; 0 where the file has none
-    bool hasHeights;
-    int count, capacity;
-} PointList;
+#define MOST_TIMES 1e6
+#define MOST_MAP_POINTS 1e8
 
 typedef struct TimeRange
 {
@@ -29,42 +19,55 @@ typedef struct TimeRange
     int count;
 } TimeRange;
 
-typedef struct Columns
+// The arguments as they came; times and maps are text, and what was not given is NULL, or below 0.
+typedef struct QueryArguments
 {
-    int x, y, z, count; // which column holds what, y -1 if none does; count 0: not known yet
-} Columns;
+    const char* scenePath;
+    const char* pointsPath;
+    const char* timeText;
+    const char* mapText;
+    double minWavelength, tolerance, maxDistance;
+    int backend, stretching;
+    bool withMotion, isBelow, isRays;
+    DeviceName device;
+} QueryArguments;
 
-// What is asked for.
-typedef enum Question
+// Numbers with a separator between them: how many, or 0 if there are more than `most` or one is none.
+static int ParseNumbers(const char* text, char separator, int most, double* values)
 {
-    QUESTION_SURFACE,
-    QUESTION_MOTION, // and how the particle there moves
-    QUESTION_BELOW   // the water at the points' own heights
-} Question;
+    char copy[256];
+    int count = 0;
+    if (snprintf(copy, sizeof(copy), "%s", text) >= (int)sizeof(copy))
+    {
+        return 0;
+    }
+    for (char* part = copy; part != NULL; ++count)
+    {
+        char* end = strchr(part, separator);
+        if (end != NULL)
+        {
+            *end = 0;
+        }
+        if (count == most || !ParseNumber(part, values + count))
+        {
+            return 0;
+        }
+        part = end != NULL ? end + 1 : NULL;
+    }
+    return count;
+}
 
-static const char tooManyTimes[] = "query: --time %s asks for more than a million times";
+// Places from `begin` to `end`, both included if the step divides the way.
+static double CountSteps(double begin, double end, double step)
+{
+    return floor((end - begin) / step + 1e-9) + 1.0;
+}
 
 // "T" or "A:B:STEP".
 static bool ParseTimes(const char* text, TimeRange* range)
 {
     double value[3] = {0.0, 0.0, 1.0};
-    char copy[128];
-    int count = 0;
-    snprintf(copy, sizeof(copy), "%s", text);
-    for (char* part = copy; part != NULL && count < 4; ++count)
-    {
-        char* colon = strchr(part, ':');
-        if (colon != NULL)
-        {
-            *colon = 0;
-        }
-        if (count == 3 || !ParseNumber(part, value + count))
-        {
-            count = 0;
-            break;
-        }
-        part = colon != NULL ? colon + 1 : NULL;
-    }
+    int count = ParseNumbers(text, ':', 3, value);
     if (count != 1 && count != 3)
     {
         Complain("query: --time wants seconds, T or A:B:STEP, not \"%s\"", text);
@@ -80,364 +83,95 @@ static bool ParseTimes(const char* text, TimeRange* range)
         Complain("query: --time %s runs nowhere; it wants A <= B and STEP > 0", text);
         return false;
     }
-    double steps = floor((value[1] - value[0]) / value[2] + 1e-9);
-    if (steps >= 1e6)
+    double times = CountSteps(value[0], value[1], value[2]);
+    if (times > MOST_TIMES)
     {
-        Complain(tooManyTimes, text);
+        Complain("query: --time %s asks for more than a million times", text);
         return false;
     }
-    *range = (TimeRange){value[0], value[2], (int)steps + 1};
+    *range = (TimeRange){value[0], value[2], (int)times};
     return true;
 }
 
-// Cut a line at its commas, blanks around the fields removed. Returns the number of fields.
-static int SplitLine(char* line, char** fields)
+// "X0,Z0,X1,Z1,STEP".
+static bool ParseMap(const char* text, swHeightMapDef* map)
 {
-    int count = 0;
-    line[strcspn(line, "\r\n")] = 0;
-    for (char* part = line; part != NULL; ++count)
+    double value[5];
+    if (ParseNumbers(text, ',', 5, value) != 5)
     {
-        char* comma = strchr(part, ',');
-        if (comma != NULL)
-        {
-            *comma = 0;
-        }
-        part += strspn(part, " \t");
-        for (size_t end = strlen(part); end > 0 && strchr(" \t", part[end - 1]) != NULL; --end)
-        {
-            part[end - 1] = 0;
-        }
-        if (count < MAX_COLUMNS)
-        {
-            fields[count] = part;
-        }
-        part = comma != NULL ? comma + 1 : NULL;
-    }
-    return count;
-}
-
-// The first line: a header names the columns; without one there are two (x, z) or three (x, y, z).
-static bool FindColumns(const char* name, int lineNumber, char** fields, int fieldCount, Columns* columns,
-                        bool* isHeader)
-{
-    double number = 0.0;
-    *isHeader = !ParseNumber(fields[0], &number);
-    if (!*isHeader)
-    {
-        *columns = (Columns){.x = 0, .y = fieldCount == 3 ? 1 : -1, .z = fieldCount - 1, .count = fieldCount};
-        if (fieldCount != 2 && fieldCount != 3)
-        {
-            Complain("%s:%d: a line without a header has 2 columns (x,z) or 3 (x,y,z), not %d", name, lineNumber,
-                     fieldCount);
-            return false;
-        }
-        return true;
-    }
-    *columns = (Columns){-1, -1, -1, fieldCount};
-    for (int i = 0; i < fieldCount && i < MAX_COLUMNS; ++i)
-    {
-        columns->x = strcmp(fields[i], "x") == 0 || strcmp(fields[i], "x_m") == 0 ? i : columns->x;
-        columns->y = strcmp(fields[i], "y") == 0 || strcmp(fields[i], "y_m") == 0 ? i : columns->y;
-        columns->z = strcmp(fields[i], "z") == 0 || strcmp(fields[i], "z_m") == 0 ? i : columns->z;
-    }
-    if (columns->x < 0 || columns->z < 0)
-    {
-        Complain("%s:%d: the header names no column %s", name, lineNumber, columns->x < 0 ? "x" : "z");
+        Complain("query: --map wants two corners and a spacing in metres, X0,Z0,X1,Z1,STEP, not \"%s\"", text);
         return false;
     }
-    return true;
-}
-
-static bool AppendPoint(PointList* list, swPosXZ point, double y)
-{
-    if (list->count == list->capacity)
+    if (value[2] < value[0] || value[3] < value[1] || value[4] <= 0.0)
     {
-        int capacity = list->capacity > 0 ? 2 * list->capacity : 1024;
-        swPosXZ* points = realloc(list->points, (size_t)capacity * sizeof(swPosXZ));
-        list->points = points != NULL ? points : list->points;
-        double* heights = realloc(list->heights, (size_t)capacity * sizeof(double));
-        list->heights = heights != NULL ? heights : list->heights;
-        if (points == NULL || heights == NULL)
-        {
-            Complain("query: no memory for %d points", capacity);
-            return false;
-        }
-        list->capacity = capacity;
-    }
-    list->heights[list->count] = y;
-    list->points[list->count++] = point;
-    return true;
-}
-
-static bool ReadLine(const char* name, int lineNumber, char* line, Columns* columns, PointList* list)
-{
-    char* fields[MAX_COLUMNS];
-    int fieldCount = SplitLine(line, fields);
-    if (fieldCount == 1 && fields[0][0] == 0)
-    {
-        return true; // an empty line
-    }
-    if (fieldCount > MAX_COLUMNS)
-    {
-        Complain("%s:%d: %d columns are more than %d", name, lineNumber, fieldCount, MAX_COLUMNS);
+        Complain("query: --map %s holds nothing; it wants X0 <= X1, Z0 <= Z1 and STEP > 0", text);
         return false;
     }
-    if (columns->count == 0)
+    double width = CountSteps(value[0], value[2], value[4]), height = CountSteps(value[1], value[3], value[4]);
+    double farthest = fmax(width, height) * value[4];
+    for (int i = 0; i < 4; ++i)
     {
-        bool isHeader = false;
-        if (!FindColumns(name, lineNumber, fields, fieldCount, columns, &isHeader))
-        {
-            return false;
-        }
-        if (isHeader)
-        {
-            return true;
-        }
+        farthest = fmax(farthest, fabs(value[i]));
     }
-    if (fieldCount != columns->count)
+    if (farthest > FARTHEST_POINT)
     {
-        Complain("%s:%d: %d columns where the lines before have %d", name, lineNumber, fieldCount, columns->count);
+        Complain("query: --map %s is larger or farther out than %.0g m", text, FARTHEST_POINT);
         return false;
     }
-    swPosXZ point;
-    double y = 0.0;
-    const int wanted[3] = {columns->x, columns->z, columns->y};
-    double* values[3] = {&point.x, &point.z, &y};
-    list->hasHeights = columns->y >= 0;
-    for (int i = 0; i < (columns->y >= 0 ? 3 : 2); ++i)
+    if (width * height > MOST_MAP_POINTS)
     {
-        if (!ParseNumber(fields[wanted[i]], values[i]))
-        {
-            Complain("%s:%d: \"%s\" is no number", name, lineNumber, fields[wanted[i]]);
-            return false;
-        }
-    }
-    return AppendPoint(list, point, y);
-}
-
-static bool ReadPoints(const char* path, PointList* list)
-{
-    bool isInput = strcmp(path, "-") == 0;
-    const char* name = isInput ? "standard input" : path;
-    FILE* file = isInput ? stdin : fopen(path, "r");
-    if (file == NULL)
-    {
-        Complain("cannot read %s: %s", path, strerror(errno));
+        Complain("query: --map %s asks for %.3g points, more than %.0g; a larger STEP makes them fewer", text,
+                 width * height, MOST_MAP_POINTS);
         return false;
     }
-    Columns columns = {0};
-    char line[1024];
-    int lineNumber = 0;
-    bool isFine = true;
-    while (isFine && fgets(line, sizeof(line), file) != NULL)
-    {
-        ++lineNumber;
-        if (strlen(line) + 1 == sizeof(line) && strchr(line, '\n') == NULL)
-        {
-            Complain("%s:%d: the line is longer than %d characters", name, lineNumber, (int)sizeof(line) - 2);
-            isFine = false;
-            break;
-        }
-        isFine = ReadLine(name, lineNumber, line, &columns, list);
-    }
-    if (isFine && ferror(file))
-    {
-        Complain("cannot read %s: %s", name, strerror(errno));
-        isFine = false;
-    }
-    if (isFine && list->count == 0)
-    {
-        Complain("%s holds no points", name);
-        isFine = false;
-    }
-    if (!isInput)
-    {
-        fclose(file);
-    }
-    return isFine;
-}
-
-// Who answers; gpu is NULL if the core does.
-typedef struct Source
-{
-    Question question;
-    swWorld* world;
-    swSceneSea* sea;
-    const swQueryDef* def;
-    GpuAnswers* gpu;
-} Source;
-
-static bool Ask(const Source* source, int count, const swPosXZ* points, const swSurfaceSamples* samples)
-{
-    if (source->gpu != NULL)
-    {
-        return AskGpu(source->gpu, count, points, samples);
-    }
-    swWorld_QuerySurface(source->world, source->def, count, points, samples, NULL);
+    *map = (swHeightMapDef){value[0], value[1], value[4], (int)width, (int)height};
     return true;
 }
 
-static bool AskBelow(const Source* source, int count, const swPos* places, const swVolumeSamples* samples)
+static int PrintTimes(const Source* source, swWorld* world, swSceneSea* sea, const Asked* asked, TimeRange times)
 {
-    if (source->gpu != NULL)
-    {
-        return AskGpuBelow(source->gpu, count, places, samples);
-    }
-    swWorld_QueryVolume(source->world, source->def, count, places, samples);
-    return true;
-}
-
-static void PrintVector(swVec3 v)
-{
-    printf(",%.6g,%.6g,%.6g", (double)v.x, (double)v.y, (double)v.z);
-}
-
-// The surface at one time, a block of points at once.
-static bool PrintSurface(const Source* source, const PointList* list)
-{
-    static float height[BLOCK], jacobian[BLOCK], residual[BLOCK];
-    static swVec3 displacement[BLOCK], normal[BLOCK], velocity[BLOCK], acceleration[BLOCK];
-    swSurfaceSamples samples = {
-        .height = height, .displacement = displacement, .normal = normal, .jacobian = jacobian, .residual = residual};
-    bool withMotion = source->question == QUESTION_MOTION;
-    samples.velocity = withMotion ? velocity : NULL;
-    samples.acceleration = withMotion ? acceleration : NULL;
-    double time = swWorld_GetTime(source->world);
-    for (int begin = 0; begin < list->count; begin += BLOCK)
-    {
-        int count = list->count - begin < BLOCK ? list->count - begin : BLOCK;
-        if (!Ask(source, count, list->points + begin, &samples))
-        {
-            return false;
-        }
-        for (int i = 0; i < count; ++i)
-        {
-            printf("%.10g,%.10g,%.10g,%.7g", time, list->points[begin + i].x, list->points[begin + i].z,
-                   (double)height[i]);
-            PrintVector(displacement[i]);
-            PrintVector(normal[i]);
-            printf(",%.6g,%.3g", (double)jacobian[i], (double)residual[i]);
-            if (withMotion)
-            {
-                PrintVector(velocity[i]);
-                PrintVector(acceleration[i]);
-            }
-            putchar('\n');
-        }
-    }
-    return true;
-}
-
-// The water at the points' own heights.
-static bool PrintBelow(const Source* source, const PointList* list)
-{
-    static swPos places[BLOCK];
-    static float depth[BLOCK], head[BLOCK];
-    static swVec3 velocity[BLOCK], acceleration[BLOCK];
-    const swVolumeSamples samples = {
-        .depth = depth, .velocity = velocity, .acceleration = acceleration, .pressureHead = head};
-    double time = swWorld_GetTime(source->world);
-    for (int begin = 0; begin < list->count; begin += BLOCK)
-    {
-        int count = list->count - begin < BLOCK ? list->count - begin : BLOCK;
-        for (int i = 0; i < count; ++i)
-        {
-            places[i] = (swPos){list->points[begin + i].x, list->heights[begin + i], list->points[begin + i].z};
-        }
-        if (!AskBelow(source, count, places, &samples))
-        {
-            return false;
-        }
-        for (int i = 0; i < count; ++i)
-        {
-            printf("%.10g,%.10g,%.10g,%.10g,%.6g", time, places[i].x, places[i].y, places[i].z, (double)depth[i]);
-            PrintVector(velocity[i]);
-            PrintVector(acceleration[i]);
-            printf(",%.6g\n", (double)head[i]);
-        }
-    }
-    return true;
-}
-
-static void PrintHeading(Question question)
-{
-    if (question == QUESTION_BELOW)
-    {
-        puts("t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m");
-        return;
-    }
-    printf("t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m%s\n",
-           question == QUESTION_MOTION ? ",vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2" : "");
-}
-
-static int PrintTimes(const Source* source, const PointList* list, TimeRange times)
-{
-    PrintHeading(source->question);
+    PrintHeading(asked->question);
     BeginProgress("times", times.count);
-    for (int i = 0; i < times.count; ++i)
+    bool isFine = true;
+    for (int i = 0; i < times.count && isFine && !ferror(stdout); ++i)
     {
         double time = times.begin + times.step * i;
-        swWorld_SetTime(source->world, time);
-        swResult result = swSceneSea_Advance(source->sea, time);
-        result = result == SW_SUCCESS ? swWorld_Step(source->world, 0.0) : result;
+        swWorld_SetTime(world, time);
+        swResult result = swSceneSea_Advance(sea, time);
+        result = result == SW_SUCCESS ? swWorld_Step(world, 0.0) : result;
         if (result != SW_SUCCESS)
         {
             EndProgress();
             ComplainAboutResult(result, "the sea could not be stepped");
             return EXIT_PROBLEM;
         }
-        bool isPrinted = source->question == QUESTION_BELOW ? PrintBelow(source, list) : PrintSurface(source, list);
-        if (!isPrinted)
-        {
-            EndProgress();
-            return EXIT_PROBLEM;
-        }
-        if (ferror(stdout))
-        {
-            break;
-        }
+        isFine = PrintAnswers(source, asked);
         UpdateProgress(i + 1);
     }
     EndProgress();
-    return FinishOutput() ? EXIT_FINE : EXIT_PROBLEM;
-}
-
-static swGpuQueryDef MakeGpuDef(const swQueryDef* def, Question question, int capacity)
-{
-    swGpuQueryDef gpuDef = swDefaultGpuQueryDef();
-    gpuDef.capacity = capacity;
-    bool isBelow = question == QUESTION_BELOW;
-    gpuDef.kind = isBelow ? SW_GPU_QUERY_KIND_VOLUME : SW_GPU_QUERY_KIND_SURFACE;
-    gpuDef.outputs = isBelow ? 0 : SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL;
-    gpuDef.outputs |= question != QUESTION_SURFACE ? SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION : 0;
-    gpuDef.minWavelength = def->minWavelength;
-    gpuDef.tolerance = def->tolerance;
-    gpuDef.maxIterations = def->maxIterations;
-    gpuDef.stretching = def->stretching;
-    return gpuDef;
+    return isFine && FinishOutput() ? EXIT_FINE : EXIT_PROBLEM;
 }
 
 // `device` NULL: the core answers.
-static int AnswerPoints(swWorld* world, swSceneSea* sea, const swQueryDef* def, const DeviceName* device,
-                        Question question, const PointList* list, TimeRange times)
+static int AnswerTimes(swWorld* world, swSceneSea* sea, const DeviceName* device, const Asked* asked, TimeRange times)
 {
-    Source source = {.world = world, .sea = sea, .def = def, .question = question};
+    Source source = {.world = world};
     if (device != NULL)
     {
-        swGpuQueryDef gpuDef = MakeGpuDef(def, question, list->count < BLOCK ? list->count : BLOCK);
+        swGpuQueryDef gpuDef = MakeGpuDef(asked);
         source.gpu = OpenGpuAnswers(device, world, &gpuDef);
         if (source.gpu == NULL)
         {
             return EXIT_PROBLEM;
         }
     }
-    int exitCode = PrintTimes(&source, list, times);
+    int exitCode = PrintTimes(&source, world, sea, asked, times);
     CloseGpuAnswers(source.gpu);
     return exitCode;
 }
 
-static int QueryScene(const char* scenePath, const char* timeText, const swQueryDef* def, const DeviceName* device,
-                      Question question, const PointList* list)
+// `times` NULL: the scene's time.
+static int QueryScene(const char* scenePath, const TimeRange* times, const DeviceName* device, const Asked* asked)
 {
     swHost host = MakeHost();
     swTaskPool* pool = AttachThreads(&host, 0);
@@ -449,14 +183,14 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
     if (result == SW_SUCCESS)
     {
         scene->world.enableQueries = device == NULL;
-        scene->world.enableVelocity = scene->world.enableAcceleration = device == NULL && question == QUESTION_MOTION;
+        scene->world.enableVelocity = scene->world.enableAcceleration =
+            device == NULL && asked->question == QUESTION_MOTION;
         result = swOpenScene(&host, scene, &world, &sea);
     }
     if (result == SW_SUCCESS)
     {
-        TimeRange times = {scene->time, 1.0, 1};
-        bool isFine = timeText == NULL || ParseTimes(timeText, &times);
-        exitCode = isFine ? AnswerPoints(world, &sea, def, device, question, list, times) : EXIT_USAGE;
+        const TimeRange own = {scene->time, 1.0, 1};
+        exitCode = AnswerTimes(world, &sea, device, asked, times != NULL ? *times : own);
     }
     else
     {
@@ -469,116 +203,191 @@ static int QueryScene(const char* scenePath, const char* timeText, const swQuery
     return exitCode;
 }
 
-int RunQuery(int argumentCount, char** arguments)
+static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArguments* given)
 {
     static const char* const backends[] = {"cpu", "gpu", NULL};
     static const char* const stretchings[] = {"wheeler", "linear", NULL};
-    const char* scenePath = NULL;
-    const char* pointsPath = "-";
-    const char* timeText = NULL;
-    double minWavelength = 0.0, tolerance = 0.0005;
-    int backend = 0, stretching = 0;
-    bool withMotion = false, isBelow = false;
-    DeviceName device = {.choice = SW_DEVICE_AUTO};
     const Option options[] = {
         {.name = "points",
          .kind = OPTION_TEXT,
-         .value = &pointsPath,
+         .value = &given->pointsPath,
          .placeholder = "FILE",
-         .help = "CSV of points, - for standard input (default)"},
+         .help = "CSV of points or rays, - for standard input (default)"},
         {.name = "time",
          .kind = OPTION_TEXT,
-         .value = &timeText,
+         .value = &given->timeText,
          .placeholder = "T",
          .help = "seconds, or A:B:STEP for many times (default: the scene's time)"},
         {.name = "min-wavelength",
          .kind = OPTION_NUMBER,
-         .value = &minWavelength,
+         .value = &given->minWavelength,
          .placeholder = "L",
          .help = "leave out octaves of shorter waves, m (default 0)",
          .max = 1e4},
         {.name = "tolerance",
          .kind = OPTION_NUMBER,
-         .value = &tolerance,
+         .value = &given->tolerance,
          .placeholder = "M",
          .help = "largest horizontal error of the search, m (default 0.0005)",
          .min = 1e-5,
          .max = 10.0},
         {.name = "motion",
          .kind = OPTION_FLAG,
-         .value = &withMotion,
+         .value = &given->withMotion,
          .help = "also velocity and acceleration of the particle there"},
         {.name = "below",
          .kind = OPTION_FLAG,
-         .value = &isBelow,
+         .value = &given->isBelow,
          .help = "the water at the points' own heights y instead of the surface above them"},
+        {.name = "rays",
+         .kind = OPTION_FLAG,
+         .value = &given->isRays,
+         .help = "what rays or swept spheres meet; the CSV holds rays"},
+        {.name = "max-distance",
+         .kind = OPTION_NUMBER,
+         .value = &given->maxDistance,
+         .placeholder = "M",
+         .help = "of --rays: how far they go, m (default 1000)",
+         .max = 1e5},
+        {.name = "map",
+         .kind = OPTION_TEXT,
+         .value = &given->mapText,
+         .placeholder = "X0,Z0,X1,Z1,STEP",
+         .help = "heights on a grid from one corner to the other, STEP m apart; reads no CSV, CPU only"},
         {.name = "stretching",
          .kind = OPTION_CHOICE,
-         .value = &stretching,
+         .value = &given->stretching,
          .placeholder = "wheeler",
          .help = "of --below: how linear theory meets the surface, wheeler or linear (default wheeler)",
          .choices = stretchings},
         {.name = "backend",
          .kind = OPTION_CHOICE,
-         .value = &backend,
+         .value = &given->backend,
          .placeholder = "cpu",
          .help = "who answers: cpu, or gpu for many points (default cpu)",
          .choices = backends},
         {.name = "device",
          .kind = OPTION_DEVICE,
-         .value = &device,
+         .value = &given->device,
          .placeholder = "D",
          .help = "of --backend gpu: auto, gpu, software, or a number of `seaway devices`"},
     };
     const Verb verb = {
         .name = "query",
-        .synopsis = "SCENE [--points FILE] [--time T|A:B:STEP] [options]",
+        .synopsis = "SCENE [--points FILE | --map X0,Z0,X1,Z1,STEP] [--time T|A:B:STEP] [options]",
         .text =
-            "Ask for the surface above points. The points come as CSV lines x,z or x,y,z in metres (x east, z\n"
-            "south, y up and used by --below only), with or without a header line. The answers go to standard output:\n"
+            "Ask for the surface above points, the water below it, what rays meet, or a grid of heights. Points come\n"
+            "as CSV lines x,z or x,y,z in metres (x east, z south, y up and used by --below only), with or without a\n"
+            "header line. The answers go to standard output:\n"
             "  t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m\n"
             "height above sea level's datum, displacement of the particle there, normal, Jacobian (1 flat, below\n"
             "0 folded over), and how far the answering particle is from the point asked for. The GPU gives the\n"
             "same answers to 0.1 mm, plus what the residuals allow.\n"
             "--motion appends vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2. --below answers with\n"
             "  t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m\n"
-            "depth below the surface, motion of the water, and dynamic pressure in metres of water.",
+            "depth below the surface, motion of the water, and dynamic pressure in metres of water.\n"
+            "--rays reads lines x,y,z,dx,dy,dz or x,y,z,dx,dy,dz,radius: where a ray begins, its direction (of any\n"
+            "length but 0) and, for a sphere that sweeps along it, a radius up to 100 m. It answers with\n"
+            "  t_s,x_m,y_m,z_m,dx,dy,dz,radius_m,hit,distance_m,position_x_m,position_y_m,position_z_m,\n"
+            "  point_x_m,point_y_m,point_z_m,nx,ny,nz,from_below\n"
+            "on one line: hit 1 or 0, distance along the ray, position of the sphere's centre then, point of the\n"
+            "water that it touches, normal there, and 1 if it came out of the water. Without a hit the distance is\n"
+            "how far was looked, and the fields after it are empty. --map answers with t_s,x_m,z_m,height_m.",
         .options = options,
         .optionCount = sizeof(options) / sizeof(options[0]),
         .positionalMin = 1,
         .positionalMax = 1,
         .positionalName = "a scene file",
-        .positionals = &scenePath};
-    ParseResult parsed = ParseArguments(&verb, argumentCount, arguments);
+        .positionals = &given->scenePath};
+    return ParseArguments(&verb, argumentCount, arguments);
+}
+
+// What does not go together.
+static const char* FindConflict(const QueryArguments* given)
+{
+    bool isMap = given->mapText != NULL;
+    if (isMap && (given->withMotion || given->isBelow || given->isRays))
+    {
+        return "--map has heights only; leave out --motion, --below and --rays";
+    }
+    if (isMap && given->pointsPath != NULL)
+    {
+        return "--map makes its own points; leave out --points";
+    }
+    if (isMap && given->backend == 1)
+    {
+        return "--map is answered by the CPU only; leave out --backend gpu";
+    }
+    if (given->isRays && (given->withMotion || given->isBelow))
+    {
+        return "--rays is a question of its own; leave out --motion and --below";
+    }
+    if (given->withMotion && given->isBelow)
+    {
+        return "--below has the motion already; leave out --motion";
+    }
+    if (given->maxDistance >= 0.0 && !given->isRays)
+    {
+        return "--max-distance is how far rays go; it wants --rays";
+    }
+    return NULL;
+}
+
+static Question GetQuestion(const QueryArguments* given)
+{
+    return given->mapText != NULL ? QUESTION_MAP
+           : given->isRays        ? QUESTION_RAYS
+           : given->isBelow       ? QUESTION_BELOW
+           : given->withMotion    ? QUESTION_MOTION
+                                  : QUESTION_SURFACE;
+}
+
+static bool ReadQuestionNumbers(const QueryArguments* given, Asked* asked)
+{
+    const char* path = given->pointsPath != NULL ? given->pointsPath : "-";
+    if (!ReadCsvNumbers(path, GetQuestionFormat(asked->question), &asked->numbers))
+    {
+        return false;
+    }
+    if (asked->question == QUESTION_BELOW && !asked->numbers.hasOptional)
+    {
+        Complain("query: --below needs points x,y,z; y is the height above the scene's datum, m");
+        return false;
+    }
+    return given->backend == 0 || AreWithinGpuReach(asked);
+}
+
+int RunQuery(int argumentCount, char** arguments)
+{
+    QueryArguments given = {.tolerance = 0.0005, .maxDistance = -1.0, .device = {.choice = SW_DEVICE_AUTO}};
+    ParseResult parsed = ParseQuery(argumentCount, arguments, &given);
     if (parsed != PARSE_FINE)
     {
         return GetParseExit(parsed);
     }
-    TimeRange ignored;
-    if (timeText != NULL && !ParseTimes(timeText, &ignored))
+    const char* conflict = FindConflict(&given);
+    if (conflict != NULL)
+    {
+        Complain("query: %s", conflict);
+        return EXIT_USAGE;
+    }
+    Asked asked = {.question = GetQuestion(&given), .def = swDefaultQueryDef()};
+    asked.maxDistance = given.maxDistance >= 0.0 ? (float)given.maxDistance : 1000.0f;
+    asked.def.minWavelength = (float)given.minWavelength;
+    asked.def.tolerance = (float)given.tolerance;
+    asked.def.stretching = (swStretching)given.stretching;
+    TimeRange times;
+    if ((given.timeText != NULL && !ParseTimes(given.timeText, &times)) ||
+        (given.mapText != NULL && !ParseMap(given.mapText, &asked.map)))
     {
         return EXIT_USAGE;
     }
-    swQueryDef def = swDefaultQueryDef();
-    def.minWavelength = (float)minWavelength;
-    def.tolerance = (float)tolerance;
-    def.stretching = (swStretching)stretching;
-    if (withMotion && isBelow)
+    int exitCode = EXIT_PROBLEM;
+    if (asked.question == QUESTION_MAP || ReadQuestionNumbers(&given, &asked))
     {
-        Complain("query: --below has the motion already; leave out --motion");
-        return EXIT_USAGE;
+        exitCode = QueryScene(given.scenePath, given.timeText != NULL ? &times : NULL,
+                              given.backend == 1 ? &given.device : NULL, &asked);
     }
-    Question question = isBelow ? QUESTION_BELOW : withMotion ? QUESTION_MOTION : QUESTION_SURFACE;
-    PointList list = {0};
-    const DeviceName* answering = backend == 1 ? &device : NULL;
-    bool isRead = ReadPoints(pointsPath, &list);
-    if (isRead && isBelow && !list.hasHeights)
-    {
-        Complain("query: --below needs points x,y,z; y is the height above the scene's datum, m");
-        isRead = false;
-    }
-    int exitCode = isRead ? QueryScene(scenePath, timeText, &def, answering, question, &list) : EXIT_PROBLEM;
-    free(list.points);
-    free(list.heights);
+    FreeCsvNumbers(&asked.numbers);
     return exitCode;
 }

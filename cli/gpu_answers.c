@@ -165,3 +165,15 @@ bool AskGpuBelow(GpuAnswers* answers, int count, const swPos* places, const swVo
     }
     return isThere;
 }
+
+bool AskGpuRays(GpuAnswers* answers, int count, const swRay* rays, swRayHit* hits)
+{
+    swGpuQuery_SetRays(answers->query, count, rays);
+    swGpuQueryResults results;
+    bool isThere = FetchResults(answers, &results);
+    if (isThere)
+    {
+        swGpuQueryResults_UnpackHits(&results, rays, hits);
+    }
+    return isThere;
+}

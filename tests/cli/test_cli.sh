@@ -89,6 +89,79 @@ test_usage() {
     err 'takes no value'
 }
 
+# What rays meet, of both backends. The first goes down where a point asks for the height; the second comes out of the water.
+query_rays() {
+    printf '10.5,20,-3,0,-2,0,0\n10.5,-20,-3,0,1,0,0\n10.5,20,-3,0,1,0,0\n0,15,0,1,-1,0.5,1.5\n' >rays.csv
+    run 0 query "$sea" --points points.csv --time 3
+    height=$(tail -1 out | cut -d, -f4)
+    run 0 query "$sea" --rays --points rays.csv --time 3
+    out '^t_s,x_m,y_m,z_m,dx,dy,dz,radius_m,hit,distance_m,position_x_m,.*,point_z_m,nx,ny,nz,from_below$'
+    [ "$(wc -l <out)" -eq 5 ] || fail "four rays are not five lines"
+    awk -F, -v height="$height" '
+        function near(a, b) { return (a - b) * (a - b) < 4e-6 }
+        NF != 20 { exit 1 }
+        NR == 2 && !($9 == 1 && near($10, 20 - height) && near($15, height) && $20 == 0) { exit 1 }
+        NR == 3 && !($9 == 1 && near($10, 20 + height) && near($15, height) && $20 == 1) { exit 1 }
+        NR == 4 && !($9 == 0 && $10 == 1000 && $11 == "" && $20 == "") { exit 1 }
+        NR == 5 && !($9 == 1 && near(($11 - $14) ^ 2 + ($12 - $15) ^ 2 + ($13 - $16) ^ 2, 1.5 ^ 2)) { exit 1 }' out ||
+        fail "the rays do not meet the water of the points"
+    cp out first
+    run 0 query "$sea" --rays --points first --time 3
+    cmp -s out first || fail "answers read as rays give other answers"
+    run 0 query "$sea" --rays --points rays.csv --time 3 --backend gpu
+    paste -d, first out | awk -F, 'NR > 1 {
+            if ($9 != $29 || $20 != $40) exit 1
+            for (i = 10; i <= 19; ++i) { d = $i - $(i + 20); if (d * d > 4e-6) exit 1 }
+        }' || fail "the GPU's rays meet other water"
+    run 0 query "$sea" --rays --points rays.csv --time 3:4:1 --max-distance 5
+    [ "$(grep -c ',0,5,,,,,,,,,,$' out)" -eq 8 ] || fail "rays of 5 m reach the water"
+    printf '0,9,0,0,-1,0\n1,9,0,0,0,0\n' >still.csv
+    run 1 query "$sea" --rays --points still.csv
+    err 'still.csv:2: the direction dx,dy,dz is 0'
+    run 1 query "$sea" --rays --points three.csv
+    err 'three.csv:1: a line without a header has 6 columns (x,y,z,dx,dy,dz) or 7 (x,y,z,dx,dy,dz,radius), not 3'
+    run 1 query "$sea" --rays --points deep.csv
+    err 'deep.csv:1: the header names no column dx'
+    printf 'x_m,y_m,z_m,dx,dy,dz,radius_m\n0,9,0,0,-1,0,-1\n' >thin.csv
+    run 1 query "$sea" --rays --points thin.csv
+    err 'thin.csv:2: radius -1 is outside its range of 0 to 100'
+    run 2 query "$sea" --rays --points rays.csv --max-distance 2e5
+    run 2 query "$sea" --rays --points rays.csv --motion
+    err 'leave out --motion and --below'
+    run 2 query "$sea" --rays --points rays.csv --below
+    run 2 query "$sea" --points points.csv --max-distance 10
+    err 'it wants --rays'
+}
+
+# A grid of heights is what its points are by themselves.
+query_map() {
+    run 0 query "$sea" --map 0,-1,1,0.75,0.5 --time 3
+    out '^t_s,x_m,z_m,height_m$'
+    cp out map
+    sed '1d' map | cut -d, -f2,3 >grid.csv
+    printf '%s\n' 0,-1 0.5,-1 1,-1 0,-0.5 0.5,-0.5 1,-0.5 0,0 0.5,0 1,0 0,0.5 0.5,0.5 1,0.5 | cmp -s - grid.csv ||
+        fail "the map's points are not its grid"
+    run 0 query "$sea" --points grid.csv --time 3
+    cut -d, -f1-4 out | cmp -s - map || fail "a map has other heights than its points"
+    run 0 query "$sea" --map=-1,-1,-1,-1,1 --time 1:2:0.5
+    [ "$(wc -l <out)" -eq 4 ] || fail "three times of a map of one point are not four lines"
+    run 2 query "$sea" --map 0,0,1,1
+    err 'X0,Z0,X1,Z1,STEP'
+    run 2 query "$sea" --map 1,0,0,1,1
+    err 'holds nothing'
+    run 2 query "$sea" --map 0,0,1,1,0
+    run 2 query "$sea" --map 0,0,1e6,1e6,1
+    err 'a larger STEP'
+    run 2 query "$sea" --map 0,0,1,1,1e13
+    err 'larger or farther out'
+    run 2 query "$sea" --map 0,0,1,1,1 --backend gpu
+    err 'answered by the CPU only'
+    run 2 query "$sea" --map 0,0,1,1,1 --points points.csv
+    err 'leave out --points'
+    run 2 query "$sea" --map 0,0,1,1,1 --rays
+    err 'leave out --motion, --below and --rays'
+}
+
 test_query() {
     printf '0,0\n10.5,-3\n' >points.csv
     run 0 query "$sea" --points points.csv --time 3
@@ -126,6 +199,11 @@ test_query() {
     err 'cannot read nosuch.csv'
     run 1 query "$sea"
     err 'holds no points'
+    printf '0,0\n6e10,0\n' >far.csv
+    run 0 query "$sea" --points far.csv
+    printf '0,2e12\n' >farther.csv
+    run 1 query "$sea" --points farther.csv
+    err 'farther.csv:1: z 2e12 is outside its range'
     run 1 query nosuch.yaml --points points.csv
     err 'nosuch.yaml'
     run 2 query "$sea" --time 1:0:1
@@ -145,8 +223,12 @@ test_query() {
     run 0 query "$sea" --points deep.csv --time 3 --below --backend gpu
     paste -d, first out | awk -F, 'NR > 1 { for (i = 5; i <= 12; ++i) { d = $i - $(i + 12); if (d * d > 4e-6) exit 1 } }' ||
         fail "the GPU gives other water below"
+    run 1 query "$sea" --points far.csv --backend gpu
+    err 'beyond the 5e+10 m'
     run 2 query "$sea" --points points.csv --backend gpu --device 99
     err 'seaway devices'
+    query_rays
+    query_map
     [ ! -e /dev/full ] || {
         "$seaway" query "$sea" --points points.csv >/dev/full 2>err
         [ $? -eq 1 ] || fail "a full disk is not exit code 1"
