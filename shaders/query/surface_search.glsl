@@ -154,7 +154,7 @@ Search beginSearch(Place place)
 
 vec2 newtonStep(vec2 residual, Sum sum)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongZ.x, sum.alongX.z, sum.alongZ.z);
+    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.z);
     vec2 step = vec2((1.0 + sum.alongZ.z) * residual.x - sum.alongZ.x * residual.y,
                      (1.0 + sum.alongX.x) * residual.y - sum.alongX.z * residual.x);
     float longest = 4.0 * length(residual) * abs(jacobian);
@@ -205,9 +205,9 @@ bool advance(inout Search search, Sum sum)
 // Normal and J of the surface, from a particle's derivatives. The underside of a fold is turned over.
 vec4 normalOf(Sum sum)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongZ.x, sum.alongX.z, sum.alongZ.z);
+    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.z);
     float x = swSurfaceNormalX(sum.alongX.z, sum.alongZ.z, sum.alongX.y, sum.alongZ.y);
-    float z = swSurfaceNormalZ(sum.alongX.x, sum.alongZ.x, sum.alongX.y, sum.alongZ.y);
+    float z = swSurfaceNormalZ(sum.alongX.x, sum.alongX.z, sum.alongX.y, sum.alongZ.y);
     vec3 normal = vec3(-x, jacobian, -z);
     float size = length(normal);
     normal = size < 1e-20 ? vec3(0.0, 1.0, 0.0) : normal * ((jacobian < 0.0 ? -1.0 : 1.0) / size);

@@ -26,7 +26,7 @@
 //
 // Free waves are evaluated one by one, with their phases in integers: a run turns the first texel's sine and cosine on.
 //
-// Measured on an H100, a default view: 39 us. Without stores 33 or so, stores alone 15 more than an empty pass (12); what is
+// Measured on an H100, a default view: 38.7 us. Without stores 33 or so, stores alone 15 more than an empty pass (12); what is
 // added row by row takes 14 to 18. Registers decide: 128 a thread here, and the compiler takes 168 (47 us) where a block's
 // shared memory is 12 KB instead of 7, whatever would fit; so cubics and weights share theirs. Tiles' parameters from
 // shared memory instead of the buffer save 1.4 us of the load unit. Slower were, of the same sums and before blocks (44.6):
@@ -34,7 +34,7 @@
 // of sixteen texels, weights along z in registers and four rows kept from texel to texel, workgroups of 768 and 1,024
 // threads, which hold the compiler to 80 and 64 registers, a cubic shared by two threads through shared memory, tile texels
 // in shared memory, and the slices in another order (42). Lanes that trade texels by shuffles, so that stores fill whole
-// sectors, save 1.2 us; not every device can. A load of a tile's texel takes the load unit four cycles a warp, whatever the
+// sectors, save 1.2 us; not every device can. That x changes along z as z does along x saves 0.5 us. A load of a tile's texel takes the load unit four cycles a warp, whatever the
 // addresses; a vec4 of weights from shared memory two. Waves of 64 texels and more summed with their derivatives at every
 // fourth texel, with bicubic Hermite polynomials between, were slower as well (barriers, shared memory and registers), and
 // not exact.
@@ -367,15 +367,14 @@ void addBlock(inout Cubic cubic, uint b, swSliceTile tile, uint column)
 #define DECLARE_SUMS(t)                                                                                                \
     vec3 sum##t = vec3(evaluate(cubic.x, t), evaluate(cubic.y, t), evaluate(cubic.z, t));                              \
     vec3 alongX##t = vec3(evaluate(cubic.slopeX, t), evaluate(cubic.slopeY, t), evaluate(cubic.slopeZ, t));            \
-    vec3 alongZ##t =                                                                                                   \
-        list.texelsPerMetre * vec3(evaluateSlope(cubic.x, t), evaluateSlope(cubic.y, t), evaluateSlope(cubic.z, t));
+    vec2 alongZ##t = list.texelsPerMetre * vec2(evaluateSlope(cubic.y, t), evaluateSlope(cubic.z, t));
 
 #define WEIGHTS_OF_ROW(k) vec4 v##k = layouts[b][weightsAt(run, k)], w##k = layouts[b][weightsAt(run, k) + 1];
 
 #define ADD_ROW(k, t, component)                                                                                       \
     sum##t = fma(vec3(v##k.component), value##k, sum##t);                                                              \
     alongX##t = fma(vec3(v##k.component), slope##k, alongX##t);                                                        \
-    alongZ##t = fma(vec3(w##k.component), value##k, alongZ##t);
+    alongZ##t = fma(vec2(w##k.component), value##k.yz, alongZ##t);
 
 #define ADD_TO_ALL(k) WEIGHTS_OF_ROW(k) ADD_ROW(k, 0, x) ADD_ROW(k, 1, y) ADD_ROW(k, 2, z) ADD_ROW(k, 3, w)
 #define ADD_TO_LAST_THREE(k) WEIGHTS_OF_ROW(k) ADD_ROW(k, 1, y) ADD_ROW(k, 2, z) ADD_ROW(k, 3, w)
@@ -389,18 +388,19 @@ void addBlock(inout Cubic cubic, uint b, swSliceTile tile, uint column)
         vec3 rate = vec3(wave.dx * unit.x, unit.y, wave.dz * unit.x);                                                  \
         sum##t -= away;                                                                                                \
         alongX##t = fma(vec3(-wave.kx), rate, alongX##t);                                                              \
-        alongZ##t = fma(vec3(-wave.kz), rate, alongZ##t);                                                              \
+        alongZ##t = fma(vec2(-wave.kz), rate.yz, alongZ##t);                                                           \
         unit = vec2(unit.x * wave.cosZ - unit.y * wave.sinZ, unit.x * wave.sinZ + unit.y * wave.cosZ);                 \
     }
 
 #define STORE_TEXEL(t) storeTexel(at + ivec3(0, t, 0), sum##t, alongX##t, alongZ##t);
 
 // Columns beyond a narrow slice's edge store nothing: Vulkan drops what is outside an image.
-void storeTexel(ivec3 at, vec3 sum, vec3 alongX, vec3 alongZ)
+// `alongZ` is of y and z.
+void storeTexel(ivec3 at, vec3 sum, vec3 alongX, vec2 alongZ)
 {
-    float jacobian = swSurfaceJacobian(alongX.x, alongZ.x, alongX.z, alongZ.z);
-    float gx = swSurfaceNormalX(alongX.z, alongZ.z, alongX.y, alongZ.y);
-    float gz = swSurfaceNormalZ(alongX.x, alongZ.x, alongX.y, alongZ.y);
+    float jacobian = swSurfaceJacobian(alongX.x, alongX.z, alongZ.y);
+    float gx = swSurfaceNormalX(alongX.z, alongZ.y, alongX.y, alongZ.x);
+    float gz = swSurfaceNormalZ(alongX.x, alongX.z, alongX.y, alongZ.x);
     imageStore(displacement, at, vec4(sum, jacobian));
     imageStore(derivatives, at, vec4(gx, gz, jacobian, 0.0));
 }

@@ -311,9 +311,9 @@ void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swF
 
 swVec3 swMakeNormal(const float g[8], float* jacobian)
 {
-    *jacobian = swSurfaceJacobian(g[0], g[1], g[2], g[3]);
+    *jacobian = swSurfaceJacobian(g[0], g[2], g[3]);
     float x = swSurfaceNormalX(g[2], g[3], g[4], g[5]);
-    float z = swSurfaceNormalZ(g[0], g[1], g[4], g[5]);
+    float z = swSurfaceNormalZ(g[0], g[2], g[4], g[5]);
     float length = sqrtf(x * x + *jacobian * *jacobian + z * z);
     if (length < 1e-20f)
     {

@@ -83,8 +83,8 @@ static void sampleBlock(const swSliceJob* job, int row, int column, int count)
     {
         const float* g = gradients[i];
         derivatives[4 * i + 0] = swSurfaceNormalX(g[2], g[3], g[4], g[5]);
-        derivatives[4 * i + 1] = swSurfaceNormalZ(g[0], g[1], g[4], g[5]);
-        derivatives[4 * i + 2] = swSurfaceJacobian(g[0], g[1], g[2], g[3]);
+        derivatives[4 * i + 1] = swSurfaceNormalZ(g[0], g[2], g[4], g[5]);
+        derivatives[4 * i + 2] = swSurfaceJacobian(g[0], g[2], g[3]);
         derivatives[4 * i + 3] = 0.0f;
     }
 }
