@@ -28,7 +28,7 @@ typedef struct QueryArguments
     const char* mapText;
     double minWavelength, tolerance, maxDistance;
     int backend, stretching;
-    bool withMotion, isBelow, isRays;
+    bool withMotion, isBelow, withDrift, ofParticles, isRays;
     DeviceName device;
 } QueryArguments;
 
@@ -130,7 +130,7 @@ static bool ParseMap(const char* text, swHeightMapDef* map)
 
 static int PrintTimes(const Source* source, swWorld* world, swSceneSea* sea, const Asked* asked, TimeRange times)
 {
-    PrintHeading(asked->question);
+    PrintHeading(asked);
     BeginProgress("times", times.count);
     bool isFine = true;
     for (int i = 0; i < times.count && isFine && !ferror(stdout); ++i)
@@ -239,6 +239,14 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .kind = OPTION_FLAG,
          .value = &given->isBelow,
          .help = "the water at the points' own heights y instead of the surface above them"},
+        {.name = "drift",
+         .kind = OPTION_FLAG,
+         .value = &given->withDrift,
+         .help = "of --below: also Stokes drift at the points' heights, summed wave by wave"},
+        {.name = "particles",
+         .kind = OPTION_FLAG,
+         .value = &given->ofParticles,
+         .help = "the particles that rest at the points, as a moored buoy feels them; no search, CPU only"},
         {.name = "rays",
          .kind = OPTION_FLAG,
          .value = &given->isRays,
@@ -285,7 +293,8 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
             "same answers to 0.1 mm, plus what the residuals allow.\n"
             "--motion appends vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2. --below answers with\n"
             "  t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m\n"
-            "depth below the surface, motion of the water, and dynamic pressure in metres of water.\n"
+            "depth below the surface, motion of the water, and dynamic pressure in metres of water; --drift appends\n"
+            "drift_x_mps,drift_z_mps. --particles answers for the particles that rest at the points.\n"
             "--rays reads lines x,y,z,dx,dy,dz or x,y,z,dx,dy,dz,radius: where a ray begins, its direction (of any\n"
             "length but 0) and, for a sphere that sweeps along it, a radius up to 100 m. It answers with\n"
             "  t_s,x_m,y_m,z_m,dx,dy,dz,radius_m,hit,distance_m,position_x_m,position_y_m,position_z_m,\n"
@@ -325,6 +334,18 @@ static const char* FindConflict(const QueryArguments* given)
     if (given->withMotion && given->isBelow)
     {
         return "--below has the motion already; leave out --motion";
+    }
+    if (given->withDrift && !given->isBelow)
+    {
+        return "--drift is of the water at a depth; it wants --below";
+    }
+    if (given->ofParticles && (isMap || given->isRays || given->isBelow))
+    {
+        return "--particles are those of the surface; leave out --map, --rays and --below";
+    }
+    if (given->ofParticles && given->backend == 1)
+    {
+        return "--particles are answered by the CPU only; leave out --backend gpu";
     }
     if (given->maxDistance >= 0.0 && !given->isRays)
     {
@@ -373,6 +394,8 @@ int RunQuery(int argumentCount, char** arguments)
     }
     Asked asked = {.question = GetQuestion(&given), .def = swDefaultQueryDef()};
     asked.maxDistance = given.maxDistance >= 0.0 ? (float)given.maxDistance : 1000.0f;
+    asked.ofParticles = given.ofParticles;
+    asked.withDrift = given.withDrift;
     asked.def.minWavelength = (float)given.minWavelength;
     asked.def.tolerance = (float)given.tolerance;
     asked.def.stretching = (swStretching)given.stretching;

@@ -100,7 +100,7 @@ swGpuQueryDef MakeGpuDef(const Asked* asked)
     return def;
 }
 
-void PrintHeading(Question question)
+void PrintHeading(const Asked* asked)
 {
     static const char* const headings[] = {
         [QUESTION_SURFACE] = "t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m",
@@ -111,7 +111,7 @@ void PrintHeading(Question question)
                           "point_x_m,point_y_m,point_z_m,nx,ny,nz,from_below",
         [QUESTION_MAP] = "t_s,x_m,z_m,height_m",
     };
-    puts(headings[question]);
+    printf("%s%s\n", headings[asked->question], asked->withDrift ? ",drift_x_mps,drift_z_mps" : "");
 }
 
 static void PrintVector(swVec3 v)
@@ -140,7 +140,11 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
         const double* row = GetCsvRow(&asked->numbers, begin + i);
         points[i] = (swPosXZ){row[POINT_X], row[POINT_Z]};
     }
-    if (source->gpu == NULL)
+    if (asked->ofParticles)
+    {
+        swWorld_QueryParticles(source->world, &asked->def, count, points, &samples, NULL);
+    }
+    else if (source->gpu == NULL)
     {
         swWorld_QuerySurface(source->world, &asked->def, count, points, &samples, NULL);
     }
@@ -163,6 +167,12 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
         putchar('\n');
     }
     return true;
+}
+
+static void PrintDrift(const swWorld* world, double y)
+{
+    swVec2 drift = swWorld_GetStokesDrift(world, fmax(swWorld_GetSeaLevel(world) - y, 0.0));
+    printf(",%.6g,%.6g", (double)drift.x, (double)drift.y);
 }
 
 // The water at the points' own heights.
@@ -194,7 +204,12 @@ static bool PrintBelow(const Source* source, const Asked* asked, int begin, int 
         printf(",%.6g", (double)depth[i]);
         PrintVector(velocity[i]);
         PrintVector(acceleration[i]);
-        printf(",%.6g\n", (double)head[i]);
+        printf(",%.6g", (double)head[i]);
+        if (asked->withDrift)
+        {
+            PrintDrift(source->world, places[i].y);
+        }
+        putchar('\n');
     }
     return true;
 }

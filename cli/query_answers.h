@@ -23,6 +23,8 @@ typedef struct Asked
     swQueryDef def;
     float maxDistance;  // of rays, m
     swHeightMapDef map; // of QUESTION_MAP
+    bool ofParticles;   // the points are where particles rest
+    bool withDrift;     // of QUESTION_BELOW: Stokes drift as well
     CsvNumbers numbers; // in the question's format
 } Asked;
 
@@ -42,7 +44,7 @@ bool AreWithinGpuReach(const Asked* asked);
 // Of a GPU that can answer.
 swGpuQueryDef MakeGpuDef(const Asked* asked);
 
-void PrintHeading(Question question);
+void PrintHeading(const Asked* asked);
 
 // A row for each line of the input, in its order, at the world's time. Complains.
 bool PrintAnswers(const Source* source, const Asked* asked);

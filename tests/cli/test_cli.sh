@@ -162,6 +162,25 @@ query_map() {
     err 'leave out --motion, --below and --rays'
 }
 
+query_particles_and_drift() {
+    run 0 query "$sea" --points points.csv --time 3 --particles --motion
+    sed '1d' out | awk -F, '{ printf "%.9g,%.9g\n", $2 + $5, $3 + $7; print $4 > "heights" }' >moved.csv
+    run 0 query "$sea" --points moved.csv --time 3
+    sed '1d' out | cut -d, -f4 | paste -d, - heights |
+        awk -F, '{ d = $1 - $2; if (d > 2e-3 || d < -2e-3) exit 1 }' || fail "particles are not where the surface is"
+    run 2 query "$sea" --points points.csv --particles --below
+    err 'leave out --map, --rays and --below'
+    run 2 query "$sea" --points points.csv --particles --backend gpu
+    err 'by the CPU only'
+    printf '0,-1,0\n0,-20,0\n' >places.csv
+    run 0 query "$sea" --points places.csv --below --drift
+    out ',pressure_head_m,drift_x_mps,drift_z_mps$'
+    sed '1d' out | awk -F, '{ d[NR] = $13 * $13 + $14 * $14 } END { exit !(NR == 2 && d[1] > d[2] && d[1] > 0) }' ||
+        fail "drift does not fade with depth"
+    run 2 query "$sea" --points points.csv --drift
+    err 'wants --below'
+}
+
 test_query() {
     printf '0,0\n10.5,-3\n' >points.csv
     run 0 query "$sea" --points points.csv --time 3
@@ -229,6 +248,7 @@ test_query() {
     err 'seaway devices'
     query_rays
     query_map
+    query_particles_and_drift
     [ ! -e /dev/full ] || {
         "$seaway" query "$sea" --points points.csv >/dev/full 2>err
         [ $? -eq 1 ] || fail "a full disk is not exit code 1"
