@@ -21,20 +21,20 @@
 //                       the shortest waves. Weights along z lie in shared memory, by tile row, with zeros where a row is
 //                       outside a texel's window, so that no branch depends on them.
 //
-// A cubic is exact, not an approximation. In a default view three or four of an average slice's eight tiles are added as
-// blocks, two as cubics; the shortest never is.
+// A cubic is exact, not an approximation. In a default view, by the steps of its tiles, an average slice has eight: three or
+// four are added as blocks, one as a cubic of a column or a run, the rest row by row; the shortest always is.
 //
 // Free waves are evaluated one by one, with their phases in integers: a run turns the first texel's sine and cosine on.
 //
-// Measured on an H100, a default view: 38.7 us. Without stores 33 or so, stores alone 15 more than an empty pass (12); what is
-// added row by row takes 14 to 18. Registers decide: 128 a thread here, and the compiler takes 168 (47 us) where a block's
-// shared memory is 12 KB instead of 7, whatever would fit; so cubics and weights share theirs. Tiles' parameters from
-// shared memory instead of the buffer save 1.4 us of the load unit. Slower were, of the same sums and before blocks (44.6):
-// one run a thread (48), batches of eight (47), every tile row by row, 64 columns (43 with blocks), 256 columns (54), columns
-// of sixteen texels, weights along z in registers and four rows kept from texel to texel, workgroups of 768 and 1,024
-// threads, which hold the compiler to 80 and 64 registers, a cubic shared by two threads through shared memory, tile texels
-// in shared memory, and the slices in another order (42). Lanes that trade texels by shuffles, so that stores fill whole
-// sectors, save 1.2 us; not every device can. That x changes along z as z does along x saves 0.5 us. A load of a tile's texel takes the load unit four cycles a warp, whatever the
+// Measured on an H100, a default view: 39 us. An empty pass takes 12 and its stores 15 more; what is added row by row takes
+// 14, the blocks 2.5. Registers decide: 128 a thread here, and the compiler takes 168 (47 us) where a block's shared memory is
+// 12 KB instead of 7, whatever would fit; so cubics and weights share theirs. Tiles' parameters from shared memory instead of
+// the buffer save 1.4 us of the load unit, dDz/dx in place of dDx/dz 0.5. Slower were, of the same sums and before blocks
+// (44.6): one run a thread (48), batches of eight (47), every tile row by row, columns of sixteen texels, weights along z in
+// registers and four rows kept from texel to texel, workgroups of 768 and 1,024 threads, which hold the compiler to 80 and 64
+// registers, a cubic shared by two threads through shared memory, tile texels in shared memory; and with blocks, 64 columns
+// (43), 256 columns (54) and slices in another order (42). Lanes that trade texels by shuffles, so that stores fill whole
+// sectors, save 1.2 us; not every device can. A load of a tile's texel takes the load unit four cycles a warp, whatever the
 // addresses; a vec4 of weights from shared memory two. Waves of 64 texels and more summed with their derivatives at every
 // fourth texel, with bicubic Hermite polynomials between, were slower as well (barriers, shared memory and registers), and
 // not exact.
@@ -379,7 +379,6 @@ void addBlock(inout Cubic cubic, uint b, swSliceTile tile, uint column)
 #define ADD_TO_ALL(k) WEIGHTS_OF_ROW(k) ADD_ROW(k, 0, x) ADD_ROW(k, 1, y) ADD_ROW(k, 2, z) ADD_ROW(k, 3, w)
 #define ADD_TO_LAST_THREE(k) WEIGHTS_OF_ROW(k) ADD_ROW(k, 1, y) ADD_ROW(k, 2, z) ADD_ROW(k, 3, w)
 #define ADD_TO_LAST_TWO(k) WEIGHTS_OF_ROW(k) ADD_ROW(k, 2, z) ADD_ROW(k, 3, w)
-#define ADD_TO_LAST(k) WEIGHTS_OF_ROW(k) ADD_ROW(k, 3, w)
 
 // A free wave at a texel, then turned on to the next one.
 #define ADD_WAVE(t)                                                                                                    \
@@ -479,7 +478,7 @@ void main()
                 {
                     LOAD_ROW(5)
                     WEIGH_ROW(5)
-                    ADD_TO_LAST_THREE(5)
+                    ADD_TO_LAST_TWO(5)
                 }
             }
         }
