@@ -19,6 +19,7 @@ static const Field systemFields[] = {
     SYSTEM(spectrum.windSpeed),
     SYSTEM(spectrum.fetch),
     SYSTEM(spectrum.gamma),
+    SYSTEM(spectrum.growth),
     SYSTEM(spectrum.significantHeight),
     SYSTEM(spectrum.peakPeriod),
     SYSTEM(spectrum.direction),

@@ -15,6 +15,23 @@ static const char* GetSpreadingName(void* context, int index)
     return names[index];
 }
 
+static const char* GetGrowthName(void* context, int index)
+{
+    (void)context;
+    static const char* const names[] = {"Hasselmann 1973", "cube root"};
+    return names[index];
+}
+
+static bool DrawGrowth(swSpectrumDef* spectrum, const swSpectrumDef* filed)
+{
+    int growth = (int)spectrum->growth, other = filed != NULL ? (int)filed->growth : 0;
+    bool hasChanged =
+        TurnChoice("growth law", &growth, filed != NULL ? &other : NULL, SW_GROWTH_LAW_COUNT, GetGrowthName, NULL);
+    UiTip("How the peak follows from wind and fetch: as printed in 1973, or by the rounded law that many programs take");
+    spectrum->growth = (swGrowthLaw)growth;
+    return hasChanged;
+}
+
 static bool DrawSpreading(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 {
     int spreading = (int)spectrum->spreading, other = filed != NULL ? (int)filed->spreading : 0;
@@ -88,6 +105,7 @@ bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed)
     }
     if (hasGamma)
     {
+        hasChanged |= spectrum->peakPeriod <= 0.0f && DrawGrowth(spectrum, filed);
         hasChanged |= TurnKnob(&(Knob){.label = "peak enhancement", .low = 1.0f, .high = 10.0f, .format = "%.2f"},
                                &spectrum->gamma, FILED(gamma));
     }
