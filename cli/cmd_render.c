@@ -531,7 +531,7 @@ int RunRender(int argumentCount, char** arguments)
          .kind = OPTION_CHOICE,
          .value = &render.debug,
          .placeholder = "MODE",
-         .help = "show slices, normals, height and the like",
+         .help = DEBUG_MODE_HELP,
          .choices = debugNames},
         {.name = "frame-format",
          .kind = OPTION_CHOICE,

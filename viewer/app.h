@@ -40,7 +40,7 @@ typedef struct App
     Sea sea;
     int64_t sceneStamp; // when the scene file was last written
     double nextStampCheck;
-    bool wantsReload; // with the next frame
+    bool wantsReload;    // with the next frame
     bool hasSceneFailed; // the last reload; the sea before it is still shown
     int messagesBefore;  // how many there were when it began
     Asked question;      // that stands

@@ -27,12 +27,13 @@ static bool MustWait(const InputEvent* before, const InputEvent* next)
         return false;
     }
     bool isSame = before->kind == next->kind && before->code == next->code && next->kind != INPUT_LETTER;
+    bool hasActed = IsCommand(before) && before->action == GLFW_PRESS;
     switch (next->kind)
     {
     case INPUT_BUTTON: // a click may end the writing
-        return isSame || before->kind == INPUT_LETTER || IsCommand(before);
+        return isSame || before->kind == INPUT_LETTER || hasActed;
     case INPUT_LETTER: // a click or a key may begin or end it
-        return before->kind == INPUT_BUTTON || IsCommand(before);
+        return before->kind == INPUT_BUTTON || hasActed;
     default:
         if (isSame && (IsCommand(before) || IsModifier(before)))
         {
@@ -42,7 +43,7 @@ static bool MustWait(const InputEvent* before, const InputEvent* next)
         {
             return false;
         }
-        return before->kind == INPUT_BUTTON || IsCommand(before);
+        return before->kind == INPUT_BUTTON || hasActed;
     }
 }
 

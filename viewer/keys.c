@@ -132,11 +132,9 @@ static void OnKey(GLFWwindow* window, int key, int scancode, int action, int mod
     App* app = glfwGetWindowUserPointer(window);
     if (action != GLFW_REPEAT) // the panel repeats by itself
     {
-        PushInput(&app->input, (InputEvent){.kind = INPUT_KEY,
-                                            .code = key,
-                                            .scancode = scancode,
-                                            .action = action,
-                                            .modifiers = modifiers});
+        PushInput(&app->input,
+                  (InputEvent){
+                      .kind = INPUT_KEY, .code = key, .scancode = scancode, .action = action, .modifiers = modifiers});
     }
 }
 

@@ -10,7 +10,10 @@ typedef struct Field
     size_t offset, size;
 } Field;
 
-#define FIELD(type, member) {offsetof(type, member), sizeof(((type*)0)->member)}
+#define FIELD(type, member)                                                                                            \
+    {                                                                                                                  \
+        offsetof(type, member), sizeof(((type*)0)->member)                                                             \
+    }
 #define COUNT(list) ((int)(sizeof(list) / sizeof((list)[0])))
 
 #define SYSTEM(member) FIELD(swWaveSystemDef, member)
@@ -53,12 +56,11 @@ static const Field replayFields[] = {REPLAY(location), REPLAY(startTime), REPLAY
 
 #define LOOK(member) FIELD(SeaLook, member)
 static const Field lookFields[] = {
-    LOOK(sky.sunAzimuth),       LOOK(sky.sunElevation),   LOOK(sky.haze),
-    LOOK(sky.clouds),           LOOK(exposureEv),         LOOK(water.absorption.x),
-    LOOK(water.absorption.y),   LOOK(water.absorption.z), LOOK(water.scattering.x),
-    LOOK(water.scattering.y),   LOOK(water.scattering.z), LOOK(water.refractiveIndex),
-    LOOK(water.foamAlbedo),     LOOK(water.windSpeed),    LOOK(foam.fadeRate),
-    LOOK(foam.threshold),       LOOK(foam.gain),
+    LOOK(sky.sunAzimuth),     LOOK(sky.sunElevation),   LOOK(sky.haze),           LOOK(sky.clouds),
+    LOOK(exposureEv),         LOOK(water.absorption.x), LOOK(water.absorption.y), LOOK(water.absorption.z),
+    LOOK(water.scattering.x), LOOK(water.scattering.y), LOOK(water.scattering.z), LOOK(water.refractiveIndex),
+    LOOK(water.foamAlbedo),   LOOK(water.windSpeed),    LOOK(foam.fadeRate),      LOOK(foam.threshold),
+    LOOK(foam.gain),
 };
 
 static int CountDifferent(const void* value, const void* filed, const Field* fields, int count)
@@ -119,8 +121,7 @@ int CountWavesChanges(const SeaWaves* waves)
     }
     return CountDifferent(&waves->def, &waves->filedDef, systemFields, COUNT(systemFields)) +
            CountOctaveChanges(&waves->def.spectrum, &waves->filedDef.spectrum) + CountRowChanges(waves) +
-           (waves->record != waves->filedRecord) +
-           HasReplayChanged(waves);
+           (waves->record != waves->filedRecord) + HasReplayChanged(waves);
 }
 
 int CountChanges(const Sea* sea)
@@ -180,7 +181,8 @@ float ShowValue(const Knob* knob, float value)
 
 float ReadShown(const Knob* knob, float shown)
 {
-    return knob->isBearing ? SW_DIRECTION_FROM_BEARING((double)shown) : shown * (knob->unit != 0.0f ? knob->unit : 1.0f);
+    return knob->isBearing ? SW_DIRECTION_FROM_BEARING((double)shown)
+                           : shown * (knob->unit != 0.0f ? knob->unit : 1.0f);
 }
 
 const char* ChooseFormat(const Knob* knob, float value)

@@ -38,17 +38,17 @@ static const int fontCount = sizeof(fontSizes) / sizeof(fontSizes[0]);
 
 static struct
 {
-    float density;   // pixels of the picture in one of the window's units
-    float scale;     // of letters and spaces
-    ImVec2 room;     // the window, when the panel was placed
-    bool mustPlace;  // the panel, with its next frame
-    ImVec2 cursor;   // where a button was pressed in this frame's events
-    bool hasCursor;  //
-    bool isMarked;   // the next widget differs from the file
-    bool hasSlot;    // the next widget can differ from a file
+    float density;  // pixels of the picture in one of the window's units
+    float scale;    // of letters and spaces
+    ImVec2 room;    // the window, when the panel was placed
+    bool mustPlace; // the panel, with its next frame
+    ImVec2 cursor;  // where a button was pressed in this frame's events
+    bool hasCursor; //
+    bool isMarked;  // the next widget differs from the file
+    bool hasSlot;   // the next widget can differ from a file
     char markTip[160];
-    bool wasReset;   // the last widget's mark was clicked
-    bool isHovered;  // the last widget or its label
+    bool wasReset;  // the last widget's mark was clicked
+    bool isHovered; // the last widget or its label
 } ui;
 
 static void SetStyle(float scale)
@@ -490,7 +490,8 @@ static bool Slider(const char* label, ImGuiDataType type, void* value, const voi
     ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::PushStyleColor(ImGuiCol_SliderGrab, 0);
     ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, 0);
-    bool hasChanged = ImGui::SliderScalar("##slider", type, value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+    bool hasChanged =
+        ImGui::SliderScalar("##slider", type, value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopStyleColor(2);
     bool isActive = ImGui::IsItemActive();
     ImVec2 end = ImGui::GetItemRectMax();
@@ -507,13 +508,15 @@ static bool Slider(const char* label, ImGuiDataType type, void* value, const voi
 
 bool UiSlider(const char* label, float* value, float low, float high, const char* format)
 {
-    double place = FindSliderPlace(static_cast<double>(*value), static_cast<double>(low), static_cast<double>(high), false);
+    double place =
+        FindSliderPlace(static_cast<double>(*value), static_cast<double>(low), static_cast<double>(high), false);
     return Slider(label, ImGuiDataType_Float, value, &low, &high, place, format, 0);
 }
 
 bool UiLogSlider(const char* label, float* value, float low, float high, const char* format)
 {
-    double place = FindSliderPlace(static_cast<double>(*value), static_cast<double>(low), static_cast<double>(high), true);
+    double place =
+        FindSliderPlace(static_cast<double>(*value), static_cast<double>(low), static_cast<double>(high), true);
     return Slider(label, ImGuiDataType_Float, value, &low, &high, place, format, ImGuiSliderFlags_Logarithmic);
 }
 

@@ -26,7 +26,8 @@
 
 ViewerOptions DefaultViewerOptions(void)
 {
-    return (ViewerOptions){.device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true, .uiScale = 1.0f};
+    return (ViewerOptions){
+        .device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true, .uiScale = 1.0f};
 }
 
 void ShowNote(App* app, const char* format, ...)

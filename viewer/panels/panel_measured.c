@@ -155,9 +155,9 @@ bool DrawMeasured(Sea* sea, int index)
     }
     hasChanged |= TurnKnob(&(Knob){.label = "height Hs", .high = 20.0f, .format = "%.2f m", .zero = "as measured"},
                            &spectrum->significantHeight, &filed->significantHeight);
-    hasChanged |= TurnKnob(
-        &(Knob){.label = "turned by", .low = -180.0f, .high = 180.0f, .format = "%.0f deg", .unit = DEGREE},
-        &spectrum->direction, &filed->direction);
+    hasChanged |=
+        TurnKnob(&(Knob){.label = "turned by", .low = -180.0f, .high = 180.0f, .format = "%.0f deg", .unit = DEGREE},
+                 &spectrum->direction, &filed->direction);
     hasChanged |= TurnSwitch("add short waves", &spectrum->extendTail, &filed->extendTail);
     UiTip("Continues the record with an f^-5 tail; a buoy does not feel short waves");
     return hasChanged;

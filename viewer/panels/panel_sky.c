@@ -5,19 +5,17 @@
 
 static void DrawSky(SeaLook* look, const SeaLook* filed)
 {
-    TurnKnob(&(Knob){.label = "sun azimuth", .high = 360.0f, .format = "%.0f deg", .unit = DEGREE}, &look->sky.sunAzimuth,
-             &filed->sky.sunAzimuth);
+    TurnKnob(&(Knob){.label = "sun azimuth", .high = 360.0f, .format = "%.0f deg", .unit = DEGREE},
+             &look->sky.sunAzimuth, &filed->sky.sunAzimuth);
     TurnKnob(&(Knob){.label = "sun elevation", .low = -10.0f, .high = 90.0f, .format = "%.1f deg", .unit = DEGREE},
              &look->sky.sunElevation, &filed->sky.sunElevation);
     TurnKnob(&(Knob){.label = "haze", .high = 20.0f, .format = "%.2f", .tip = "Dust and salt relative to clear air"},
              &look->sky.haze, &filed->sky.haze);
     TurnKnob(&(Knob){.label = "clouds", .high = 1.0f, .format = "%.2f"}, &look->sky.clouds, &filed->sky.clouds);
-    TurnKnob(&(Knob){.label = "exposure",
-                     .low = -6.0f,
-                     .high = 6.0f,
-                     .format = "%+.2f EV",
-                     .tip = "Added to what is measured"},
-             &look->exposureEv, &filed->exposureEv);
+    TurnKnob(
+        &(Knob){
+            .label = "exposure", .low = -6.0f, .high = 6.0f, .format = "%+.2f EV", .tip = "Added to what is measured"},
+        &look->exposureEv, &filed->exposureEv);
 }
 
 static void DrawColors(const char* const labels[3], Knob knob, swVec3* value, const swVec3* filed)
@@ -39,8 +37,8 @@ static void DrawWater(swWaterDef* water, const swWaterDef* filed)
                &water->absorption, &filed->absorption);
     DrawColors(scattering, (Knob){.low = 1e-4f, .high = 1.0f, .format = "%.4f /m", .isLogarithmic = true},
                &water->scattering, &filed->scattering);
-    TurnKnob(&(Knob){.label = "refractive index", .low = 1.30f, .high = 1.40f, .format = "%.3f"}, &water->refractiveIndex,
-             &filed->refractiveIndex);
+    TurnKnob(&(Knob){.label = "refractive index", .low = 1.30f, .high = 1.40f, .format = "%.3f"},
+             &water->refractiveIndex, &filed->refractiveIndex);
     TurnKnob(&(Knob){.label = "wind on ripples",
                      .high = 40.0f,
                      .format = "%.1f m/s",

@@ -54,7 +54,8 @@ static void DrawNamedViews(App* app)
 
 static void DrawSlices(const swView* view)
 {
-    static const UiColumn columns[] = {{"slice", 5.0f}, {"texel m", 0.0f}, {"side m", 0.0f}, {"waves m", 0.0f}, {"fade", 4.0f}};
+    static const UiColumn columns[] = {
+        {"slice", 5.0f}, {"texel m", 0.0f}, {"side m", 0.0f}, {"waves m", 0.0f}, {"fade", 4.0f}};
     if (!BeginUiTable("slices", 5, columns))
     {
         return;

@@ -27,7 +27,8 @@ static bool DrawGrowth(swSpectrumDef* spectrum, const swSpectrumDef* filed)
     int growth = (int)spectrum->growth, other = filed != NULL ? (int)filed->growth : 0;
     bool hasChanged =
         TurnChoice("growth law", &growth, filed != NULL ? &other : NULL, SW_GROWTH_LAW_COUNT, GetGrowthName, NULL);
-    UiTip("How the peak follows from wind and fetch: as printed in 1973, or by the rounded law that many programs take");
+    UiTip(
+        "How the peak follows from wind and fetch: as printed in 1973, or by the rounded law that many programs take");
     spectrum->growth = (swGrowthLaw)growth;
     return hasChanged;
 }
@@ -40,11 +41,12 @@ static bool DrawSpreading(swSpectrumDef* spectrum, const swSpectrumDef* filed)
     spectrum->spreading = (swSpreadingKind)spreading;
     if (spreading == SW_SPREADING_COSINE_2S)
     {
-        hasChanged |= TurnKnob(&(Knob){.label = "spreading s",
-                                       .high = 75.0f,
-                                       .format = "%.0f",
-                                       .tip = "cos^2s of half the angle: 0 is from all sides, 8 a wind sea, 75 a swell"},
-                               &spectrum->spreadExponent, FILED(spreadExponent));
+        hasChanged |=
+            TurnKnob(&(Knob){.label = "spreading s",
+                             .high = 75.0f,
+                             .format = "%.0f",
+                             .tip = "cos^2s of half the angle: 0 is from all sides, 8 a wind sea, 75 a swell"},
+                     &spectrum->spreadExponent, FILED(spreadExponent));
     }
     hasChanged |= TurnKnob(&(Knob){.label = "turbulence",
                                    .high = 1.0f,
@@ -109,9 +111,8 @@ bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed)
         hasChanged |= TurnKnob(&(Knob){.label = "peak enhancement", .low = 1.0f, .high = 10.0f, .format = "%.2f"},
                                &spectrum->gamma, FILED(gamma));
     }
-    hasChanged |=
-        TurnKnob(&(Knob){.label = "height Hs", .high = 20.0f, .format = "%.2f m", .zero = "from the wind"},
-                 &spectrum->significantHeight, FILED(significantHeight));
+    hasChanged |= TurnKnob(&(Knob){.label = "height Hs", .high = 20.0f, .format = "%.2f m", .zero = "from the wind"},
+                           &spectrum->significantHeight, FILED(significantHeight));
     hasChanged |=
         TurnKnob(&(Knob){.label = "peak period Tp", .high = 25.0f, .format = "%.1f s", .zero = "from the wind"},
                  &spectrum->peakPeriod, FILED(peakPeriod));
@@ -148,7 +149,8 @@ static bool DrawOctave(swOctave* octave, const swOctave* filed, int index)
 
 bool DrawEqualiser(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 {
-    static const UiColumn columns[] = {{"from m", 6.0f}, {"on", 4.5f}, {"power", 0.0f}, {"chop", 0.0f}, {"gravity", 0.0f}};
+    static const UiColumn columns[] = {
+        {"from m", 6.0f}, {"on", 4.5f}, {"power", 0.0f}, {"chop", 0.0f}, {"gravity", 0.0f}};
     swOctaves* octaves = &spectrum->octaves;
     bool hasChanged = false;
     if (BeginUiTable("octaves", 5, columns))
