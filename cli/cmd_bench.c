@@ -109,7 +109,7 @@ static bool TimeQueries(const swWorld* world, CpuResult* cpu)
         swWorld_QuerySurface(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.height = heights}, &stats);
         double middle = GetSeconds();
         swWorld_QueryParticles(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.displacement = displacements},
-                               NULL);
+                               NULL, NULL);
         times[0][i] = middle - begin;
         times[1][i] = GetSeconds() - middle;
     }

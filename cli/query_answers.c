@@ -142,7 +142,7 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
     }
     if (asked->ofParticles)
     {
-        swWorld_QueryParticles(source->world, &asked->def, count, points, &samples, NULL);
+        swWorld_QueryParticles(source->world, &asked->def, count, points, &samples, NULL, NULL);
     }
     else if (source->gpu == NULL)
     {
@@ -190,7 +190,7 @@ static bool PrintBelow(const Source* source, const Asked* asked, int begin, int 
     }
     if (source->gpu == NULL)
     {
-        swWorld_QueryVolume(source->world, &asked->def, count, places, &samples);
+        swWorld_QueryVolume(source->world, &asked->def, count, places, &samples, NULL);
     }
     else if (!AskGpuBelow(source->gpu, count, places, &samples))
     {
@@ -253,7 +253,7 @@ static bool PrintRays(const Source* source, const Asked* asked, int begin, int c
     }
     if (source->gpu == NULL)
     {
-        swWorld_CastRays(source->world, &asked->def, count, rays, hits);
+        swWorld_CastRays(source->world, &asked->def, count, rays, hits, NULL);
     }
     else if (!AskGpuRays(source->gpu, count, rays, hits))
     {

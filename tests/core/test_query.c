@@ -57,7 +57,7 @@ static void ResidualIsWhatItSaysAndWithinTheTolerance(void** state)
             swPosXZ rest = {points[i].x - (double)moved[i].x, points[i].z - (double)moved[i].z};
             swVec3 there;
             swSurfaceSamples particle = {.displacement = &there};
-            swWorld_QueryParticles(sea.world, &def, 1, &rest, &particle, NULL);
+            swWorld_QueryParticles(sea.world, &def, 1, &rest, &particle, NULL, NULL);
             double error = hypot(rest.x + (double)there.x - points[i].x, rest.z + (double)there.z - points[i].z);
             worst = error > worst ? error : worst;
             assert_true(residuals[i] <= def.tolerance);
@@ -90,7 +90,7 @@ static double SearchDensely(const swWorld* world, double x, double z)
             rest[i].z = centreZ + reach * ((i / SIDE) * 2.0 / (SIDE - 1) - 1.0);
         }
         swSurfaceSamples samples = {.displacement = moved};
-        swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL);
+        swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL, NULL);
         double nearest = 1e30;
         int best = 0;
         for (int i = 0; i < SIDE * SIDE; ++i)
@@ -182,7 +182,7 @@ static void ParticlesAndSurfaceAgree(void** state)
     float residuals[500];
     swSurfaceSamples particles = {
         .displacement = again, .normal = againNormals, .jacobian = againJacobians, .residual = residuals};
-    swWorld_QueryParticles(sea.world, &def, 500, points, &particles, slopes);
+    swWorld_QueryParticles(sea.world, &def, 500, points, &particles, slopes, NULL);
     for (int i = 0; i < 500; ++i)
     {
         assert_float_equal(moved[i].y, again[i].y, 1e-3);
@@ -375,7 +375,7 @@ static void ShortWavesCanBeLeftOut(void** state)
     {
         def.minWavelength = shortest[i];
         swSurfaceSamples samples = {0};
-        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, slopes);
+        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, slopes, NULL);
         steepness[i] = 0.0;
         for (int p = 0; p < POINT_COUNT; ++p)
         {
