@@ -13,7 +13,8 @@
 /// SW_FARTHEST_POINT; a ray that is out of range is such a one, too. Each of its answers is NaN, it is counted in
 /// swQueryStats::badCount, and the others are, to the bit, as without it.
 ///
-/// While one thread steps, sets or destroys, no other may ask the same world: docs/queries.md says how to go about it.
+/// While one thread steps, sets or destroys, no other may ask the same world. Put a barrier between them, or let two worlds
+/// take turns: one is asked while the other steps to the next time. docs/queries.md has more on it.
 
 /// For swQueryDef::time: the time of the last step.
 #define SW_QUERY_NOW (-1e300)
@@ -88,8 +89,8 @@ typedef struct swSurfaceSamples
 /// Of a batch; every query takes one, or NULL.
 typedef struct swQueryStats
 {
-    int convergedCount;  ///< points whose residual is within the tolerance; rays that met the water or came to their end
-    int iterationCount;  ///< surface evaluations, all points together
+    int convergedCount; ///< points whose residual is within the tolerance; rays that met the water or came to their end
+    int iterationCount; ///< surface evaluations, all points together
     float worstResidual; ///< m; 0 of particles and rays
     int badCount;        ///< points, places or rays that could not be answered: their answers are NaN
 } swQueryStats;
@@ -166,7 +167,8 @@ SW_API swRay swDefaultRay(swPos origin, swVec3 direction);
 typedef struct swRayHit
 {
     bool isHit;
-    float distance; ///< along the ray to the sphere's centre, m; without a hit, how far it was looked along: maxDistance
+    float
+        distance; ///< along the ray to the sphere's centre, m; without a hit, how far it was looked along: maxDistance
     swPos position; ///< of the sphere's centre then
     swPos point;    ///< of the water that it touches
     swVec3 normal;  ///< of the surface there

@@ -10,7 +10,8 @@ Place readPlace(uint point)
     if (params.source.isFloatPoint != 0)
     {
         Place place = placeOfBits(uvec2(points[at], points[at + params.source.pointWords - 1]));
-        place.isBad = place.isBad || !isNumber(points[at + params.source.pointWords - 2], SW_QUERY_HIGHEST); // y of three
+        place.isBad =
+            place.isBad || !isNumber(points[at + params.source.pointWords - 2], SW_QUERY_HIGHEST); // y of three
         return place;
     }
     ivec2 cell = ivec2(points[at + 2], points[at + 3]);

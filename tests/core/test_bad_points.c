@@ -23,9 +23,9 @@ typedef struct Bad
 } Bad;
 
 static const Bad bads[] = {
-    {NAN, 0.0, 1.0},       {1.0, 0.0, NAN},       {INFINITY, 0.0, 1.0}, {1.0, 0.0, -INFINITY},
-    {1.0000001e12, 0., 0}, {0.0, 0.0, -2e12},     {1e300, 0.0, 1e300},  {-1e300, 0.0, 0.0},
-    {1.0, NAN, 1.0},       {1.0, INFINITY, 1.0},  {1.0, 1e300, 1.0},    {1.0, -2e12, 1.0},
+    {NAN, 0.0, 1.0},       {1.0, 0.0, NAN},      {INFINITY, 0.0, 1.0}, {1.0, 0.0, -INFINITY},
+    {1.0000001e12, 0., 0}, {0.0, 0.0, -2e12},    {1e300, 0.0, 1e300},  {-1e300, 0.0, 0.0},
+    {1.0, NAN, 1.0},       {1.0, INFINITY, 1.0}, {1.0, 1e300, 1.0},    {1.0, -2e12, 1.0},
 };
 
 #define BADS (int)(sizeof bads / sizeof bads[0])
@@ -512,8 +512,8 @@ static void ARayThatComesToNoEndSaysSo(void** state)
     swRayHit hits[2];
     swQueryStats stats;
     swWorld_CastRays(world, &def, 2, rays, hits, &stats);
-    print_message("a level ray %.3g mm above waves of %.3g mm ends after %.0f m\n",
-                  1e3 * (rays[0].origin.y - 3.0), 4e3 * (double)sqrtf(variance), (double)hits[0].distance);
+    print_message("a level ray %.3g mm above waves of %.3g mm ends after %.0f m\n", 1e3 * (rays[0].origin.y - 3.0),
+                  4e3 * (double)sqrtf(variance), (double)hits[0].distance);
     assert_true(!hits[0].isHit && hits[0].distance > 100.0f && hits[0].distance < 99999.0f);
     assert_true(hits[1].isHit);
     assert_int_equal(stats.convergedCount, 1);

@@ -155,8 +155,8 @@ static void CheckPlane(const char* what, const void* all, const void* good, size
     for (int i = 0; i < mix.count && all != NULL; ++i)
     {
         const uint8_t* at = (const uint8_t*)all + (size_t)i * size;
-        bool isFine = mix.isBad[i] ? AreAllNaN((const float*)(const void*)at, size / sizeof(float))
-                                   : memcmp(at, of, size) == 0;
+        bool isFine =
+            mix.isBad[i] ? AreAllNaN((const float*)(const void*)at, size / sizeof(float)) : memcmp(at, of, size) == 0;
         if (!isFine)
         {
             fail_msg("%s of %s point %d is wrong", what, mix.isBad[i] ? "bad" : "good", i);
@@ -186,8 +186,9 @@ static void CheckStats(swGpuQueryKind kind, const swGpuQueryResults* results)
     }
     for (int i = 0; i < mix.count; ++i)
     {
-        bool isNaN = kind == SW_GPU_QUERY_KIND_RAYS ? isnan(hits[i].distance) && isnan(hits[i].point.x) && !hits[i].isHit
-                                                    : isnan(numbers[0][i]) && isnan(numbers[1][i]);
+        bool isNaN = kind == SW_GPU_QUERY_KIND_RAYS
+                         ? isnan(hits[i].distance) && isnan(hits[i].point.x) && !hits[i].isHit
+                         : isnan(numbers[0][i]) && isnan(numbers[1][i]);
         assert_true(isNaN == mix.isBad[i]);
     }
     assert_int_equal(stats.badCount, mix.count - GOOD);
@@ -254,7 +255,8 @@ static int CountWords(swGpuQueryKind kind)
 static void WriteWords(swGpuQueryKind kind, const swRay* ray, int badNumber, float* to)
 {
     float x = (float)(ray->origin.x - 1e5), y = (float)ray->origin.y, z = (float)ray->origin.z;
-    const float ofRay[8] = {x, y, z, ray->maxDistance, ray->direction.x, ray->direction.y, ray->direction.z, ray->radius};
+    const float ofRay[8] = {x,          y, z, ray->maxDistance, ray->direction.x, ray->direction.y, ray->direction.z,
+                            ray->radius};
     const float ofPoint[2] = {x, z};
     int words = CountWords(kind);
     memcpy(to, kind == SW_GPU_QUERY_KIND_SURFACE ? ofPoint : ofRay, (size_t)words * sizeof(float));

@@ -25,7 +25,6 @@ static inline bool swIsRayGood(const swRay* ray)
 {
     double length = swGetRayLength(ray);
     return ray->internalValue == SW_DEF_COOKIE && length > 0.0 && length <= 1e40 && swIsNear(ray->origin.x) &&
-           swIsNear(ray->origin.y) && swIsNear(ray->origin.z) && ray->maxDistance >= 0.0f &&
-           ray->maxDistance <= 1e5f && ray->radius >= 0.0f && ray->radius <= 100.0f && ray->duration >= 0.0f &&
-           ray->duration <= 3600.0f;
+           swIsNear(ray->origin.y) && swIsNear(ray->origin.z) && ray->maxDistance >= 0.0f && ray->maxDistance <= 1e5f &&
+           ray->radius >= 0.0f && ray->radius <= 100.0f && ray->duration >= 0.0f && ray->duration <= 3600.0f;
 }

@@ -90,8 +90,8 @@ static int fillBlock(const swQuery* query, int first, int count, const swPos* po
     for (; point < count && block->count < SW_QUERY_BLOCK; ++point)
     {
         int i = block->count;
-        bool isGood = swPlacePoint(query, points[point].x, points[point].z, &block->points[i]) &&
-                      swIsNear(points[point].y);
+        bool isGood =
+            swPlacePoint(query, points[point].x, points[point].z, &block->points[i]) && swIsNear(points[point].y);
         if (isGood)
         {
             block->at[i] = point;

@@ -202,5 +202,5 @@ void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay*
 swGpuQueryBuffer swGpuQuery_GetBuffer(const swGpuQuery* query)
 {
     return query != NULL || refuse(query, "swGpuQuery_GetBuffer", "the query is NULL") ? query->planes
-                                                                                      : (swGpuQueryBuffer){0};
+                                                                                       : (swGpuQueryBuffer){0};
 }
