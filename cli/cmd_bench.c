@@ -300,6 +300,7 @@ int RunBench(int argumentCount, char** arguments)
     bool asJson = false, cpuOnly = false;
     DeviceName device = {SW_DEVICE_AUTO, 0};
     PixelSize size = {1280, 720};
+    static const char* const ofTheGpu[] = {"device", "size", NULL};
     const Option options[] = {
         {.name = "device",
          .kind = OPTION_DEVICE,
@@ -313,7 +314,7 @@ int RunBench(int argumentCount, char** arguments)
          .help = "of the picture that the GPU draws (default 1280x720)",
          .min = 16,
          .max = 16384},
-        {.name = "cpu-only", .kind = OPTION_FLAG, .value = &cpuOnly, .help = "leave the GPU out"},
+        {.name = "cpu-only", .kind = OPTION_FLAG, .value = &cpuOnly, .help = "leave the GPU out", .without = ofTheGpu},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };
     const Verb verb = {

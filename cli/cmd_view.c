@@ -12,6 +12,7 @@ int RunView(int argumentCount, char** arguments)
     PixelSize size = {1280, 720};
     DeviceName device = {SW_DEVICE_AUTO, 0};
     bool disableVsync = false;
+    static const char* const pictureEndings[] = {".png", NULL};
     const Option options[] = {
         {.name = "size",
          .kind = OPTION_SIZE,
@@ -40,9 +41,10 @@ int RunView(int argumentCount, char** arguments)
          .help = "leave after N frames of 1/30 s of the sea each",
          .max = 1e9},
         {.name = "screenshot",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &viewer.screenshotPath,
-         .placeholder = "FILE",
+         .placeholder = "FILE.png",
+         .choices = pictureEndings,
          .help = "with --frames: PNG of the last one"},
         {.name = "validate",
          .kind = OPTION_FLAG,

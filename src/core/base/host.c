@@ -10,7 +10,7 @@
 #include "core/base/assert.h"
 
 #define SW_ALIGNMENT 64
-#define SW_LONGEST_MESSAGE 1024
+#define SW_LONGEST_MESSAGE 4608 // a path, and what is wrong with it
 
 static void* allocateFromLibc(void* context, size_t size, size_t alignment)
 {
