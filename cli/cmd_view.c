@@ -19,6 +19,8 @@ int RunView(int argumentCount, char** arguments)
     {
         debugNames[i] = swDebugMode_GetName((swDebugMode)i);
     }
+
+    static const char* const pictureEndings[] = {".png", NULL};
     const Option options[] = {
         {.name = "size",
          .kind = OPTION_SIZE,
@@ -60,25 +62,26 @@ int RunView(int argumentCount, char** arguments)
          .help = "leave after N frames of 1/30 s of the sea each",
          .max = 1e9},
         {.name = "screenshot",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &viewer.screenshotPath,
-         .placeholder = "FILE",
+         .placeholder = "FILE.png",
+         .choices = pictureEndings,
          .help = "with --frames: PNG of the last one"},
         {.name = "validate",
          .kind = OPTION_FLAG,
          .value = &viewer.enableValidation,
          .help = "Vulkan validation layers; a message of theirs is a problem"},
     };
-    const Verb verb = {.name = "view",
-                       .synopsis = "[SCENE] [options]",
-                       .text =
-                           "Look at a sea in a window: fly or orbit, change waves, wind and sun, save screenshots. Without\n"
-                           "SCENE an open sea is shown. The panel, F1, lists the keys. What is changed is not written to\n"
-                           "SCENE; the panel marks it, and a question comes before it is dropped.",
-                       .options = options,
-                       .optionCount = sizeof(options) / sizeof(options[0]),
-                       .positionalMax = 1,
-                       .positionals = &scenePath};
+    const Verb verb = {
+        .name = "view",
+        .synopsis = "[SCENE] [options]",
+        .text = "Look at a sea in a window: fly or orbit, change waves, wind and sun, save screenshots. Without\n"
+                "SCENE an open sea is shown. The panel, F1, lists the keys. What is changed is not written to\n"
+                "SCENE; the panel marks it, and a question comes before it is dropped.",
+        .options = options,
+        .optionCount = sizeof(options) / sizeof(options[0]),
+        .positionalMax = 1,
+        .positionals = &scenePath};
     ParseResult parsed = ParseArguments(&verb, argumentCount, arguments);
     if (parsed != PARSE_FINE)
     {

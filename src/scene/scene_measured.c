@@ -13,7 +13,6 @@
 
 #define COUNT(fields) ((int)(sizeof(fields) / sizeof((fields)[0])))
 #define MAX_FILES 1024
-#define MAX_PATH_LENGTH 1024
 
 enum
 {
@@ -27,8 +26,8 @@ static const swYamlField replayFields[] = {
     [TIME] = {.key = "time_s",
               .type = SW_YAML_DOUBLE,
               .offset = offsetof(swMeasuredText, replayTime),
-              .low = -1e9,
-              .high = 1e9},
+              .low = -SW_YAML_LARGEST_TIME,
+              .high = SW_YAML_LARGEST_TIME},
     [SPEED] = {.key = "speed",
                .type = SW_YAML_DOUBLE,
                .offset = offsetof(swMeasuredText, replaySpeed),
@@ -56,17 +55,22 @@ int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text)
 
 // ---- one file ----
 
-static void joinPath(char* path, size_t size, const char* folder, const char* file)
+// False if there is no room for it.
+static bool joinPath(char* path, size_t size, const char* folder, const char* file)
 {
     bool isAlone = file[0] == '/' || folder == NULL || folder[0] == '\0';
-    snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file);
+    return (size_t)snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file) < size;
 }
 
 static swResult readFile(swYaml* yaml, const swMeasuredText* text, const yaml_node_t* node, const char* file,
                          swMeasuredSea** sea)
 {
-    char path[MAX_PATH_LENGTH];
-    joinPath(path, sizeof(path), text->folder, file);
+    char path[SW_MAX_PATH];
+    if (!joinPath(path, sizeof(path), text->folder, file))
+    {
+        return swFailYaml(yaml, node, "the path of %s has more than %d bytes; move the scene or the file.", file,
+                          SW_MAX_PATH - 1);
+    }
     swResult result = swReadMeasuredSea(yaml->host, path, sea);
     if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
     {

@@ -759,7 +759,11 @@ static swResult readViews(swYaml* yaml, yaml_node_t* node, void* target)
 
 static const swYamlField sceneFields[] = {
     {.key = "name", .type = SW_YAML_TEXT, .offset = offsetof(swScene, name), .size = 128},
-    {.key = "time_s", .type = SW_YAML_DOUBLE, .offset = offsetof(swScene, time), .low = -FAR, .high = FAR},
+    {.key = "time_s",
+     .type = SW_YAML_DOUBLE,
+     .offset = offsetof(swScene, time),
+     .low = -SW_YAML_LARGEST_TIME,
+     .high = SW_YAML_LARGEST_TIME},
     {.key = "exposure_ev", .type = SW_YAML_FLOAT, .offset = offsetof(swScene, exposureEv), .low = -20.0, .high = 20.0},
     {.key = "world", .type = SW_YAML_CUSTOM, .read = readWorld},
     {.key = "foam", .type = SW_YAML_CUSTOM, .read = readFoam},
@@ -832,8 +836,13 @@ swResult swReadSceneText(const swHost* host, const char* text, size_t size, cons
 swResult swReadScene(const swHost* host, const char* path, swScene** scene)
 {
     *scene = NULL;
-    char folder[1024] = "";
+    char folder[SW_MAX_PATH] = "";
     const char* slash = strrchr(path, '/');
+    if (strlen(path) >= sizeof(folder))
+    {
+        return swFail(host, SW_ERROR_FILE, "The path of a scene has %zu bytes; at most %zu are read.", strlen(path),
+                      sizeof(folder) - 1);
+    }
     if (slash != NULL)
     {
         // The root folder keeps its slash.

@@ -11,11 +11,12 @@
 #include <string.h>
 
 #include "core/base/number.h"
+#include "scene/scene_file.h"
 #include "seaway/math.h"
 
 swResult swFailYaml(const swYaml* yaml, const yaml_node_t* node, const char* format, ...)
 {
-    char text[512];
+    char text[SW_MAX_PATH + 512];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof(text), format, arguments);

@@ -18,6 +18,9 @@ typedef struct swYaml
     void* context; // what custom fields are read into
 } swYaml;
 
+// Of a world, s; see swWorld_SetTime().
+#define SW_YAML_LARGEST_TIME 2.7e11
+
 typedef enum swYamlType
 {
     SW_YAML_FLOAT,

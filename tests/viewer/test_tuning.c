@@ -17,7 +17,10 @@ typedef struct Part
     size_t offset, size;
 } Part;
 
-#define PART(type, member) {offsetof(type, member), sizeof(((type*)0)->member)}
+#define PART(type, member)                                                                                             \
+    {                                                                                                                  \
+        offsetof(type, member), sizeof(((type*)0)->member)                                                             \
+    }
 
 static bool IsInParts(size_t offset, const Part* parts, int count)
 {
@@ -195,12 +198,9 @@ static void ASeaOfOtherHeightHasNoNumber(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(EveryValueOfTheLookCounts),
-        cmocka_unit_test(EveryValueOfASystemCounts),
-        cmocka_unit_test(SystemsRowsAndReplaysCount),
-        cmocka_unit_test(KnobsShowAndReadTheSame),
-        cmocka_unit_test(BeaufortsNumberIsThatOfASceneFile),
-        cmocka_unit_test(ASeaOfOtherHeightHasNoNumber),
+        cmocka_unit_test(EveryValueOfTheLookCounts),         cmocka_unit_test(EveryValueOfASystemCounts),
+        cmocka_unit_test(SystemsRowsAndReplaysCount),        cmocka_unit_test(KnobsShowAndReadTheSame),
+        cmocka_unit_test(BeaufortsNumberIsThatOfASceneFile), cmocka_unit_test(ASeaOfOtherHeightHasNoNumber),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

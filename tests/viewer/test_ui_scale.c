@@ -15,7 +15,7 @@ static float GetPart(float width, float height, float density)
 static void ThePanelIsAtMostTwoFifthsOfAWindow(void** state)
 {
     (void)state;
-    static const float sizes[][3] = {{640, 360, 1},   {800, 600, 1},   {1280, 720, 1},  {1024, 768, 1}, {1920, 1080, 1},
+    static const float sizes[][3] = {{640, 360, 1},   {800, 600, 1},   {1280, 720, 1}, {1024, 768, 1}, {1920, 1080, 1},
                                      {3840, 2160, 1}, {3840, 2160, 2}, {1280, 720, 2}, {2560, 1440, 1}};
     for (int i = 0; i < (int)(sizeof(sizes) / sizeof(sizes[0])); i++)
     {
