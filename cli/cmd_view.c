@@ -19,7 +19,6 @@ int RunView(int argumentCount, char** arguments)
     {
         debugNames[i] = swDebugMode_GetName((swDebugMode)i);
     }
-
     static const char* const pictureEndings[] = {".png", NULL};
     const Option options[] = {
         {.name = "size",
