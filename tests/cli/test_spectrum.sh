@@ -1,0 +1,76 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# `seaway spectrum`: measured seas, printed, listed and drawn.
+# Usage: test_spectrum.sh PROGRAM SOURCE_FOLDER. Exit code 77: skipped.
+. "$(dirname "$0")/support.sh"
+
+run 0 spectrum "$buoy"
+out 'Hs  '
+run 0 spectrum "$buoy" --json --plot plot.svg
+is_json out
+out '"hs_m":'
+out '"mean_direction_from_deg":'
+has plot.svg
+grep -q '</svg>' plot.svg || fail "the plot has no end"
+run 0 spectrum "$buoy" --list
+run 0 spectrum "$buoy" --list --json
+is_json out
+run 0 spectrum "$buoy" --at 2024-11-16T06:50Z
+run 2 spectrum "$buoy" --at yesterday
+err 'wants a time'
+run 1 spectrum nosuch.data_spec
+err 'nosuch.data_spec'
+echo 'this is no spectrum' >text.data_spec
+run 1 spectrum text.data_spec
+err 'text.data_spec:1'
+echo 'neither this' >text.txt
+run 1 spectrum text.txt
+err 'SWAN'
+err 'ERA5'
+cat >swan.spec <<'END'
+SWAN 1
+LONLAT
+2
+  4.5 52.0
+  4.6 52.1
+AFREQ
+2
+0.1
+0.2
+NDIR
+4
+0
+90
+180
+270
+QUANT
+1
+VaDens
+m2/Hz/degr
+-99
+FACTOR
+1e-3
+1 2 3 4
+1 1 1 1
+FACTOR
+1e-2
+1 2 3 4
+1 1 1 1
+END
+run 0 spectrum swan.spec
+out 'location 2 of 2'
+run 0 spectrum swan.spec --location 1 --json
+is_json out
+out '"longitude_deg": 4.5'
+run 0 spectrum swan.spec --list
+out 'location'
+run 2 spectrum swan.spec --location 3
+err 'number from 1 to 2'
+run 1 spectrum "$buoy" --plot nosuch/plot.svg
+err 'its folder does not exist'
+run 2 spectrum "$buoy" --list --at 2024-11-16T06:50Z
+err '--list has no effect with --at'
+run 2 spectrum "$buoy" --list --plot plot.svg
+err '--list has no effect with --plot'
+
+finish
