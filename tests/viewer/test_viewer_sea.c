@@ -29,7 +29,7 @@ static Sea OpenText(const char* text)
     assert_int_equal(write(file, text, strlen(text)), (ssize_t)strlen(text));
     close(file);
     Sea sea;
-    bool isOpen = OpenSea(&sea, &s_host, s_gpu, path);
+    bool isOpen = OpenSea(&sea, &s_host, s_gpu, 720, path);
     remove(path);
     assert_true(isOpen);
     return sea;
