@@ -38,6 +38,9 @@ layout(binding = 9) uniform sampler2D skyMap;
 layout(binding = 10) uniform sampler2DArray air;
 layout(binding = 11) uniform sampler2D foamTexture;
 
+// 1 on a device that is a CPU, where every texture sample counts.
+layout(constant_id = 0) const uint isSoftware = 0;
+
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
 layout(location = 2) in float blend;
@@ -95,7 +98,8 @@ void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprin
             continue;
         }
         vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
-        vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side);
+        vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side, isSoftware != 0 ? 2.0 : 8.0,
+                                   isSoftware != 0);
         vec2 mean = (1.0 - merged) * m.xy;
         slopes.mean += missing * mean;
         slopes.variance += missing * max(mix(m.zw, moments, merged) - mean * mean, vec2(0.0));
