@@ -56,6 +56,19 @@ fi
 in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/none/sea.png"
 expect_refusal "a screenshot into no folder" "was not written"
 
+ln -s /dev/full "$folder/full.png"
+in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/full.png"
+expect_refusal "a screenshot onto a full device" "was not written"
+[ -L "$folder/full.png" ] && [ -c /dev/full ] || fail "a screenshot onto a full device: link or device is gone"
+
+in_window 500 "$scene" --device software --size 640x360 --frames 3 --validate --debug slices --ui-scale 1.6 \
+    --screenshot "$folder/slices.png"
+if [ "$code" -ne 0 ] || [ -s "$folder/stderr" ] || [ ! -s "$folder/slices.png" ]; then
+    fail "a debug view and a larger panel: exit code $code, or messages"
+else
+    echo "ok: a debug view and a larger panel"
+fi
+
 in_window 60 "$folder/none.yaml" --device software --frames 1
 expect_refusal "no such scene" "none.yaml"
 
