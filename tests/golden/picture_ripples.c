@@ -36,7 +36,8 @@ static Shot MakeShot(const swWaveSystemDef* waves, float height, swDebugMode deb
 static void FindPlaces(const Shot* shot, swPosXZ* places)
 {
     swPos eye = {shot->x, (double)shot->height, shot->z};
-    swCamera camera = swMakeCamera(eye, 0.0f, (float)(-0.5 * SW_PI), 0.0f, shot->fovDeg * (float)(SW_PI / 180.0), SIDE, SIDE);
+    swCamera camera =
+        swMakeCamera(eye, 0.0f, (float)(-0.5 * SW_PI), 0.0f, shot->fovDeg * (float)(SW_PI / 180.0), SIDE, SIDE);
     const float *view = camera.view.m, *projection = camera.projection.m;
     for (int i = 0; i < PIXELS; ++i)
     {
@@ -150,7 +151,8 @@ static void NoSlopeIsLostOnTheWay(void** state)
         waves.maxWavelength = 0.25f * heights[i];
         double drawn = MeasureDrawn(&waves, heights[i]);
         double wanted = (double)swSeaSlopeVariance(WIND);
-        print_message("from %3.0f m: mean square slope %.4f drawn, %.4f of the sea\n", (double)heights[i], drawn, wanted);
+        print_message("from %3.0f m: mean square slope %.4f drawn, %.4f of the sea\n", (double)heights[i], drawn,
+                      wanted);
         assert_true(fabs(drawn / wanted - 1.0) < 0.15);
     }
 }

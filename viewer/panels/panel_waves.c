@@ -66,6 +66,8 @@ bool DrawMethod(swWaveSystemDef* def)
             def->directionVariance = ToRadians(variance);
             hasChanged = true;
         }
+        hasChanged |= UiSlider("least Jacobian", &def->leastJacobian, -1.0f, 0.9f, "%.2f");
+        UiTip("Sideways motion is held back where water would fold more than that: 1 is flat, 0 a fold");
     }
     return hasChanged;
 }
