@@ -109,7 +109,7 @@ static bool TimeQueries(const swWorld* world, CpuResult* cpu)
         swWorld_QuerySurface(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.height = heights}, &stats);
         double middle = GetSeconds();
         swWorld_QueryParticles(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.displacement = displacements},
-                               NULL);
+                               NULL, NULL);
         times[0][i] = middle - begin;
         times[1][i] = GetSeconds() - middle;
     }
@@ -300,6 +300,7 @@ int RunBench(int argumentCount, char** arguments)
     bool asJson = false, cpuOnly = false;
     DeviceName device = {SW_DEVICE_AUTO, 0};
     PixelSize size = {1280, 720};
+    static const char* const ofTheGpu[] = {"device", "size", NULL};
     const Option options[] = {
         {.name = "device",
          .kind = OPTION_DEVICE,
@@ -313,7 +314,7 @@ int RunBench(int argumentCount, char** arguments)
          .help = "of the picture that the GPU draws (default 1280x720)",
          .min = 16,
          .max = 16384},
-        {.name = "cpu-only", .kind = OPTION_FLAG, .value = &cpuOnly, .help = "leave the GPU out"},
+        {.name = "cpu-only", .kind = OPTION_FLAG, .value = &cpuOnly, .help = "leave the GPU out", .without = ofTheGpu},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };
     const Verb verb = {

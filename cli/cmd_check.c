@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "args.h"
+#include "text.h"
 #include "verbs.h"
 
 #define MAX_PROBLEMS 64
@@ -53,13 +54,16 @@ static void TakeProblem(void* context, swLogLevel level, const char* message)
 
 static void PrintProblems(const char* path, const ProblemList* list, swResult result, bool asJson)
 {
+    char line[4 * sizeof(list->problems[0].text)];
     for (int i = 0; i < list->count && !asJson; ++i)
     {
-        printf("%s: %s\n", list->problems[i].level == SW_LOG_ERROR ? "error" : "warning", list->problems[i].text);
+        printf("%s: %s\n", list->problems[i].level == SW_LOG_ERROR ? "error" : "warning",
+               CopyPrintable(line, sizeof(line), list->problems[i].text));
     }
     if (!asJson)
     {
-        printf("%s: %s\n", path, result == SW_SUCCESS ? "fine" : swResult_GetName(result));
+        printf("%s: %s\n", CopyPrintable(line, sizeof(line), path),
+               result == SW_SUCCESS ? "fine" : swResult_GetName(result));
         return;
     }
     Json json = OpenJson(stdout);

@@ -35,7 +35,7 @@ typedef struct RenderOptions
     DeviceName device;
     double time; // NAN: the scene's
     int frames;
-    double fps;
+    double fps; // NAN: not said
     const char* viewName;
     const char* toViewName;
     bool ease;
@@ -215,18 +215,28 @@ static bool DrawFrame(Render* render, int frame, double time)
     return MakePicture(render->maker, &picture, (float)dt, frame == 0);
 }
 
+static bool IsExr(const RenderOptions* options)
+{
+    return options->kind == OUTPUT_EXR || (options->kind == OUTPUT_FRAMES && options->frameFormat == 1);
+}
+
 static bool SaveFrame(Render* render, int frame)
 {
     const RenderOptions* options = &render->options;
     char path[MAX_PATH_LENGTH];
-    bool asExr = options->kind == OUTPUT_EXR || (options->kind == OUTPUT_FRAMES && options->frameFormat == 1);
-    snprintf(path, sizeof(path), "%s", options->outPath);
+    bool asExr = IsExr(options);
+    int length = snprintf(path, sizeof(path), "%s", options->outPath);
     if (options->kind == OUTPUT_FRAMES)
     {
-        size_t length = strlen(options->outPath);
         bool hasSlash = length > 0 && options->outPath[length - 1] == '/';
-        snprintf(path, sizeof(path), "%s%sframe_%05d.%s", options->outPath, hasSlash ? "" : "/", frame,
-                 asExr ? "exr" : "png");
+        length = snprintf(path, sizeof(path), "%s%sframe_%05d.%s", options->outPath, hasSlash ? "" : "/", frame,
+                          asExr ? "exr" : "png");
+    }
+    if (length >= (int)sizeof(path))
+    {
+        Complain("cannot write frame %d: its path in %s has more than %d bytes", frame, options->outPath,
+                 MAX_PATH_LENGTH - 1);
+        return false;
     }
     if (asExr)
     {
@@ -282,6 +292,19 @@ static const swSceneView* FindView(const swScene* scene, const char* path, const
     return NULL;
 }
 
+// From the first step of the warm-up to the last frame.
+static bool CheckTimes(const RenderOptions* options, double time)
+{
+    double first = time - options->warmup - WARMUP_STEP, last = time + options->frames / options->fps;
+    if (first < -LARGEST_TIME || last > LARGEST_TIME)
+    {
+        Complain("render: the time %.17g s with its warm-up and frames goes beyond %.2g s, the largest of a sea", time,
+                 LARGEST_TIME);
+        return false;
+    }
+    return true;
+}
+
 static bool OpenSea(Render* render, const char* scenePath)
 {
     const RenderOptions* options = &render->options;
@@ -294,7 +317,8 @@ static bool OpenSea(Render* render, const char* scenePath)
     swScene* scene = render->scene;
     render->from = FindView(scene, scenePath, options->viewName);
     render->to = options->toViewName != NULL ? FindView(scene, scenePath, options->toViewName) : NULL;
-    if (render->from == NULL || (options->toViewName != NULL && render->to == NULL))
+    if (render->from == NULL || (options->toViewName != NULL && render->to == NULL) ||
+        (isnan(options->time) && !CheckTimes(options, scene->time)))
     {
         return false;
     }
@@ -328,10 +352,7 @@ static bool OpenOutput(Render* render)
     {
     case OUTPUT_PNG:
     case OUTPUT_EXR:
-    {
-        OutputFile probe;
-        return BeginOutput(&probe, options->outPath) && (EndOutput(&probe, false), true);
-    }
+        return ProbeOutput(options->outPath);
     case OUTPUT_FRAMES:
         return MakeFolder(options->outPath);
     case OUTPUT_VIDEO:
@@ -377,25 +398,70 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
     return isFine ? EXIT_FINE : EXIT_PROBLEM;
 }
 
-static bool CheckOptions(RenderOptions* options)
+// What is written is known by the ending. A device or a FIFO without one takes a picture.
+static bool ChooseKind(RenderOptions* options)
 {
     const char* path = options->outPath;
-    if (path == NULL || *path == 0)
-    {
-        Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
-        return false;
-    }
     const char* slash = strrchr(path, '/');
     const char* dot = strrchr(slash != NULL ? slash : path, '.');
     options->kind = HasEnding(path, ".png")   ? OUTPUT_PNG
                     : HasEnding(path, ".exr") ? OUTPUT_EXR
                     : HasEnding(path, ".mp4") ? OUTPUT_VIDEO
+                    : IsDevice(path)          ? OUTPUT_PNG
                                               : OUTPUT_FRAMES;
     if (options->kind == OUTPUT_FRAMES && dot != NULL && dot[1] != 0 && dot[1] != '.')
     {
         Complain("render: --out %s: \"%s\" is none of .png, .exr and .mp4; end a folder's name with /", path, dot);
         return false;
     }
+    return true;
+}
+
+// Options that would do nothing to this kind of output.
+static bool CheckEffects(const RenderOptions* options)
+{
+    const char* useless = NULL;
+    const char* where = NULL;
+    if (options->frameFormat != 0 && options->kind != OUTPUT_FRAMES)
+    {
+        useless = "--frame-format";
+        where = "without a folder to write frames to";
+    }
+    else if (options->singlePrecision && !IsExr(options))
+    {
+        useless = "--exr-float";
+        where = "without .exr";
+    }
+    else if (options->exposureEv != 0.0 && IsExr(options))
+    {
+        useless = "--exposure";
+        where = "on .exr, which holds the light before exposure";
+    }
+    else if (!isnan(options->fps) && options->frames == 1 && options->kind != OUTPUT_VIDEO)
+    {
+        useless = "--fps";
+        where = "on a single picture";
+    }
+    if (useless != NULL)
+    {
+        Complain("render: %s has no effect %s; leave it out", useless, where);
+    }
+    return useless == NULL;
+}
+
+static bool CheckOptions(RenderOptions* options)
+{
+    const char* path = options->outPath;
+    if (path == NULL)
+    {
+        Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
+        return false;
+    }
+    if (!ChooseKind(options) || !CheckEffects(options))
+    {
+        return false;
+    }
+    options->fps = isnan(options->fps) ? 30.0 : options->fps;
     bool isPicture = options->kind == OUTPUT_PNG || options->kind == OUTPUT_EXR;
     if (isPicture && options->frames > 1)
     {
@@ -419,12 +485,13 @@ static bool CheckOptions(RenderOptions* options)
         Complain("render: --samples is a square: 1, 4, 9, 16, 25, 36, 49 or 64, not %d", options->samples);
         return false;
     }
-    return true;
+    return isnan(options->time) || CheckTimes(options, options->time);
 }
 
 int RunRender(int argumentCount, char** arguments)
 {
     static const char* const formats[] = {"png", "exr", NULL};
+    static const char* const debugWords[] = {"debug", NULL};
     const char* debugNames[SW_DEBUG_COUNT + 1] = {NULL};
     for (int i = 0; i < SW_DEBUG_COUNT; ++i)
     {
@@ -434,14 +501,14 @@ int RunRender(int argumentCount, char** arguments)
     RenderOptions render = {.size = {1280, 720},
                             .time = (double)NAN,
                             .frames = 1,
-                            .fps = 30.0,
+                            .fps = (double)NAN,
                             .sunElevation = (double)NAN,
                             .sunAzimuth = (double)NAN,
                             .warmup = 5.0,
                             .samples = 1};
     const Option options[] = {
         {.name = "out",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &render.outPath,
          .placeholder = "FILE",
          .help = "name.png, name.exr (linear light), name.mp4, or a folder"},
@@ -457,8 +524,8 @@ int RunRender(int argumentCount, char** arguments)
          .value = &render.time,
          .placeholder = "T",
          .help = "of the first frame, s (default: the scene's)",
-         .min = -1e9,
-         .max = 1e9},
+         .min = -LARGEST_TIME,
+         .max = LARGEST_TIME},
         {.name = "frames",
          .kind = OPTION_INT,
          .value = &render.frames,
@@ -483,7 +550,11 @@ int RunRender(int argumentCount, char** arguments)
          .value = &render.toViewName,
          .placeholder = "NAME",
          .help = "move there over the frames, height growing by equal factors"},
-        {.name = "ease", .kind = OPTION_FLAG, .value = &render.ease, .help = "start and end that move gently"},
+        {.name = "ease",
+         .kind = OPTION_FLAG,
+         .value = &render.ease,
+         .help = "of --to-view: start and end that move gently",
+         .needs = "to-view"},
         {.name = "ride",
          .kind = OPTION_FLAG,
          .value = &render.ride,
@@ -520,7 +591,8 @@ int RunRender(int argumentCount, char** arguments)
          .placeholder = "EV",
          .help = "stops to add to the scene's exposure",
          .min = -20,
-         .max = 20},
+         .max = 20,
+         .without = debugWords},
         {.name = "warmup",
          .kind = OPTION_NUMBER,
          .value = &render.warmup,
@@ -531,7 +603,7 @@ int RunRender(int argumentCount, char** arguments)
          .kind = OPTION_CHOICE,
          .value = &render.debug,
          .placeholder = "MODE",
-         .help = "show slices, normals, height and the like",
+         .help = DEBUG_MODE_HELP,
          .choices = debugNames},
         {.name = "frame-format",
          .kind = OPTION_CHOICE,

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "args.h"
+#include "output.h"
 #include "sea_measure.h"
 #include "spectrum_plot.h"
 #include "verbs.h"
@@ -136,6 +137,10 @@ static void PrintReportJson(const SeaMeasurement* sea, const char* path)
 
 static int MeasureScene(MeasureOptions options, const char* path, const char* plotPath, bool asJson)
 {
+    if (plotPath != NULL && !ProbeOutput(plotPath))
+    {
+        return EXIT_PROBLEM;
+    }
     swHost host = MakeHost();
     swScene* scene = NULL;
     swResult result = swReadScene(&host, path, &scene);
@@ -171,6 +176,7 @@ int RunStats(int argumentCount, char** arguments)
     const char* plotPath = NULL;
     bool asJson = false;
     MeasureOptions stats = {.seeds = 4};
+    static const char* const plotEndings[] = {".svg", NULL};
     const Option options[] = {
         {.name = "area",
          .kind = OPTION_NUMBER,
@@ -194,9 +200,10 @@ int RunStats(int argumentCount, char** arguments)
          .min = 10,
          .max = 1e5},
         {.name = "plot",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &plotPath,
          .placeholder = "FILE.svg",
+         .choices = plotEndings,
          .help = "draw the asked and the measured spectrum, by frequency and by direction"},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };

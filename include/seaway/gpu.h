@@ -207,7 +207,8 @@ SW_API void swDestroyGpuQuery(swGpuQuery* query);
 
 /// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each to 0.01 mm.
 /// How far the first is from the origin does not matter; the others are best within 1,000 km of it. No points: the query
-/// rests.
+/// rests. A point that cannot be answered spoils no other, as query.h says; here one that is farther than 1e11 m from the
+/// first good one is bad, too. Its answers are NaN, also in the buffers that shaders see.
 SW_API void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points);
 
 /// The same for a query of the water below: places with a height, above or below the surface.
@@ -243,7 +244,7 @@ typedef struct swGpuDepth
 /// Of one ray.
 typedef struct swGpuHit
 {
-    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit
+    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit, NaN of a bad ray
     float side;     ///< 1: it came from above, -1: from below, 0: no hit
 } swGpuHit;
 
@@ -285,11 +286,13 @@ SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swS
                                      swQueryStats* stats);
 
 /// The same for a query of the water below: results where swWorld_QueryVolume() would write them.
-SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples);
+SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples,
+                                           swQueryStats* stats);
 
 /// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swWorld_CastRays() would write them. `rays` are those that
 /// had been set then.
-SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits);
+SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits,
+                                         swQueryStats* stats);
 
 /// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any descriptor:
 /// vec2 heights[] (height, residual), vec2 depths[] (depth, pressure head), vec2 hits[] (distance, side), vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4

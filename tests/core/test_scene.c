@@ -17,7 +17,7 @@
 
 #define ONE_WAVE "\n      - {wavelength_m: 50, amplitude_m: 0.5, direction_from_deg: 270}\n"
 
-static char s_messages[4096];
+static char s_messages[65536];
 
 static void KeepMessages(void* context, swLogLevel level, const char* message)
 {
@@ -294,6 +294,129 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         swResult result = ReadText(cases[i].text, &scene);
         assert_null(scene);
         assert_true(result == SW_ERROR_FORMAT || result == SW_ERROR_FILE);
+        if (strstr(s_messages, cases[i].words) == NULL)
+        {
+            fail_msg("\"%s\" does not say \"%s\"", s_messages, cases[i].words);
+        }
+    }
+}
+
+// Mistakes of one file are told together, each with its line and code, and none twice.
+static void EveryMistakeIsTold(void** state)
+{
+    (void)state;
+    static const char text[] = "nam: a\n"                                       // 1 unknown_key
+                               "time_s: 1e12\n"                                 // 2 out_of_range
+                               "sky: {haze: 30, haze: 1}\n"                     // 3 out_of_range, repeated
+                               "sun: 3\n"                                       // 4 wrong_form
+                               "view: {resolution: 100, finest_texel_m: 0.1}\n" // 5 out_of_range twice
+                               "water:\n"
+                               "  absorption_per_m: [a, 1, 200]\n" // 7 wrong_form, out_of_range
+                               "waves:\n"
+                               "  - spectrum: jonswop\n" // 9 unknown_word; what goes with it cannot be known
+                               "    resolution: 100\n"   // 10 out_of_range
+                               "    fetch_m: 1e5\n"
+                               "  - spectrum: swell\n" // 12 missing_key
+                               "    gamma: 3\n"        // 13 no_effect
+                               "    fetch_m: 1e5\n"    // 14 no_effect
+                               "    chop: 5\n"         // 15 out_of_range
+                               "  - seed: -1\n"        // 16 out_of_range, missing_key
+                               "  - spectrum: file\n"
+                               "    file: none.spec\n" // 18 bad_file
+                               "    weight: heavy\n"   // 19 wrong_form
+                               "  - components:\n"
+                               "      - {wavelength_m: 50, amplitude_m: 99, direction_from_deg: 1}\n" // 21 out_of_range
+                               "      - {wavelength_m: 50}\n" // 22 missing_key twice
+                               "    seed: 4\n"                // with which of the two?
+                               "    beaufort: 4\n"            // 24 conflict
+                               "views:\n"
+                               "  - {name: a, fov_deg: 500}\n"        // 26 out_of_range
+                               "  - {name: a, sun_azimuth_deg: 3}\n"; // 27 repeated, missing_key
+    static const char* const wanted[] = {
+        "1 unknown_key",  "2 out_of_range",  "3 out_of_range",  "3 repeated",      "4 wrong_form",    "5 out_of_range",
+        "5 out_of_range", "7 wrong_form",    "7 out_of_range",  "9 unknown_word",  "10 out_of_range", "12 missing_key",
+        "13 no_effect",   "14 no_effect",    "15 out_of_range", "16 out_of_range", "16 missing_key",  "18 bad_file",
+        "19 wrong_form",  "21 out_of_range", "22 missing_key",  "22 missing_key",  "24 conflict",     "26 out_of_range",
+        "27 repeated",    "27 missing_key",
+    };
+    const int wantedCount = (int)(sizeof(wanted) / sizeof(wanted[0]));
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_ERROR_FORMAT);
+    assert_null(scene);
+    char found[64][32];
+    bool isFound[64] = {false};
+    int count = 0;
+    for (char* line = strtok(s_messages, "\n"); line != NULL; line = strtok(NULL, "\n"))
+    {
+        char* code = strrchr(line, '[');
+        if (strncmp(line, "a.yaml:", 7) == 0)
+        {
+            assert_non_null(code);
+            assert_true(count < 64);
+            snprintf(found[count++], sizeof(found[0]), "%d %.*s", atoi(line + 7), (int)strcspn(code + 1, "]"),
+                     code + 1);
+        }
+    }
+    for (int i = 0; i < wantedCount; ++i)
+    {
+        int j = 0;
+        while (j < count && (isFound[j] || strcmp(found[j], wanted[i]) != 0))
+        {
+            ++j;
+        }
+        if (j == count)
+        {
+            fail_msg("\"%s\" is not told", wanted[i]);
+        }
+        isFound[j] = true;
+    }
+    for (int j = 0; j < count; ++j)
+    {
+        if (!isFound[j])
+        {
+            fail_msg("\"%s\" is told, but there is no such mistake", found[j]);
+        }
+    }
+}
+
+static char* Repeat(const char* word, int count, const char* end)
+{
+    size_t size = strlen(word);
+    char* text = malloc(size * (size_t)count + strlen(end) + 1);
+    assert_non_null(text);
+    for (int i = 0; i < count; ++i)
+    {
+        memcpy(text + size * (size_t)i, word, size);
+    }
+    strcpy(text + size * (size_t)count, end);
+    return text;
+}
+
+// The parser's time grows with the square of the depth: a million brackets took minutes.
+static void WhatIsTooLargeIsRefusedAtOnce(void** state)
+{
+    (void)state;
+    static const struct
+    {
+        const char* word;
+        int count;
+        const char *end, *words;
+    } cases[] = {
+        {"[", 1000000, "", "a.yaml:1: lists and mappings are nested more than 16 deep; remove what is no scene."},
+        {"{a: ", 200000, "", "a.yaml:1: lists and mappings are nested more than 16 deep"},
+        {"- ", 400000, "a", "a.yaml:1: lists and mappings are nested more than 16 deep"},
+        {"? ", 400000, "a", "a.yaml:1: lists and mappings are nested more than 16 deep"},
+        {"- a\n", 200000, "", "there are more than 100000 values; remove what is no scene. [too_large]"},
+        {"a: b\n", 100, "", "a.yaml:64: here is mistake 64, and more are not looked for; mend those above."},
+        {"waves:\n  - a: {b: [c]}\n", 1, "    d: e\n", "a.yaml:3: 'd' is no key of waves"},
+    };
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        swScene* scene = NULL;
+        char* text = Repeat(cases[i].word, cases[i].count, cases[i].end);
+        swHost host = MakeHost();
+        assert_int_equal(swReadSceneText(&host, text, strlen(text), "a.yaml", SCENES, &scene), SW_ERROR_FORMAT);
+        free(text);
         if (strstr(s_messages, cases[i].words) == NULL)
         {
             fail_msg("\"%s\" does not say \"%s\"", s_messages, cases[i].words);
@@ -672,6 +795,8 @@ int main(void)
         cmocka_unit_test(EveryKeyReachesItsField),
         cmocka_unit_test(WhatIsLeftOutKeepsItsDefault),
         cmocka_unit_test(WrongScenesAreNamedWithTheirLine),
+        cmocka_unit_test(EveryMistakeIsTold),
+        cmocka_unit_test(WhatIsTooLargeIsRefusedAtOnce),
         cmocka_unit_test(ShippedScenesMakeSeas),
         cmocka_unit_test(EverySpectrumCanBeWritten),
         cmocka_unit_test(FewWavesComeFromSpectraOrByHand),

@@ -31,8 +31,8 @@ void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const s
 const swGpuQuerySlot* swFindQueryAnswers(const swGpuQuery* query);
 void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swGpuQueryResults* results);
 void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats);
-void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples);
-void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits);
+void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples, swQueryStats* stats);
+void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits, swQueryStats* stats);
 size_t swGetQueryMemory(const swGpuQuery* query);
 
 // Copy one slice of a layer to the host; waits.
