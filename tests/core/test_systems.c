@@ -491,7 +491,7 @@ static float FindRareJacobian(const swWaveSystemDef* def, float* height)
             points[i] = (swPosXZ){fmod(7919.37 * i, 6000.0), fmod(104729.71 * i, 6173.0)};
         }
         swSurfaceSamples samples = {.jacobian = jacobians + (size_t)k * (FOLD_POINTS / 4)};
-        swWorld_QueryParticles(sea.world, &query, FOLD_POINTS / 4, points, &samples, NULL);
+        swWorld_QueryParticles(sea.world, &query, FOLD_POINTS / 4, points, &samples, NULL, NULL);
     }
     *height = 4.0f * sqrtf(GetVariance(sea.world));
     swDestroyWorld(sea.world);
