@@ -40,7 +40,7 @@ static const swYamlField worldFields[] = {
      .offset = offsetof(swWorldDef, surfaceTension),
      .low = 0.0,
      .high = 1e-3},
-    {.key = "sea_level_m", .type = SW_YAML_DOUBLE, .offset = offsetof(swWorldDef, seaLevel), .low = -1e5, .high = 1e5},
+    {.key = "sea_level_m", .type = SW_YAML_DOUBLE, .offset = offsetof(swWorldDef, seaLevel), .low = -1e6, .high = 1e6},
 };
 
 static const swYamlField foamFields[] = {
@@ -349,15 +349,24 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [EXTEND_TAIL] = {.key = "extend_tail", .type = SW_YAML_BOOL, .offset = SPECTRUM(extendTail)},
     [RESOLUTION] = {.key = "resolution", .type = SW_YAML_INT, .offset = SYSTEM(resolution), .low = 16.0, .high = 512.0},
     [TILE_WAVES] = {.key = "tile_waves", .type = SW_YAML_INT, .offset = SYSTEM(tileWaves), .low = 4.0, .high = 128.0},
-    [MIN_WAVELENGTH] =
-        {.key = "min_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(minWavelength), .low = 0.0, .high = 1e5},
-    [MAX_WAVELENGTH] =
-        {.key = "max_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(maxWavelength), .low = 0.0, .high = 1e5},
+    [MIN_WAVELENGTH] = {.key = "min_wavelength_m",
+                        .type = SW_YAML_FLOAT,
+                        .offset = SYSTEM(minWavelength),
+                        .low = 0.0625,
+                        .high = 4096.0},
+    [MAX_WAVELENGTH] = {.key = "max_wavelength_m",
+                        .type = SW_YAML_FLOAT,
+                        .offset = SYSTEM(maxWavelength),
+                        .low = 0.0625,
+                        .high = 4096.0},
     [CHOP] = {.key = "chop", .type = SW_YAML_FLOAT, .offset = SYSTEM(chop), .low = 0.0, .high = 2.0},
     [WEIGHT] = {.key = "weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(weight), .low = 0.0, .high = 10.0},
-    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(depth), .low = 0.01, .high = 1e5},
-    [LOOP_PERIOD] =
-        {.key = "loop_period_s", .type = SW_YAML_FLOAT, .offset = SYSTEM(loopPeriod), .low = 0.0, .high = 86400.0},
+    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(depth), .low = 0.001, .high = 1e9},
+    [LOOP_PERIOD] = {.key = "loop_period_s",
+                     .type = SW_YAML_FLOAT,
+                     .offset = SYSTEM(loopPeriod),
+                     .low = 0.0,
+                     .high = SW_YAML_LARGEST_TIME},
     [SEED] = {.key = "seed", .type = SW_YAML_UINT, .offset = SYSTEM(seed), .low = 0.0, .high = 4294967295.0},
     [METHOD] = {.key = "method", .type = SW_YAML_CHOICE, .offset = SYSTEM(method), .words = methodWords},
     [COMPONENTS_PER_OCTAVE] = {.key = "components_per_octave",

@@ -379,6 +379,79 @@ static void EveryMistakeIsTold(void** state)
     }
 }
 
+// What the reader takes, the world takes, and what lies beyond has its line.
+static void EndsOfRangesMakeWorlds(void** state)
+{
+    (void)state;
+    static const struct
+    {
+        const char *text, *key; // with %s for the value
+        double low, high;
+    } cases[] = {
+        {"world: {gravity_mps2: %s}\n", "gravity_mps2", 0.1, 100.0},
+        {"world: {surface_tension_m3ps2: %s}\n", "surface_tension_m3ps2", 0.0, 1e-3},
+        {"world: {sea_level_m: %s}\n", "sea_level_m", -1e6, 1e6},
+        {"foam: {fade_rate_per_s: %s}\n", "fade_rate_per_s", 0.01, 10.0},
+        {"foam: {threshold: %s}\n", "threshold", 0.0, 1.0},
+        {"foam: {gain_per_s: %s}\n", "gain_per_s", 0.0, 1000.0},
+        {"time_s: %s\n", "time_s", -2.7e11, 2.7e11},
+        {"waves: [{beaufort: %s}]\n", "beaufort", 0.0, 12.0},
+        {"waves: [{sea_state: %s}]\n", "sea_state", 0.0, 9.0},
+        {"waves: [{spectrum: jonswap, wind_speed_mps: %s}]\n", "wind_speed_mps", 0.1, 100.0},
+        {"waves: [{spectrum: jonswap, fetch_m: %s}]\n", "fetch_m", 1e3, 1e7},
+        {"waves: [{spectrum: jonswap, gamma: %s}]\n", "gamma", 1.0, 10.0},
+        {"waves: [{spectrum: jonswap, significant_height_m: %s}]\n", "significant_height_m", 0.0, 40.0},
+        {"waves: [{spectrum: jonswap, peak_period_s: %s}]\n", "peak_period_s", 0.0, 60.0},
+        {"waves: [{spectrum: jonswap, spread_exponent: %s}]\n", "spread_exponent", 0.0, 200.0},
+        {"waves: [{spectrum: jonswap, turbulence: %s}]\n", "turbulence", 0.0, 1.0},
+        {"waves: [{spectrum: jonswap, swell: %s}]\n", "swell", 0.0, 1.0},
+        {"waves: [{spectrum: jonswap, min_wavelength_m: %s, max_wavelength_m: 4096}]\n", "min_wavelength_m", 0.0625,
+         2000.0},
+        {"waves: [{spectrum: jonswap, max_wavelength_m: %s}]\n", "max_wavelength_m", 0.125, 4096.0},
+        {"waves: [{spectrum: jonswap, chop: %s}]\n", "chop", 0.0, 2.0},
+        {"waves: [{spectrum: jonswap, weight: %s}]\n", "weight", 0.0, 10.0},
+        {"waves: [{spectrum: jonswap, depth_m: %s}]\n", "depth_m", 0.001, 1e9},
+        {"waves: [{spectrum: jonswap, loop_period_s: %s}]\n", "loop_period_s", 0.0, 2.7e11},
+        {"waves: [{spectrum: jonswap, seed: %s}]\n", "seed", 0.0, 4294967295.0},
+        {"waves: [{spectrum: jonswap, method: gerstner, components_per_octave: %s}]\n", "components_per_octave", 1.0,
+         32.0},
+        {"waves: [{spectrum: jonswap, method: gerstner, reverse_weight: %s}]\n", "reverse_weight", 0.0, 1.0},
+        {"waves: [{spectrum: jonswap, method: gerstner, direction_variance_deg: %s}]\n", "direction_variance_deg", 0.0,
+         180.0},
+        {"waves: [{spectrum: octaves, multiplier: %s}]\n", "multiplier", 0.1, 10.0},
+        {"waves: [{spectrum: octaves, gravity_scale: %s}]\n", "gravity_scale", 0.0, 25.0},
+        {"waves: [{spectrum: wind_sea, duration_h: %s}]\n", "duration_h", 0.1, 1000.0},
+        {"waves: [{spectrum: swell, significant_height_m: 1, peak_period_s: 9, spread_deg: %s}]\n", "spread_deg", 6.0,
+         80.0},
+    };
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        double step = 0.01 * (cases[i].high - cases[i].low);
+        const double values[] = {cases[i].low, cases[i].high, cases[i].low - step, cases[i].high + step};
+        // Of these the other key or the waves' energy ends the range before.
+        bool isInner = strstr(cases[i].key, "wavelength") != NULL || strcmp(cases[i].key, "multiplier") == 0;
+        for (int j = 0; j < (isInner ? 2 : 4); ++j)
+        {
+            char value[40], text[256], words[80];
+            snprintf(value, sizeof(value), "%.17g", values[j]);
+            int before = (int)(strstr(cases[i].text, "%s") - cases[i].text);
+            snprintf(text, sizeof(text), "%.*s%s%s", before, cases[i].text, value, cases[i].text + before + 2);
+            snprintf(words, sizeof(words), "a.yaml:1: %s is ", cases[i].key);
+            swHost host = MakeHost();
+            swScene* scene = NULL;
+            swWorld* world = NULL;
+            swResult result = swReadSceneText(&host, text, strlen(text), "a.yaml", SCENES, &scene);
+            result = result == SW_SUCCESS ? swCreateSceneWorld(&host, scene, &world) : result;
+            if ((result == SW_SUCCESS) != (j < 2) || (j >= 2 && strstr(s_messages, words) == NULL))
+            {
+                fail_msg("%s%s", text, s_messages);
+            }
+            swDestroyWorld(world);
+            swDestroyScene(scene);
+        }
+    }
+}
+
 static char* Repeat(const char* word, int count, const char* end)
 {
     size_t size = strlen(word);
@@ -796,6 +869,7 @@ int main(void)
         cmocka_unit_test(WhatIsLeftOutKeepsItsDefault),
         cmocka_unit_test(WrongScenesAreNamedWithTheirLine),
         cmocka_unit_test(EveryMistakeIsTold),
+        cmocka_unit_test(EndsOfRangesMakeWorlds),
         cmocka_unit_test(WhatIsTooLargeIsRefusedAtOnce),
         cmocka_unit_test(ShippedScenesMakeSeas),
         cmocka_unit_test(EverySpectrumCanBeWritten),
