@@ -22,10 +22,14 @@ fail() {
     failures=$((failures + 1))
 }
 
-# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code.
+# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code. xvfb-run has an exit
+# code and words of its own when it cannot tidy up behind itself, so the viewer's are taken inside.
 in_window() {
-    timeout "$1" xvfb-run -a -e "$folder/xvfb" -s "-screen 0 1024x768x24" "$seaway" view "${@:2}" 2>"$folder/stderr"
-    code=$?
+    code=124
+    rm -f "$folder/code"
+    timeout "$1" xvfb-run -a -e "$folder/xvfb" -s "-screen 0 1024x768x24" \
+        sh -c '"$@" 2>"$0/stderr"; echo $? >"$0/code"' "$folder" "$seaway" view "${@:2}" 2>"$folder/noise"
+    [ ! -s "$folder/code" ] || code=$(cat "$folder/code")
 }
 
 # Exit code 1, and a sentence on stderr that holds the pattern.
