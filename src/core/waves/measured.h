@@ -50,6 +50,7 @@ struct swMeasuredSea
     char name[256];       // for messages
     swSeaArray records;   // swSeaRecord
     swSeaArray locations; // swMeasuredLocation
+    swMeasuredDirections directions;
     size_t floatCount;
 };
 
