@@ -165,6 +165,10 @@ typedef struct swMeasuredSpectrumDef
     /// [frequencyCount]
     const double *a1, *b1, *a2, *b2;
 
+    /// A spectrum that cannot be used is told as a warning, not as an error: for readers that go on without it.
+    /// The result is the same. Default false.
+    bool warnOnly;
+
     /// Set by swDefaultMeasuredSpectrumDef().
     int internalValue;
 } swMeasuredSpectrumDef;

@@ -10,6 +10,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/ndbc_sea.c
     ${CMAKE_CURRENT_LIST_DIR}/partition_sea.c
     ${CMAKE_CURRENT_LIST_DIR}/partition_text.c
+    ${CMAKE_CURRENT_LIST_DIR}/sea_places.c
     ${CMAKE_CURRENT_LIST_DIR}/sea_presets.c
     ${CMAKE_CURRENT_LIST_DIR}/sea_text.c
     ${CMAKE_CURRENT_LIST_DIR}/slices.c
