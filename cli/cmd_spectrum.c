@@ -131,6 +131,15 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
         printf("  %d frequencies had moments that no distribution can have; they were corrected\n",
                record->correctedCount);
     }
+    if (record->negativeCount > 0)
+    {
+        printf("  %d densities were negative, %.2g %% of the energy; each frequency is scaled to keep its own\n",
+               record->negativeCount, 100.0 * (double)record->negativePart);
+    }
+    if (record->addedPart > 0.0f)
+    {
+        printf("  where a frequency could not, %.2g %% of the energy was gained\n", 100.0 * (double)record->addedPart);
+    }
     if (!hasWaves)
     {
         printf("  no waves\n");
@@ -160,6 +169,9 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     WriteSeaState(&json, &state);
     JsonNull(&json, "whitecap_fraction");
     JsonInteger(&json, "corrected_count", record->correctedCount);
+    JsonInteger(&json, "negative_count", record->negativeCount);
+    JsonNumber(&json, "negative_fraction", (double)record->negativePart);
+    JsonNumber(&json, "added_fraction", (double)record->addedPart);
     JsonInteger(&json, "partition_count", record->partitionCount);
     WriteLocation(&json, sea, record->location);
     JsonFloats(&json, "frequency_hz", record->table.frequencies, record->table.frequencyCount);

@@ -42,6 +42,16 @@ typedef struct swMeasuredRecord
     /// How many frequencies had moments that no distribution can have and were corrected.
     int correctedCount;
 
+    /// How many densities were negative, as noise and smoothing leave them in files. They count as none, and the others
+    /// of their frequency are scaled down so that the frequency keeps its energy. A frequency whose sum is negative, or a
+    /// negative energy without directions, becomes nothing. A negative number larger than every density of the record
+    /// marks what is missing, and nothing is scaled for it.
+    int negativeCount;
+
+    /// The variance that the negative densities took away, as a part of the record's variance; and the part by which the
+    /// record has more than the file, for frequencies that could not keep their energy.
+    float negativePart, addedPart;
+
     /// 0 if the file holds spectra. Of a summary or of partitions: of how many systems of waves the table was built up;
     /// then its shape is that of a formula and only heights, periods and directions are measured.
     int partitionCount;
@@ -155,10 +165,11 @@ typedef struct swMeasuredSpectrumDef
     int directionCount;
     const double* directions;
 
-    /// m^2/Hz/rad, range [0, 1e6]; negative ones and NAN count as none. [frequencyCount][directionCount]
+    /// m^2/Hz/rad, at most 1e6. NAN counts as none, negative ones as swMeasuredRecord::negativeCount says.
+    /// [frequencyCount][directionCount]
     const double* density;
 
-    /// Instead of directions: m^2/Hz, range [0, 5e4]; negative ones and NAN count as none. [frequencyCount]
+    /// Instead of directions: m^2/Hz, at most 5e4; negative ones and NAN count as none. [frequencyCount]
     const double* energy;
 
     /// Means of cos, sin of the direction where waves go, and of twice it; NAN where missing. Default NULL: not known.

@@ -196,6 +196,9 @@ enum
 static const char* const spreadingWords[] = {"cosine", "mitsuyasu",  "hasselmann", "donelan_banner",
                                              "flat",   "elfouhaily", NULL};
 
+// In the order of swGrowthLaw.
+static const char* const growthWords[] = {"hasselmann", "cube_root", NULL};
+
 typedef struct WavesText
 {
     swSceneWaves* waves;
@@ -204,6 +207,7 @@ typedef struct WavesText
     float durationHours;
     float spread;
     int spreading;
+    int growth;
     swOctavesText octaves;
     swMeasuredText measured;
     swWaveSystemDef def;
@@ -228,6 +232,7 @@ enum
     REPLAY,
     WIND_SPEED,
     FETCH,
+    GROWTH,
     DURATION,
     GAMMA,
     HEIGHT,
@@ -318,6 +323,7 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [WIND_SPEED] =
         {.key = "wind_speed_mps", .type = SW_YAML_FLOAT, .offset = SPECTRUM(windSpeed), .low = 0.1, .high = 100.0},
     [FETCH] = {.key = "fetch_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(fetch), .low = 1e3, .high = 1e7},
+    [GROWTH] = {.key = "growth", .type = SW_YAML_CHOICE, .offset = TEXT(growth), .words = growthWords},
     [GAMMA] = {.key = "gamma", .type = SW_YAML_FLOAT, .offset = SPECTRUM(gamma), .low = 1.0, .high = 10.0},
     [HEIGHT] = {.key = "significant_height_m",
                 .type = SW_YAML_FLOAT,
@@ -460,6 +466,7 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {WIND_SPEED, FORMULAS | ONE(WIND_SEA_KIND)},
         {FETCH, GROWING | ONE(SW_SPECTRUM_ELFOUHAILY) | ONE(WIND_SEA_KIND)},
         {DURATION, ONE(WIND_SEA_KIND)},
+        {GROWTH, GROWING},
         {GAMMA, GROWING},
         {HEIGHT, FORMULAS | FILES | ONE(SWELL_KIND)},
         {PEAK_PERIOD, FORMULAS | ONE(SWELL_KIND)},
@@ -496,6 +503,11 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
     if (result != SW_SUCCESS)
     {
         return result;
+    }
+    if (nodes->nodes[GROWTH] != NULL && text->def.spectrum.peakPeriod > 0.0f)
+    {
+        return swFailYaml(yaml, nodes->nodes[GROWTH],
+                          "growth has no effect where peak_period_s is given; remove one of them.");
     }
     // Wind seas by one knob have a spreading of their own.
     bool isCosine = nodes->nodes[SPREADING] != NULL ? text->spreading == SW_SPREADING_COSINE_2S
@@ -538,6 +550,7 @@ static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, 
     {
         spectrum->kind = (swSpectrumKind)text->kind;
         spectrum->spreading = (swSpreadingKind)text->spreading;
+        spectrum->growth = (swGrowthLaw)text->growth;
     }
     else if (text->kind != COMPONENTS_KIND)
     {

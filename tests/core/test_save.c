@@ -42,6 +42,7 @@ static swWorld* MakeWorld(const swHost* host)
     assert_int_equal(swCreateWaveSystem(world, &def, &gone), SW_SUCCESS);
     def.seed = 7;
     def.loopPeriod = 300.0f;
+    def.spectrum.growth = SW_GROWTH_CUBE_ROOT;
     assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
     swDestroyWaveSystem(world, gone);
     def = MakeDef();

@@ -204,6 +204,12 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"waves:\n  - spectrum: octaves\n    multiplier: 0\n", "a.yaml:2: the octaves have no energy"},
         {"waves:\n  - spectrum: phillips\n    octaves: []\n", "a.yaml:3: octaves has no effect"},
         {"waves:\n  - spectrum: pierson_moskowitz\n    fetch_m: 1e5\n", "a.yaml:3: fetch_m has no effect"},
+        {"waves:\n  - spectrum: elfouhaily\n    growth: cube_root\n", "a.yaml:3: growth has no effect on"},
+        {"waves:\n  - spectrum: wind_sea\n    growth: cube_root\n", "a.yaml:3: growth has no effect on"},
+        {"waves:\n  - spectrum: tma\n    growth: linear\n",
+         "a.yaml:3: growth is 'linear'; it must be one of: hasselmann, cube_root."},
+        {"waves:\n  - spectrum: jonswap\n    growth: cube_root\n    peak_period_s: 8\n",
+         "a.yaml:3: growth has no effect where peak_period_s is given; remove one of them."},
         {"waves:\n  - spectrum: jonswap\n    wind_speed_mps: 0\n",
          "a.yaml:3: wind_speed_mps is 0; its range is 0.1 to 100"},
         {"waves:\n  - spectrum: jonswap\n    resolution: 100\n",
@@ -296,24 +302,25 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
 static void EverySpectrumCanBeWritten(void** state)
 {
     (void)state;
-    static const char text[] = "waves:\n"
-                               "  - {spectrum: tma, depth_m: 8, gamma: 2.5, spreading: hasselmann, turbulence: 0.25}\n"
-                               "  - {spectrum: elfouhaily, fetch_m: 1e6, spreading: elfouhaily, swell: 0.5}\n"
-                               "  - {spectrum: phillips, wind_speed_mps: 9, spreading: donelan_banner}\n"
-                               "  - {spectrum: wind_sea, wind_speed_mps: 15, fetch_m: 2e5, duration_h: 6}\n"
-                               "  - {spectrum: swell, significant_height_m: 1.5, peak_period_s: 14, spread_deg: 10}\n"
-                               "  - {beaufort: 6.5, spreading: cosine, spread_exponent: 4, depth_m: 20}\n"
-                               "  - {sea_state: 4, direction_from_deg: 270}\n"
-                               "  - spectrum: octaves\n"
-                               "    octaves_from: swell\n"
-                               "    octaves:\n"
-                               "      - {wavelength_m: 64, power: -0.5, chop: 1.25, gravity_scale: 0.5}\n"
-                               "      - {wavelength_m: 128, enabled: false}\n"
-                               "      - {wavelength_m: 0.0625, power: -7}\n"
-                               "    multiplier: 1.5\n"
-                               "    gravity_scale: 2\n"
-                               "    limit_by_wind: false\n"
-                               "  - {spectrum: octaves, octaves_from: pierson_moskowitz, wind_speed_mps: 12}\n";
+    static const char text[] =
+        "waves:\n"
+        "  - {spectrum: tma, depth_m: 8, gamma: 2.5, growth: cube_root, spreading: hasselmann, turbulence: 0.25}\n"
+        "  - {spectrum: elfouhaily, fetch_m: 1e6, spreading: elfouhaily, swell: 0.5}\n"
+        "  - {spectrum: phillips, wind_speed_mps: 9, spreading: donelan_banner}\n"
+        "  - {spectrum: wind_sea, wind_speed_mps: 15, fetch_m: 2e5, duration_h: 6}\n"
+        "  - {spectrum: swell, significant_height_m: 1.5, peak_period_s: 14, spread_deg: 10}\n"
+        "  - {beaufort: 6.5, spreading: cosine, spread_exponent: 4, depth_m: 20}\n"
+        "  - {sea_state: 4, direction_from_deg: 270}\n"
+        "  - spectrum: octaves\n"
+        "    octaves_from: swell\n"
+        "    octaves:\n"
+        "      - {wavelength_m: 64, power: -0.5, chop: 1.25, gravity_scale: 0.5}\n"
+        "      - {wavelength_m: 128, enabled: false}\n"
+        "      - {wavelength_m: 0.0625, power: -7}\n"
+        "    multiplier: 1.5\n"
+        "    gravity_scale: 2\n"
+        "    limit_by_wind: false\n"
+        "  - {spectrum: octaves, octaves_from: pierson_moskowitz, wind_speed_mps: 12}\n";
     swScene* scene = NULL;
     if (ReadText(text, &scene) != SW_SUCCESS)
     {
@@ -321,7 +328,8 @@ static void EverySpectrumCanBeWritten(void** state)
     }
     const swSpectrumDef* tma = &scene->waves[0].def.spectrum;
     assert_true(tma->kind == SW_SPECTRUM_TMA && tma->depth == 8.0f && tma->gamma == 2.5f &&
-                tma->spreading == SW_SPREADING_HASSELMANN && tma->turbulence == 0.25f);
+                tma->growth == SW_GROWTH_CUBE_ROOT && tma->spreading == SW_SPREADING_HASSELMANN &&
+                tma->turbulence == 0.25f);
     const swSpectrumDef* unified = &scene->waves[1].def.spectrum;
     assert_true(unified->kind == SW_SPECTRUM_ELFOUHAILY && unified->fetch == 1e6f && unified->swell == 0.5f &&
                 unified->spreading == SW_SPREADING_ELFOUHAILY);

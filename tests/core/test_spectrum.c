@@ -54,13 +54,17 @@ static void JonswapHasPublishedHeights(void** state)
     {
         float wind, fetch;
         double height, period, zeroCrossing;
-    } rows[] = {{10, 100e3f, 2.14, 6.23, 4.85},
-                {10, 300e3f, 3.94, 8.99, 0},
-                {15, 300e3f, 5.65, 10.29, 0},
-                {20, 500e3f, 9.69, 13.43, 0}};
-    for (int i = 0; i < 4; ++i)
+        swGrowthLaw growth;
+    } rows[] = {
+        {10, 100e3f, 2.01, 6.05, 4.70, SW_GROWTH_HASSELMANN}, {10, 300e3f, 3.68, 8.69, 0, SW_GROWTH_HASSELMANN},
+        {15, 300e3f, 5.31, 9.97, 0, SW_GROWTH_HASSELMANN},    {20, 300e3f, 6.87, 11.00, 0, SW_GROWTH_HASSELMANN},
+        {10, 100e3f, 2.14, 6.23, 4.85, SW_GROWTH_CUBE_ROOT},  {10, 300e3f, 3.94, 8.99, 0, SW_GROWTH_CUBE_ROOT},
+        {15, 300e3f, 5.65, 10.29, 0, SW_GROWTH_CUBE_ROOT},    {20, 500e3f, 9.69, 13.43, 0, SW_GROWTH_CUBE_ROOT}};
+    for (int i = 0; i < 8; ++i)
     {
         swSpectrumDef def = swDefaultSpectrumDef();
+        assert_int_equal(def.growth, SW_GROWTH_HASSELMANN);
+        def.growth = rows[i].growth;
         def.windSpeed = rows[i].wind;
         def.fetch = rows[i].fetch;
         swSeaState seaState = GetSeaState(&def);
@@ -318,8 +322,8 @@ static void WrongSpectraAreNamed(void** state)
     {
         swSpectrumDef def;
         const char* words;
-    } cases[9];
-    for (int i = 0; i < 9; ++i)
+    } cases[10];
+    for (int i = 0; i < 10; ++i)
     {
         cases[i].def = swDefaultSpectrumDef();
     }
@@ -342,7 +346,9 @@ static void WrongSpectraAreNamed(void** state)
     cases[7].words = "frequency 3, direction 5 is -1";
     cases[8].def.direction = INFINITY;
     cases[8].words = "direction is inf";
-    for (int i = 0; i < 9; ++i)
+    cases[9].def.growth = SW_GROWTH_LAW_COUNT;
+    cases[9].words = "growth is 2; its range is [0, 1]";
+    for (int i = 0; i < 10; ++i)
     {
         swCompiledSpectrum* spectrum = NULL;
         assert_int_equal(swCompileSpectrum(&host, &cases[i].def, 9.81, 7.4e-5, &spectrum), SW_ERROR_INVALID);

@@ -34,6 +34,23 @@ static const char* GetSpreadingName(void* context, int index)
     return names[index];
 }
 
+static const char* GetGrowthName(void* context, int index)
+{
+    (void)context;
+    static const char* const names[] = {"Hasselmann 1973", "cube root"};
+    return names[index];
+}
+
+static bool DrawGrowth(swSpectrumDef* spectrum)
+{
+    int growth = (int)spectrum->growth;
+    bool hasChanged = UiChoice("growth law", &growth, SW_GROWTH_LAW_COUNT, GetGrowthName, NULL);
+    UiTip(
+        "How the peak follows from wind and fetch: as printed in 1973, or by the rounded law that many programs take");
+    spectrum->growth = (swGrowthLaw)growth;
+    return hasChanged;
+}
+
 static bool DrawSpreading(swSpectrumDef* spectrum)
 {
     int spreading = (int)spectrum->spreading;
@@ -69,6 +86,7 @@ bool DrawFormula(swSpectrumDef* spectrum)
     }
     if (hasGamma)
     {
+        hasChanged |= spectrum->peakPeriod <= 0.0f && DrawGrowth(spectrum);
         hasChanged |= UiSlider("peak enhancement", &spectrum->gamma, 1.0f, 10.0f, "%.2f");
     }
     hasChanged |= UiSlider("height Hs", &spectrum->significantHeight, 0.0f, 20.0f,

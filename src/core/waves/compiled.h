@@ -125,6 +125,9 @@ double swFindFormulaPeak(const swCompiledSpectrum* spectrum, double omega0, doub
 // What limits waves longer than a wind can make: exp(-5/4 (peakOmega / omega)^4).
 double swGetWindLimit(double peakOmega, double omega);
 
+// omega_p U / g of a growing sea by g F / U^2.
+double swGetGrownOmega(swGrowthLaw law, double scaledFetch);
+
 // The peak of the fully developed sea under a wind, rad/s.
 double swGetDevelopedOmega(double gravity, double windSpeed);
 

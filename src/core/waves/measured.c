@@ -116,6 +116,38 @@ void swSumSeaRecord(swSeaRecord* record)
     }
 }
 
+double swFindLeastDensity(const double* densities, size_t count)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < count; ++i)
+    {
+        largest = densities[i] > largest ? densities[i] : largest; // false for NaN
+    }
+    return -largest;
+}
+
+void swClipSeaRow(swSeaRecord* record, double least, double cell, int count, double* row)
+{
+    double kept = 0.0, taken = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        taken -= row[i] < 0.0 && row[i] >= least ? row[i] : 0.0;
+        row[i] = row[i] > 0.0 ? row[i] : 0.0; // 0 for NaN
+        kept += row[i];
+    }
+    if (!(taken > 0.0))
+    {
+        return;
+    }
+    double scale = kept > taken ? (kept - taken) / kept : 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        row[i] *= scale;
+    }
+    record->negativeVariance += cell * taken;
+    record->addedVariance += taken > kept ? cell * (taken - kept) : 0.0;
+}
+
 // ---- order ----
 
 static int compareRecords(const void* a, const void* b)
@@ -158,6 +190,37 @@ static void dropSeconds(swMeasuredSea* sea)
     sea->records.count = kept;
 }
 
+static float getPart(double part, double whole)
+{
+    return (float)(whole > 0.0 ? part / whole : part > 0.0 ? 1.0 : 0.0);
+}
+
+static void warnOfNegatives(const swMeasuredSea* sea)
+{
+    const swSeaRecord* records = sea->records.data;
+    float negative = 0.0f, added = 0.0f;
+    size_t count = 0;
+    for (size_t i = 0; i < sea->records.count; ++i)
+    {
+        if (records[i].negativeCount > 0)
+        {
+            float part = getPart(records[i].negativeVariance, records[i].variance);
+            float more = getPart(records[i].addedVariance, records[i].variance);
+            negative = part > negative ? part : negative;
+            added = more > added ? more : added;
+            ++count;
+        }
+    }
+    if (count > 0)
+    {
+        swLog(&sea->host, SW_LOG_WARNING,
+              "%s: %zu of %zu records hold negative densities, at most %.2g %% of a record's variance. They count as "
+              "none, "
+              "and each frequency is scaled to keep its energy; where one cannot, a record has up to %.2g %% more.",
+              sea->name, count, sea->records.count, 100.0 * (double)negative, 100.0 * (double)added);
+    }
+}
+
 swResult swMeasuredSea_Finish(swMeasuredSea* sea)
 {
     if (sea->records.count == 0)
@@ -174,6 +237,7 @@ swResult swMeasuredSea_Finish(swMeasuredSea* sea)
     }
     qsort(sea->records.data, sea->records.count, sizeof(swSeaRecord), compareRecords);
     dropSeconds(sea);
+    warnOfNegatives(sea);
     const swSeaRecord* records = sea->records.data;
     swMeasuredLocation* locations = sea->locations.data;
     for (size_t i = sea->records.count; i > 0; --i)
@@ -216,6 +280,9 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
     result.energy = swGetSeaRow(record, SW_SEA_ENERGY);
     result.correctedCount = record->correctedCount;
     result.partitionCount = record->partitionCount;
+    result.negativeCount = record->negativeCount;
+    result.negativePart = getPart(record->negativeVariance, record->variance);
+    result.addedPart = getPart(record->addedVariance, record->variance);
     if (record->hasDirections)
     {
         result.meanDirection = swGetSeaRow(record, SW_SEA_MEAN_DIRECTION);

@@ -35,6 +35,9 @@ typedef struct swSeaRecord
     float firstDirection;
     int correctedCount;
     int partitionCount;
+    int negativeCount;
+    double negativeVariance; // taken away by negative densities, m^2
+    double addedVariance;    // which the record has more than the file, m^2
     bool hasDirections;
     double variance;
     size_t floatsSize;
@@ -86,6 +89,14 @@ swResult swFindSeaPoint(swMeasuredSea* sea, bool isNew, int index, const char* n
 
 // After the energies: sums the record's variance.
 void swSumSeaRecord(swSeaRecord* record);
+
+// The rule for negative densities, which swMeasuredRecord::negativeCount tells. `least` is the smallest density that can be
+// one: smaller numbers mark what is missing.
+double swFindLeastDensity(const double* densities, size_t count);
+
+// Make the row of one frequency a row without negative densities, of the same sum if that is positive, else of zeros.
+// NAN counts as none. `cell`: the variance of a density of one, m^2.
+void swClipSeaRow(swSeaRecord* record, double least, double cell, int count, double* row);
 
 // Circular moments of a frequency, as far as the file tells them.
 typedef struct swSeaMoments

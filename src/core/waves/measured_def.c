@@ -265,6 +265,8 @@ static swResult fillFromMoments(const swMeasuredSea* sea, const swMeasuredSpectr
                                 swSeaRecord* record)
 {
     float* energy = swGetSeaRow(record, SW_SEA_ENERGY);
+    const float* widths = swGetSeaRow(record, SW_SEA_BANDWIDTHS);
+    double least = swFindLeastDensity(def->energy, (size_t)def->frequencyCount);
     for (int i = 0; i < scratch->count; ++i)
     {
         double value = def->energy[scratch->order[i].row];
@@ -272,7 +274,9 @@ static swResult fillFromMoments(const swMeasuredSea* sea, const swMeasuredSpectr
         {
             return failDensity(sea, scratch->order[i].frequency, value, SW_SEA_MAX_ENERGY, "m^2/Hz");
         }
-        energy[i] = value > 0.0 ? (float)value : 0.0f;
+        record->negativeCount += value < 0.0 ? 1 : 0;
+        swClipSeaRow(record, least, (double)widths[i], 1, &value);
+        energy[i] = (float)value;
     }
     swSumSeaRecord(record);
     gatherMoments(def, scratch);
@@ -302,8 +306,10 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
 {
     double columns[SW_SEA_MAX_DIRECTIONS];
     float* energy = swGetSeaRow(record, SW_SEA_ENERGY);
+    const float* widths = swGetSeaRow(record, SW_SEA_BANDWIDTHS);
     float* table = swGetSeaRow(record, SW_SEA_TABLE);
     double step = 2.0 * SW_PI / record->directionCount;
+    double least = swFindLeastDensity(def->density, (size_t)def->frequencyCount * (size_t)def->directionCount);
     for (int i = 0; i < scratch->count; ++i, table += record->directionCount)
     {
         const double* density = def->density + (size_t)scratch->order[i].row * (size_t)def->directionCount;
@@ -313,9 +319,13 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
             {
                 return failDensity(sea, scratch->order[i].frequency, density[j], SW_SEA_MAX_DENSITY, "m^2/Hz/rad");
             }
-            columns[j] = density[j] > 0.0 ? density[j] : 0.0;
+            // What marks a missing value must not spread to its neighbours on the grid.
+            bool isMissing = !(density[j] >= least);
+            record->negativeCount += density[j] < 0.0 ? 1 : 0;
+            columns[j] = isMissing ? 0.0 : density[j];
         }
         swSpreadOnGrid(&scratch->grid, columns, scratch->table);
+        swClipSeaRow(record, (double)-INFINITY, step * (double)widths[i], record->directionCount, scratch->table);
         double sum = 0.0;
         for (int j = 0; j < record->directionCount; ++j)
         {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Seas by one knob. Under a wind U over a fetch F, x = g F / U^2, a sea has [Hasselmann 1973]
-//   Hs = 0.0016 sqrt(x) U^2 / g,   omega_p = 22 x^(-1/3) g / U,
+//   Hs = 0.0016 sqrt(x) U^2 / g,   omega_p = 2 pi 3.5 x^-0.33 g / U,
 // and stops where it meets the fully developed sea [Pierson 1964], Hs = 0.2202 U^2 / g and omega_p = 0.855 g / U: the two
-// laws get there at x = 19,000 and 17,000. These are what the waves were measured to be; the integral of the JONSWAP
+// laws get there at x = 18,900 and 18,800. These are what the waves were measured to be; the integral of the JONSWAP
 // spectrum with the parameters of the same paper is a quarter higher and never stops, so height and period are given to
 // the spectrum here. A wind that has blown for D hours makes the sea of the fetch that it has had time for, X km with
 // D = 1.167 X^0.7 / U^0.4 [Carter 1982]. Near full development the peak's enhancement fades from 3.3 to 1.
@@ -56,7 +56,7 @@ swSpectrumDef swMakeWindSeaSpectrum(float windSpeed, float fetch, float duration
     reach = grown < reach ? grown : reach;
     double x = GRAVITY * reach / (wind * wind);
     double height = limitTo(0.0016 * sqrt(x), 0.0, DEVELOPED_HEIGHT) * wind * wind / GRAVITY;
-    double omega = limitTo(22.0 * swPow(x, -1.0 / 3.0), DEVELOPED_OMEGA, 1e6) * GRAVITY / wind;
+    double omega = limitTo(swGetGrownOmega(SW_GROWTH_HASSELMANN, x), DEVELOPED_OMEGA, 1e6) * GRAVITY / wind;
     height = limitTo(height, LEAST_HEIGHT, 40.0);
     swSpectrumDef def = makeWindSea(wind, height, omega, (double)direction);
     def.fetch = (float)limitTo(reach, 1e3, 1e7);
@@ -68,7 +68,7 @@ static swSpectrumDef makeSeaOfHeight(double wind, double height, double directio
 {
     double root = height * GRAVITY / (wind * wind) / 0.0016;
     double x = root * root;
-    double omega = limitTo(22.0 * swPow(x, -1.0 / 3.0), DEVELOPED_OMEGA, 1e6) * GRAVITY / wind;
+    double omega = limitTo(swGetGrownOmega(SW_GROWTH_HASSELMANN, x), DEVELOPED_OMEGA, 1e6) * GRAVITY / wind;
     swSpectrumDef def = makeWindSea(wind, height, omega, direction);
     def.fetch = (float)limitTo(x * wind * wind / GRAVITY, 1e3, 1e7);
     return def;

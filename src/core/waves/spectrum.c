@@ -3,7 +3,8 @@
 //
 // JONSWAP [Hasselmann 1973]:
 //   S = alpha g^2 omega^-5 exp(-5/4 (omega_p / omega)^4) gamma^exp(-(omega - omega_p)^2 / (2 sigma^2 omega_p^2)),
-//   sigma = 0.07 up to omega_p and 0.09 above, alpha = 0.076 (U^2 / (F g))^0.22, omega_p = 22 (g^2 / (U F))^(1/3).
+//   sigma = 0.07 up to omega_p and 0.09 above, alpha = 0.076 x^-0.22, omega_p = 2 pi 3.5 (g / U) x^-0.33, x = g F / U^2;
+//   or, by another growth law, omega_p = 22 (g / U) x^(-1/3).
 // Pierson-Moskowitz [Pierson 1964]:
 //   S = 0.0081 g^2 omega^-5 exp(-0.74 (g / (U19.5 omega))^4), with the wind at 19.5 m taken as 1.026 U10: the same shape
 //   with gamma = 1 and omega_p = (0.8 * 0.74)^(1/4) g / U19.5.
@@ -32,6 +33,7 @@ swSpectrumDef swDefaultSpectrumDef(void)
     def.kind = SW_SPECTRUM_JONSWAP;
     def.windSpeed = 10.0f;
     def.fetch = 300e3f;
+    def.growth = SW_GROWTH_HASSELMANN;
     def.gamma = 3.3f;
     def.spreading = SW_SPREADING_COSINE_2S;
     def.spreadExponent = 8.0f;

@@ -152,6 +152,11 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
     }
     bool hasGamma = def->kind == SW_SPECTRUM_JONSWAP || def->kind == SW_SPECTRUM_TMA;
     bool hasFetch = hasGamma || def->kind == SW_SPECTRUM_ELFOUHAILY;
+    if (hasGamma && ((int)def->growth < 0 || def->growth >= SW_GROWTH_LAW_COUNT))
+    {
+        return swComplain(complaint, "The spectrum's growth is %d; its range is [0, %d].", (int)def->growth,
+                          SW_GROWTH_LAW_COUNT - 1);
+    }
     return (!hasFetch || checkRange(complaint, "fetch", def->fetch, 1e3, 1e7, false)) &&
            (!hasGamma || checkRange(complaint, "gamma", def->gamma, 1.0, 10.0, false)) &&
            (def->kind != SW_SPECTRUM_OCTAVES || checkOctaves(complaint, &def->octaves));
@@ -194,9 +199,9 @@ static bool areSameOctaves(const swOctaves* a, const swOctaves* b)
 
 bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b)
 {
-    static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 304, "compare what is new in swSpectrumDef");
-    if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->fetch != b->fetch || a->gamma != b->gamma ||
-        a->significantHeight != b->significantHeight || a->peakPeriod != b->peakPeriod ||
+    static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 312, "compare what is new in swSpectrumDef");
+    if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->fetch != b->fetch || a->growth != b->growth ||
+        a->gamma != b->gamma || a->significantHeight != b->significantHeight || a->peakPeriod != b->peakPeriod ||
         a->direction != b->direction || a->spreading != b->spreading || a->spreadExponent != b->spreadExponent ||
         a->turbulence != b->turbulence || a->swell != b->swell || a->depth != b->depth ||
         a->extendTail != b->extendTail)

@@ -208,11 +208,18 @@ double swFindFormulaPeak(const swCompiledSpectrum* spectrum, double omega0, doub
 
 // ---- preparation ----
 
+double swGetGrownOmega(swGrowthLaw law, double scaledFetch)
+{
+    return law == SW_GROWTH_CUBE_ROOT ? 22.0 * swPow(scaledFetch, -1.0 / 3.0)
+                                      : SW_TURN * 3.5 * swPow(scaledFetch, -0.33);
+}
+
 static void prepareJonswap(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity)
 {
-    double wind = (double)def->windSpeed, fetch = (double)def->fetch;
-    spectrum->level = 0.076 * swPow(wind * wind / (fetch * gravity), 0.22) * gravity * gravity;
-    spectrum->peakOmega = 22.0 * swPow(gravity * gravity / (wind * fetch), 1.0 / 3.0);
+    double wind = (double)def->windSpeed;
+    double scaledFetch = gravity * (double)def->fetch / (wind * wind);
+    spectrum->level = 0.076 * swPow(scaledFetch, -0.22) * gravity * gravity;
+    spectrum->peakOmega = swGetGrownOmega(def->growth, scaledFetch) * gravity / wind;
     spectrum->gamma = (double)def->gamma;
 }
 

@@ -46,11 +46,13 @@ static void streamOctaves(swStream* stream, swOctaves* octaves)
 
 static void streamSpectrum(swStream* stream, swSpectrumDef* def)
 {
-    int kind = (int)def->kind, spreading = (int)def->spreading;
+    int kind = (int)def->kind, spreading = (int)def->spreading, growth = (int)def->growth;
     swStreamRange(stream, &kind, 0, SW_SPECTRUM_KIND_COUNT - 1);
     swStreamRange(stream, &spreading, 0, SW_SPREADING_KIND_COUNT - 1);
+    swStreamRange(stream, &growth, 0, SW_GROWTH_LAW_COUNT - 1);
     def->kind = (swSpectrumKind)kind;
     def->spreading = (swSpreadingKind)spreading;
+    def->growth = (swGrowthLaw)growth;
     swStreamF32(stream, &def->windSpeed);
     swStreamF32(stream, &def->fetch);
     swStreamF32(stream, &def->gamma);
