@@ -84,6 +84,10 @@ typedef enum swMeasuredFormat
     SW_MEASURED_TRIAXYS,              ///< TriAxys directional and non-directional spectra
     SW_MEASURED_DATAWELL,             ///< Datawell's .spt
     SW_MEASURED_PARTITION_TABLE,      ///< time,hs_m,tp_s,direction_from_deg,spread_deg,gamma
+    SW_MEASURED_SPOTTER_CSV,          ///< what the dashboard of Sofar's Spotter buoys exports
+    SW_MEASURED_AWAC,                 ///< NMEA sentences of Nortek's AWAC profilers
+    SW_MEASURED_OCTOPUS,              ///< forecasts of spectra for Octopus
+    SW_MEASURED_OBSCAPE,              ///< directional spectra of Obscape's buoys
     SW_MEASURED_FORMAT_COUNT
 } swMeasuredFormat;
 

@@ -37,6 +37,10 @@ swResult swParseWavewatchPartitions(const swHost* host, const char* text, size_t
                                     swMeasuredSea** sea);
 swResult swParsePartitionTable(const swHost* host, const char* text, size_t size, const char* name,
                                swMeasuredSea** sea);
+swResult swParseSpotterCsv(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea);
+swResult swParseAwac(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea);
+swResult swParseOctopus(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea);
+swResult swParseObscape(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea);
 
 // Whether a text begins as theirs do.
 bool swIsSwan(const char* text, size_t size);
@@ -45,6 +49,10 @@ bool swIsTriaxys(const char* text, size_t size);
 bool swIsDatawell(const char* text, size_t size);
 bool swIsWavewatchPartitions(const char* text, size_t size);
 bool swIsPartitionTable(const char* text, size_t size);
+bool swIsSpotterCsv(const char* text, size_t size);
+bool swIsAwac(const char* text, size_t size);
+bool swIsOctopus(const char* text, size_t size);
+bool swIsObscape(const char* text, size_t size);
 
 // ---- what WAVEWATCH III's files share ----
 

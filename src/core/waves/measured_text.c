@@ -106,6 +106,10 @@ static const struct
     [SW_MEASURED_PARTITION_TABLE] = {"table of partitions", swIsPartitionTable, swParsePartitionTable},
     [SW_MEASURED_TRIAXYS] = {"TriAxys spectrum", swIsTriaxys, swParseTriaxys},
     [SW_MEASURED_DATAWELL] = {"Datawell spectrum", swIsDatawell, swParseDatawell},
+    [SW_MEASURED_SPOTTER_CSV] = {"Spotter table", swIsSpotterCsv, swParseSpotterCsv},
+    [SW_MEASURED_AWAC] = {"AWAC sentences", swIsAwac, swParseAwac},
+    [SW_MEASURED_OCTOPUS] = {"Octopus spectra", swIsOctopus, swParseOctopus},
+    [SW_MEASURED_OBSCAPE] = {"Obscape spectrum", swIsObscape, swParseObscape},
 };
 
 swMeasuredFormat swFindMeasuredFormat(const char* text, size_t size)
@@ -147,7 +151,7 @@ swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, c
 
 const char* swGetMeasuredFormatList(void)
 {
-    return "spectra and summaries of NDBC; spectra of SWAN, of WAVEWATCH III (text), of TriAxys and Datawell (.spt) "
-           "buoys; "
+    return "spectra and summaries of NDBC; spectra of SWAN, of WAVEWATCH III and Octopus (text), of TriAxys, Datawell "
+           "(.spt), Spotter (table) and Obscape buoys, of AWAC profilers (NMEA); "
            "partitions of WAVEWATCH III and tables of them (time,hs_m,tp_s,direction_from_deg,spread_deg,gamma)";
 }

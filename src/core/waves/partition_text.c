@@ -191,6 +191,7 @@ static swResult readSystems(Reader* reader, swSeaPartition partition, int count)
     swSeaPartition whole = partition;
     whole.height = 0.0;
     double sum = 0.0;
+    bool hasWhole = false;
     for (int i = 0; i <= count; ++i)
     {
         if (!nextSystem(reader))
@@ -209,6 +210,7 @@ static swResult readSystems(Reader* reader, swSeaPartition partition, int count)
         swResult result = swJudgeRecord(&reader->file, part, text->line);
         if (i == 0)
         {
+            hasWhole = part == SW_SUCCESS;
             partition.total = whole.total = whole.height > 0.0 && part == SW_SUCCESS ? whole.height : (double)NAN;
         }
         else if (part == SW_SUCCESS && partition.height > 0.0)
@@ -225,7 +227,7 @@ static swResult readSystems(Reader* reader, swSeaPartition partition, int count)
             return result;
         }
     }
-    return sum == 0.0 ? keep(reader, &whole) : SW_SUCCESS;
+    return sum == 0.0 && hasWhole ? keep(reader, &whole) : SW_SUCCESS;
 }
 
 // A point, or a line of names between the points.
