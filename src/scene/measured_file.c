@@ -14,7 +14,6 @@
 #include "scene/scene_file.h"
 #include "seaway/scene.h"
 
-#define MAX_PATH_LENGTH 1024
 #define START_SIZE 8                      // of a netCDF file, enough to know it
 #define MAX_FILE_SIZE ((size_t)512 << 20) // a year of hourly records has 5 MB as moments, 180 MB by direction
 
@@ -30,7 +29,7 @@ enum
 
 typedef struct FileSet
 {
-    char paths[FILE_COUNT][MAX_PATH_LENGTH]; // empty: there is none
+    char paths[FILE_COUNT][SW_MAX_PATH]; // empty: there is none
     swText texts[FILE_COUNT];
 } FileSet;
 
@@ -115,10 +114,10 @@ static NameKey findKey(const char* path)
 }
 
 // The path with another key in its place; then as it is, and with .gz at its end added or taken away.
-static bool findOther(const char* path, const NameKey* key, const char* word, char other[MAX_PATH_LENGTH])
+static bool findOther(const char* path, const NameKey* key, const char* word, char other[SW_MAX_PATH])
 {
-    int size = snprintf(other, MAX_PATH_LENGTH, "%.*s%s%s", (int)key->first, path, word, path + key->first + key->size);
-    size_t length = size > 0 && size + 4 < MAX_PATH_LENGTH ? (size_t)size : 0;
+    int size = snprintf(other, SW_MAX_PATH, "%.*s%s%s", (int)key->first, path, word, path + key->first + key->size);
+    size_t length = size > 0 && size + 4 < SW_MAX_PATH ? (size_t)size : 0;
     if (length == 0 || swHasFile(other))
     {
         return length > 0;
@@ -189,7 +188,7 @@ static swResult refuseDirections(const swHost* host, const char* path, const Nam
     static const char* const meanings[FILE_COUNT] = {"energies", "mean directions (alpha1)",
                                                      "principal directions (alpha2)", "lengths of moments (r1)",
                                                      "lengths of moments (r2)"};
-    char energy[MAX_PATH_LENGTH];
+    char energy[SW_MAX_PATH];
     bool isThere = findOther(path, key, key->isArchive ? "w" : ".data_spec", energy);
     if (!isThere && !key->isArchive)
     {
@@ -369,10 +368,10 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
     *sea = NULL;
     FileSet set;
     memset(&set, 0, sizeof(set));
-    if (strlen(path) >= MAX_PATH_LENGTH - 8)
+    if (strlen(path) >= SW_MAX_PATH - 8)
     {
         return swFail(host, SW_ERROR_FILE, "The path of a spectrum file has %zu characters; at most %d are read.",
-                      strlen(path), MAX_PATH_LENGTH - 9);
+                      strlen(path), SW_MAX_PATH - 9);
     }
     memcpy(set.paths[ENERGY], path, strlen(path));
     swResult result = readStart(host, &set);

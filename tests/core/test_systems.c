@@ -54,7 +54,7 @@ static void GetHeights(const swWorld* world, float heights[POINTS])
     }
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights};
-    swWorld_QueryParticles(world, &def, POINTS, points, &samples, NULL);
+    swWorld_QueryParticles(world, &def, POINTS, points, &samples, NULL, NULL);
 }
 
 static float GetVariance(const swWorld* world)
@@ -493,7 +493,7 @@ static void AGivenWaveIsJustThatWave(void** state)
             swQueryDef query = swDefaultQueryDef();
             swVec3 d;
             swSurfaceSamples samples = {.displacement = &d};
-            swWorld_QueryParticles(sea.world, &query, 1, &point, &samples, NULL);
+            swWorld_QueryParticles(sea.world, &query, 1, &point, &samples, NULL, NULL);
             double theta = k * (cos((double)wave.direction) * point.x + sin((double)wave.direction) * point.z) -
                            omega * time + (double)wave.phase;
             double side = -0.9 * sin(theta) * (shallow ? 1.0 / tanh(k * depth) : 1.0);
@@ -563,7 +563,7 @@ static void InstructionSetsAgreeOnFreeWavesAndOneByOneSums(void** state)
         swSurfaceSamples surface = {.height = got[0], .velocity = velocity};
         swWorld_QuerySurface(world, &query, POINTS, points, &surface, NULL);
         swVolumeSamples volume = {.velocity = below, .pressureHead = got[1]};
-        swWorld_QueryVolume(world, &query, POINTS, places, &volume);
+        swWorld_QueryVolume(world, &query, POINTS, places, &volume, NULL);
         for (int i = 0; i < POINTS; ++i)
         {
             got[2][i] = velocity[i].x;
