@@ -69,23 +69,26 @@ static size_t findName(const char* path)
     return slash != NULL ? (size_t)(slash - path) + 1 : 0;
 }
 
-// Five letters and digits of the station, the letter, and a year behind it.
+// A letter of the set and a year behind it. The station before it has five letters and digits; of energies it may have
+// any number, as no harm is done where such a name means something else.
 static NameKey findLetter(const char* path)
 {
     NameKey key = {0};
-    size_t name = findName(path);
-    for (size_t i = 0; i < 5; ++i)
+    size_t name = findName(path), station = 0;
+    for (size_t i = name; path[i] != '\0'; ++i)
     {
-        if (!isAlphanumeric(path[name + i]))
+        const char* letter = strchr(s_letters, path[i]);
+        const char* year = path + i + 1;
+        bool isYear = isDigit(year[0]) && isDigit(year[1]) && isDigit(year[2]) && isDigit(year[3]);
+        if (letter != NULL && isYear && ((i == name + 5 && station == 5) || path[i] == 'w'))
         {
-            return key;
+            key = (NameKey){true, true, (int)(letter - s_letters), i, 1};
+            if (i == name + 5)
+            {
+                break;
+            }
         }
-    }
-    const char* letter = path[name + 5] != '\0' ? strchr(s_letters, path[name + 5]) : NULL;
-    const char* year = path + name + 6;
-    if (letter != NULL && isDigit(year[0]) && isDigit(year[1]) && isDigit(year[2]) && isDigit(year[3]))
-    {
-        key = (NameKey){true, true, (int)(letter - s_letters), name + 5, 1};
+        station += isAlphanumeric(path[i]) ? 1 : 0;
     }
     return key;
 }

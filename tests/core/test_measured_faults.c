@@ -47,7 +47,7 @@ typedef struct Sample
 #define SWAN_HEAD                                                                                                      \
     "SWAN 1\nTIME\n1\nLONLAT\n1\n1 2\nAFREQ\n2\n.1\n.2\nNDIR\n4\n0\n90\n180\n270\nQUANT\n1\nVaDens\nm2/Hz/degr\n-99\n"
 #define SWAN_1D                                                                                                        \
-    "SWAN 1\nTIME\n1\nLONLAT\n1\n1 2\nAFREQ\n2\n.1\n.2\nQUANT\n3\nVaDens\nm2/Hz\n-99\nNDIR\ndegr\n-999\nDSPRDEGR\n"     \
+    "SWAN 1\nTIME\n1\nLONLAT\n1\n1 2\nAFREQ\n2\n.1\n.2\nQUANT\n3\nVaDens\nm2/Hz\n-99\nNDIR\ndegr\n-999\nDSPRDEGR\n"    \
     "degr\n-9\n"
 #define SPOTTER_HEAD                                                                                                   \
     "Humidity (%rel) ,Epoch Time ,Latitude (deg) ,Longitude (deg) ,f_0 ,f_1 ,f_2 ,df_0 ,df_1 ,df_2 ,a1_0 ,a1_1 "       \
@@ -94,7 +94,8 @@ static const Sample s_samples[] = {
     {"SWAN, 1-D",
      true,
      SWAN_1D,
-     {"20200101.000000\nLOCATION 1\n1.00 90 20\n0.50 100 30\n", "20200101.010000\nLOCATION 1\n1.10 90 20\n0.60 110 30\n",
+     {"20200101.000000\nLOCATION 1\n1.00 90 20\n0.50 100 30\n",
+      "20200101.010000\nLOCATION 1\n1.10 90 20\n0.60 110 30\n",
       "20200101.020000\nLOCATION 1\n1.20 90 20\n0.70 120 30\n"}},
     {"WAVEWATCH III",
      true,
@@ -136,13 +137,15 @@ static const Sample s_samples[] = {
      {OCTOPUS_RECORD("010000", "2"), OCTOPUS_RECORD("011200", "3"), OCTOPUS_RECORD("020000", "4")}},
     {"TriAxys",
      false,
-     "TRIAXYS BUOY DATA REPORT - TAS01970 - 4857.6668S16631.6837W\nTYPE    = DIRECTIONAL SPECTRUM\nDATE    = 2018-01-31 "
+     "TRIAXYS BUOY DATA REPORT - TAS01970 - 4857.6668S16631.6837W\nTYPE    = DIRECTIONAL SPECTRUM\nDATE    = "
+     "2018-01-31 "
      "21:00(UTC)\nNUMBER OF FREQUENCIES = 2\nINITIAL FREQUENCY (Hz) = 0.10\nFREQUENCY SPACING (Hz) = 0.01\nNUMBER OF "
      "DIRECTIONS = 4\nDIRECTION SPACING (DEG) = 90.0\nCOLUMNS = 0.0 TO 270.0 DEG\nROWS = 0.10 TO 0.11 HZ\n",
      {"0.01 0.02 0.01 0.01\n0.02 0.03 0.01 0.01\n", NULL, NULL}},
     {"TriAxys, without directions",
      false,
-     "TRIAXYS BUOY DATA REPORT - TAS01970\nTYPE    = NON-DIRECTIONAL SPECTRUM\nDATE    = 2018 Jan 31 21:00(UTC)\nNUMBER "
+     "TRIAXYS BUOY DATA REPORT - TAS01970\nTYPE    = NON-DIRECTIONAL SPECTRUM\nDATE    = 2018 Jan 31 "
+     "21:00(UTC)\nNUMBER "
      "OF FREQUENCIES = 2\nINITIAL FREQUENCY (Hz) = 0.10\nFREQUENCY SPACING (Hz) = 0.01\n",
      {"0.10 0.5\n0.11 0.7\n", NULL, NULL}},
     {"Datawell",
@@ -243,8 +246,8 @@ static size_t ChangeText(Change change, const char* text, size_t size, char* cha
 static void EveryReaderTakesMarksAndLineEnds(void** state)
 {
     (void)state;
-    static const char* const names[CHANGE_COUNT] = {"a byte order mark", "CR LF",       "CR",
-                                                    "tabs",              "no last end", "empty lines behind"};
+    static const char* const names[CHANGE_COUNT] = {"a byte order mark", "CR LF", "CR", "tabs", "no last end",
+                                                    "empty lines behind"};
     int tried = 0;
     for (int i = 0; i < SAMPLE_COUNT; ++i)
     {
@@ -446,9 +449,9 @@ static double GetHeight(const swMeasuredSea* sea, int index)
 static void EmptyPartitionsAreLeftOut(void** state)
 {
     (void)state;
-    static const char* const empties[] = {"0,0,,,", ",,,,",           "NaN,NaN,NaN,NaN,NaN", "-999,-999,-999,-999,-999",
-                                          "MM,MM,MM,MM,MM", "nan,0,,,", "0,,270,,",            "-99.9,-99.9,-999.9,,",
-                                          "-9,-9,-9,-9,-9", "null,null,null,null,null"};
+    static const char* const empties[] = {
+        "0,0,,,",   ",,,,",     "NaN,NaN,NaN,NaN,NaN",  "-999,-999,-999,-999,-999", "MM,MM,MM,MM,MM",
+        "nan,0,,,", "0,,270,,", "-99.9,-99.9,-999.9,,", "-9,-9,-9,-9,-9",           "null,null,null,null,null"};
     for (size_t i = 0; i < sizeof(empties) / sizeof(empties[0]); ++i)
     {
         char text[512];
@@ -489,8 +492,12 @@ static void EmptyPartitionsOfWavewatchAreLeftOut(void** state)
 static void DirectionFilesAreKnownByTheirHeading(void** state)
 {
     (void)state;
-    static const char* const headings[] = {"alpha1_1 (freq_1) alpha1_2 (freq_2) ... >", "alpha2_1 (freq_1) ... >",
-                                           "r1_1 (freq_1) ... >", "r2_1 (freq_1) ... >", "alpha1", "r1"};
+    static const char* const headings[] = {"alpha1_1 (freq_1) alpha1_2 (freq_2) ... >",
+                                           "alpha2_1 (freq_1) ... >",
+                                           "r1_1 (freq_1) ... >",
+                                           "r2_1 (freq_1) ... >",
+                                           "alpha1",
+                                           "r1"};
     for (size_t i = 0; i < sizeof(headings) / sizeof(headings[0]); ++i)
     {
         char text[512];
@@ -524,8 +531,9 @@ static void DirectionArchivesAreKnownByTheirNumbers(void** state)
 static void FilesOfASetMayNotChangePlaces(void** state)
 {
     (void)state;
-    static const char energy[] = "#YY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n2022 01 01 00 00 9.999 .5 (0.10) .6 "
-                                 "(0.11)\n";
+    static const char energy[] =
+        "#YY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n2022 01 01 00 00 9.999 .5 (0.10) .6 "
+        "(0.11)\n";
     static const char alpha[] = "#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 01 01 00 00 90 (0.10) 100 (0.11)\n";
     swHost host = swDefaultHost();
     host.log = KeepMessages;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads what Nortek's AWAC profilers say of waves in NMEA sentences [Nortek 2018], in any order within a burst:
+// Reads what Nortek's AWAC profilers say of waves in NMEA sentences [Nortek 2017], in any order within a burst:
 //
 //   $PNORW,MMDDYY,hhmmss,basis,method,Hm0,...*hh                         parameters; Hm0 in m
 //   $PNORE,MMDDYY,hhmmss,basis,f0,df,n,E1,...,En*hh                      densities, m2/Hz
@@ -43,7 +43,7 @@ typedef struct Reader
     bool hasHeights; // any burst has one
     int count;       // of densities; 0: none yet
     double first, step;
-    int strangeCount;           // bursts whose densities do not add up to Hm0
+    int strangeCount; // bursts whose densities do not add up to Hm0
     double rows[ROW_COUNT][SW_SEA_MAX_FREQUENCIES];
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double widths[SW_SEA_MAX_FREQUENCIES];
@@ -159,7 +159,10 @@ static swResult endBurst(Reader* reader)
 
 static int getHexDigit(char c)
 {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'A' && c <= 'F' ? c - 'A' + 10 : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                  : -1;
 }
 
 // From the '$' to the '*', which becomes the line's end. A sum that is told must be right.
@@ -239,8 +242,8 @@ static swResult readRow(Reader* reader, Row row)
                                   : result;
     if (result == SW_SUCCESS && reader->count > 0 && (first != reader->first || step != reader->step))
     {
-        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the frequencies are not those of the burst's other sentences.",
-                      text->name, text->line);
+        return swFail(text->host, SW_ERROR_FORMAT,
+                      "%s:%d: the frequencies are not those of the burst's other sentences.", text->name, text->line);
     }
     double values[SW_SEA_MAX_FREQUENCIES];
     for (int i = 0; i < (int)count && result == SW_SUCCESS; ++i)
@@ -252,8 +255,8 @@ static swResult readRow(Reader* reader, Row row)
     }
     if (result == SW_SUCCESS && text->at <= text->lineEnd)
     {
-        result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: more numbers follow than the %d that are told.", text->name,
-                        text->line, (int)count);
+        result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: more numbers follow than the %d that are told.",
+                        text->name, text->line, (int)count);
     }
     if (result == SW_SUCCESS)
     {

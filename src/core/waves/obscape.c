@@ -85,8 +85,7 @@ static swResult readList(swSeaText* text, int most, double* values, int* count)
         {
             number = (swSeaToken){number.text + 1, number.size - 1};
         }
-        if (!swParseSeaNumber(number, &value) || (*count > 0 && !(value > values[*count - 1])) ||
-            (isGap && *count < 2))
+        if (!swParseSeaNumber(number, &value) || (*count > 0 && !(value > values[*count - 1])) || (isGap && *count < 2))
         {
             return failItem(text, field, most);
         }
@@ -114,8 +113,8 @@ static swResult readNumber(swSeaText* text, const char* what, double low, double
     }
     if (!swParseSeaNumber(token, value) || *value < low || *value > high)
     {
-        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be a number from %g to %g.", text->name,
-                      text->line, what, token.size, token.text, low, high);
+        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be a number from %g to %g.",
+                      text->name, text->line, what, token.size, token.text, low, high);
     }
     return SW_SUCCESS;
 }
@@ -176,8 +175,10 @@ static swResult readRemark(Reader* reader)
         skipEquals(text);
         if (!swHasSeaPrefix(text, "True"))
         {
-            swLog(text->host, SW_LOG_WARNING, "%s:%d: directions are clockwise from '%.*s'; they are taken as from true "
-                  "north.", text->name, text->line, (int)(text->lineEnd - text->at), text->at);
+            swLog(text->host, SW_LOG_WARNING,
+                  "%s:%d: directions are clockwise from '%.*s'; they are taken as from true "
+                  "north.",
+                  text->name, text->line, (int)(text->lineEnd - text->at), text->at);
         }
     }
     return SW_SUCCESS;
@@ -278,9 +279,9 @@ static swResult read(void* context)
     if (result == SW_SUCCESS)
     {
         reader->density = swAllocate(host, size);
-        result = reader->density != NULL ? readRows(reader)
-                                         : swFail(host, SW_ERROR_NO_MEMORY, "No memory for the spectrum of %s.",
-                                                  reader->file.text.name);
+        result = reader->density != NULL
+                     ? readRows(reader)
+                     : swFail(host, SW_ERROR_NO_MEMORY, "No memory for the spectrum of %s.", reader->file.text.name);
     }
     swFree(host, reader->density, size);
     return result;

@@ -126,8 +126,8 @@ static swResult readTime(Reader* reader, double* seconds)
     text->at += result == SW_SUCCESS && swPeekSeaChar(text) == '\'' ? 1 : 0;
     result = result == SW_SUCCESS ? readField(text, "DDHHmm", 10000.0, 312359.0, &rest) : result;
     int date = (int)month, clock = (int)rest;
-    if (result == SW_SUCCESS && !swMakeSeconds(date / 100, date % 100, clock / 10000, clock / 100 % 100, clock % 100,
-                                               0.0, seconds))
+    if (result == SW_SUCCESS &&
+        !swMakeSeconds(date / 100, date % 100, clock / 10000, clock / 100 % 100, clock % 100, 0.0, seconds))
     {
         result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %06d and %06d are no date and time (CCYYMM, DDHHmm).",
                         text->name, text->line, date, clock);
@@ -223,9 +223,9 @@ static swResult read(void* context)
     {
         reader->densitySize = (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double);
         reader->density = swAllocate(host, reader->densitySize);
-        result = reader->density != NULL ? readRecords(reader)
-                                         : swFail(host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.",
-                                                  reader->file.text.name);
+        result = reader->density != NULL
+                     ? readRecords(reader)
+                     : swFail(host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.", reader->file.text.name);
     }
     swFree(host, reader->density, reader->densitySize);
     return result;

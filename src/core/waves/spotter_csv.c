@@ -35,8 +35,17 @@ typedef enum Quantity
     OTHER
 } Quantity;
 
-static const char* const s_names[OTHER] = {"f_",  "df_", "varianceDensity_", "a1_",        "b1_",            "a2_",
-                                           "b2_", "direction_", "directionalSpread_", "Epoch Time", "Latitude (deg)",
+static const char* const s_names[OTHER] = {"f_",
+                                           "df_",
+                                           "varianceDensity_",
+                                           "a1_",
+                                           "b1_",
+                                           "a2_",
+                                           "b2_",
+                                           "direction_",
+                                           "directionalSpread_",
+                                           "Epoch Time",
+                                           "Latitude (deg)",
                                            "Longitude (deg)"};
 
 typedef struct Column
@@ -114,17 +123,17 @@ static swResult readHeading(Reader* reader)
         }
         Column column = findColumn(field);
         hasDensity = hasDensity || column.quantity == DENSITY;
-        reader->bandCount = column.quantity < BAND_QUANTITIES && column.band >= reader->bandCount
-                                ? column.band + 1
-                                : reader->bandCount;
+        reader->bandCount =
+            column.quantity < BAND_QUANTITIES && column.band >= reader->bandCount ? column.band + 1 : reader->bandCount;
         reader->columns[reader->columnCount++] = column;
     }
     if (result == SW_SUCCESS && !hasDensity)
     {
-        result = swFail(text->host, SW_ERROR_FORMAT,
-                        "%s:%d: the table holds no spectra (varianceDensity_0 ...): download it from the dashboard with "
-                        "the frequency data, or write its heights and periods as a table of partitions.",
-                        text->name, text->line);
+        result =
+            swFail(text->host, SW_ERROR_FORMAT,
+                   "%s:%d: the table holds no spectra (varianceDensity_0 ...): download it from the dashboard with "
+                   "the frequency data, or write its heights and periods as a table of partitions.",
+                   text->name, text->line);
     }
     return result;
 }
