@@ -265,6 +265,7 @@ enum
     COMPONENTS_PER_OCTAVE,
     REVERSE_WEIGHT,
     DIRECTION_VARIANCE,
+    LEAST_JACOBIAN,
     WAVES_FIELD_COUNT
 };
 
@@ -375,6 +376,8 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
                                .high = 32.0},
     [REVERSE_WEIGHT] =
         {.key = "reverse_weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(reverseWeight), .low = 0.0, .high = 1.0},
+    [LEAST_JACOBIAN] =
+        {.key = "least_jacobian", .type = SW_YAML_FLOAT, .offset = SYSTEM(leastJacobian), .low = -10.0, .high = 0.9},
     [DIRECTION_VARIANCE] = {.key = "direction_variance_deg",
                             .type = SW_YAML_DEGREES,
                             .offset = SYSTEM(directionVariance),
@@ -447,6 +450,7 @@ static swResult checkMethodKeys(swYaml* yaml, WavesText* text, const swYamlNodes
         {COMPONENTS_PER_OCTAVE, SW_WAVES_GERSTNER, SPECTRA},
         {REVERSE_WEIGHT, SW_WAVES_GERSTNER, SPECTRA},
         {DIRECTION_VARIANCE, SW_WAVES_GERSTNER, SPECTRA},
+        {LEAST_JACOBIAN, SW_WAVES_GERSTNER, SPECTRA},
     };
     if (text->kind == COMPONENTS_KIND && nodes->nodes[METHOD] != NULL && text->def.method != SW_WAVES_GERSTNER)
     {
@@ -507,6 +511,7 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {COMPONENTS_PER_OCTAVE, SPECTRA},
         {REVERSE_WEIGHT, SPECTRA},
         {DIRECTION_VARIANCE, SPECTRA},
+        {LEAST_JACOBIAN, SPECTRA},
     };
     swResult result = SW_SUCCESS;
     for (int i = 0; i < COUNT(rules); ++i)

@@ -268,6 +268,8 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"waves:\n  - components:" ONE_WAVE "    min_wavelength_m: 4\n", "a.yaml:4: min_wavelength_m has no effect"},
         {"waves:\n  - components:" ONE_WAVE "    direction_from_deg: 4\n",
          "a.yaml:4: direction_from_deg has no effect on 'components'; remove it."},
+        {"waves:\n  - components:" ONE_WAVE "    least_jacobian: 0.4\n", "a.yaml:4: least_jacobian has no"},
+        {"waves:\n  - beaufort: 3\n    least_jacobian: 0.4\n", "a.yaml:3: least_jacobian has an effect"},
         {"waves:\n  - components:" ONE_WAVE "    components_per_octave: 4\n", "a.yaml:4: components_per_octave has no"},
         {"waves:\n  - components:" ONE_WAVE "    method: fft\n",
          "a.yaml:4: components are made with 'method: gerstner' only"},
@@ -562,7 +564,7 @@ static void FewWavesComeFromSpectraOrByHand(void** state)
     static const char text[] =
         "waves:\n"
         "  - {beaufort: 4, method: gerstner, components_per_octave: 3, reverse_weight: 0.25, direction_variance_deg: "
-        "90}\n"
+        "90, least_jacobian: 0.3}\n"
         "  - {spectrum: swell, significant_height_m: 1, peak_period_s: 9, method: gerstner}\n"
         "  - {spectrum: jonswap, method: fft}\n"
         "  - components:\n"
@@ -580,7 +582,8 @@ static void FewWavesComeFromSpectraOrByHand(void** state)
     }
     const swWaveSystemDef* few = &scene->waves[0].def;
     assert_true(few->method == SW_WAVES_GERSTNER && few->componentsPerOctave == 3 && few->reverseWeight == 0.25f &&
-                IsNear((double)few->directionVariance, SW_PI / 2) && few->componentCount == 0);
+                IsNear((double)few->directionVariance, SW_PI / 2) && few->leastJacobian == 0.3f &&
+                few->componentCount == 0);
     swWaveSystemDef defaults = swDefaultWaveSystemDef();
     few = &scene->waves[1].def;
     assert_true(few->method == SW_WAVES_GERSTNER && few->componentsPerOctave == defaults.componentsPerOctave &&

@@ -200,6 +200,13 @@ bool DrawMethod(swWaveSystemDef* def, const swWaveSystemDef* filed)
                                        .unit = DEGREE,
                                        .zero = "as it spreads"},
                                &def->directionVariance, FILED(directionVariance));
+        hasChanged |=
+            TurnKnob(&(Knob){.label = "least Jacobian",
+                             .low = -1.0f,
+                             .high = 0.9f,
+                             .format = "%.2f",
+                             .tip = "Sideways motion is held back where water would fold more: 1 is flat, 0 a fold"},
+                     &def->leastJacobian, FILED(leastJacobian));
     }
     return hasChanged;
 }
