@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/assert.h"
 #include "core/base/host.h"
 #include "scene/measured_formats.h"
 #include "scene/scene_file.h"
@@ -283,11 +284,12 @@ static bool isJson(const swText* text)
     return i < text->size && (text->data[i] == '{' || text->data[i] == '[');
 }
 
-static swResult readNetcdf(const swHost* host, const char* path, swMeasuredSea** sea)
+static swResult readNetcdf(const swHost* host, const char* path, swDirectionMeaning directions, swMeasuredSea** sea)
 {
 #if defined(SW_HAS_NETCDF)
-    return swReadNetcdfSea(host, path, sea);
+    return swReadNetcdfSea(host, path, directions, sea);
 #else
+    (void)directions;
     (void)sea;
     return swFail(host, SW_ERROR_FORMAT, "%s: built without NetCDF: install libnetcdf-dev and build again.", path);
 #endif
@@ -336,11 +338,12 @@ static swResult failUnknown(const swHost* host, const char* path)
 {
     return swFail(host, SW_ERROR_FORMAT,
                   "%s:1: no format of measured seas that is read. Those are %s; JSON of Sofar's Spotter buoys and of "
-                  "MHKiT; netCDF of WAVEWATCH III and ERA5.",
+                  "MHKiT; netCDF of WAVEWATCH III, SWAN, WWM, ERA5, NDBC, CDIP, Sofar, Copernicus, MHKiT and "
+                  "wavespectra.",
                   path, swGetMeasuredFormatList());
 }
 
-static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
+static swResult parseFile(const swHost* host, FileSet* set, swDirectionMeaning directions, swMeasuredSea** sea)
 {
     const swText* text = &set->texts[ENERGY];
     const char* path = set->paths[ENERGY];
@@ -350,7 +353,14 @@ static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
     }
     if (isNetcdf(text))
     {
-        return readNetcdf(host, path, sea);
+        return readNetcdf(host, path, directions, sea);
+    }
+    if (directions != SW_DIRECTIONS_BY_FORMAT)
+    {
+        return swFail(host, SW_ERROR_FORMAT,
+                      "%s: what its directions mean is laid down by its format; only of netCDF it can be told. Leave "
+                      "directions out.",
+                      path);
     }
     if (isJson(text))
     {
@@ -366,9 +376,28 @@ static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
                                          : failUnknown(host, path);
 }
 
+swMeasuredFileDef swDefaultMeasuredFileDef(void)
+{
+    return (swMeasuredFileDef){.directions = SW_DIRECTIONS_BY_FORMAT, .internalValue = SW_DEF_COOKIE};
+}
+
 swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea)
 {
+    swMeasuredFileDef def = swDefaultMeasuredFileDef();
+    return swReadMeasuredFile(host, path, &def, sea);
+}
+
+swResult swReadMeasuredFile(const swHost* host, const char* path, const swMeasuredFileDef* def, swMeasuredSea** sea)
+{
     *sea = NULL;
+    SW_ASSERT(def->internalValue == SW_DEF_COOKIE);
+    if (def->internalValue != SW_DEF_COOKIE || (int)def->directions < SW_DIRECTIONS_BY_FORMAT ||
+        def->directions > SW_DIRECTIONS_TO_FROM_EAST)
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "%s: how to read it was not initialized with swDefaultMeasuredFileDef(), or is out of range.",
+                      path);
+    }
     FileSet set;
     memset(&set, 0, sizeof(set));
     if (strlen(path) >= SW_MAX_PATH - 8)
@@ -380,7 +409,7 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
     swResult result = readStart(host, &set);
     if (result == SW_SUCCESS)
     {
-        result = parseFile(host, &set, sea);
+        result = parseFile(host, &set, def->directions, sea);
     }
     for (int i = 0; i < FILE_COUNT; ++i)
     {

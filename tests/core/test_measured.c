@@ -133,8 +133,10 @@ static void SampleStormGrows(void** state)
     assert_string_equal(swMeasuredSea_GetRecord(sea, 0).time, "2024-11-16 04:50");
     assert_string_equal(swMeasuredSea_GetRecord(sea, 2).time, "2024-11-16 06:50");
     assert_int_equal(swMeasuredSea_FindTime(sea, "2024-11-16 05:29"), 1);
-    assert_int_equal(swMeasuredSea_FindTime(sea, "2024-11-16T04:00"), 0);
-    assert_int_equal(swMeasuredSea_FindTime(sea, "2031-01-01 00:00"), 2);
+    assert_int_equal(swMeasuredSea_FindTime(sea, "2024-11-16T04:20"), 0); // half an hour before the first
+    assert_int_equal(swMeasuredSea_FindTime(sea, "2024-11-16T04:19"), -1);
+    assert_int_equal(swMeasuredSea_FindTime(sea, "2024-11-16 07:20"), 2);
+    assert_int_equal(swMeasuredSea_FindTime(sea, "2031-01-01 00:00"), -1);
     assert_int_equal(swMeasuredSea_FindTime(sea, "yesterday"), -1);
     assert_int_equal(swMeasuredSea_FindTime(sea, "2024-02-30 00:00"), -1);
 

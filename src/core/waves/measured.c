@@ -308,6 +308,21 @@ swMeasuredLocation swMeasuredSea_GetLocation(const swMeasuredSea* sea, int locat
     return isThere ? ((const swMeasuredLocation*)sea->locations.data)[location] : none;
 }
 
+swMeasuredDirections swMeasuredSea_GetDirections(const swMeasuredSea* sea)
+{
+    swMeasuredDirections none = {0};
+    return sea != NULL ? sea->directions : none;
+}
+
+void swMeasuredSea_SetDirections(swMeasuredSea* sea, const swMeasuredDirections* directions)
+{
+    if (sea != NULL && directions != NULL)
+    {
+        sea->directions = *directions;
+        sea->directions.basis[sizeof(sea->directions.basis) - 1] = '\0';
+    }
+}
+
 // ---- searching ----
 
 // Digits at *text, at most `most` of them, which it then stands behind. False if there are none.
@@ -384,47 +399,6 @@ bool swParseMeasuredTime(const char* text, double* seconds)
         return false;
     }
     return isUtc(text) && swMakeSeconds(year, month, day, hour, minute, second, seconds);
-}
-
-int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, const char* time)
-{
-    double seconds = 0.0;
-    if (time != NULL && !swParseMeasuredTime(time, &seconds))
-    {
-        return -1;
-    }
-    const swSeaRecord* records = sea->records.data;
-    int best = -1;
-    for (int i = 0; i < (int)sea->records.count; ++i)
-    {
-        if (location >= 0 && records[i].location != location)
-        {
-            continue;
-        }
-        bool isBetter = best < 0;
-        if (!isBetter && time == NULL)
-        {
-            isBetter = records[i].variance > records[best].variance;
-        }
-        else if (!isBetter)
-        {
-            // By the minute that is printed.
-            double distance = fabs(floor(records[i].seconds / 60.0) * 60.0 - seconds);
-            isBetter = distance < fabs(floor(records[best].seconds / 60.0) * 60.0 - seconds);
-        }
-        best = isBetter ? i : best;
-    }
-    return best;
-}
-
-int swMeasuredSea_FindLargest(const swMeasuredSea* sea)
-{
-    return swMeasuredSea_FindRecord(sea, -1, NULL);
-}
-
-int swMeasuredSea_FindTime(const swMeasuredSea* sea, const char* time)
-{
-    return time != NULL ? swMeasuredSea_FindRecord(sea, -1, time) : -1;
 }
 
 bool swMeasuredSea_Bracket(const swMeasuredSea* sea, int location, double seconds, int* before, int* after,

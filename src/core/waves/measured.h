@@ -50,6 +50,7 @@ struct swMeasuredSea
     char name[256];       // for messages
     swSeaArray records;   // swSeaRecord
     swSeaArray locations; // swMeasuredLocation
+    swMeasuredDirections directions;
     swSeaArray places;    // finds them, see sea_places.c
     size_t floatCount;
     bool isFull; // another record was refused because there are too many: no fault of that record

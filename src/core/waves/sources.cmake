@@ -6,6 +6,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/direction_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/measured.c
     ${CMAKE_CURRENT_LIST_DIR}/measured_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/measured_find.c
     ${CMAKE_CURRENT_LIST_DIR}/measured_text.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc.c
     ${CMAKE_CURRENT_LIST_DIR}/ndbc_sea.c
