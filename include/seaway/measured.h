@@ -105,6 +105,10 @@ typedef enum swMeasuredFormat
     SW_MEASURED_TRIAXYS,              ///< TriAxys directional and non-directional spectra
     SW_MEASURED_DATAWELL,             ///< Datawell's .spt
     SW_MEASURED_PARTITION_TABLE,      ///< time,hs_m,tp_s,direction_from_deg,spread_deg,gamma
+    SW_MEASURED_SPOTTER_CSV,          ///< what the dashboard of Sofar's Spotter buoys exports
+    SW_MEASURED_AWAC,                 ///< NMEA sentences of Nortek's AWAC profilers
+    SW_MEASURED_OCTOPUS,              ///< forecasts of spectra for Octopus
+    SW_MEASURED_OBSCAPE,              ///< directional spectra of Obscape's buoys
     SW_MEASURED_FORMAT_COUNT
 } swMeasuredFormat;
 
@@ -200,6 +204,10 @@ typedef struct swMeasuredSpectrumDef
     /// The same by their angles and lengths instead, where a1 is NULL: radians where waves go, r1 and r2 in [0, 1], NAN
     /// where missing. Without r1 the spread is that of cos^2s with s = 8. Default NULL. [frequencyCount]
     const double *meanDirection, *r1, *direction2, *r2;
+
+    /// A spectrum that cannot be used is told as a warning, not as an error: for readers that go on without it.
+    /// The result is the same. Default false.
+    bool warnOnly;
 
     /// Set by swDefaultMeasuredSpectrumDef().
     int internalValue;

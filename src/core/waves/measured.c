@@ -41,6 +41,7 @@ void swDestroyMeasuredSea(swMeasuredSea* sea)
     }
     swFreeSeaItems(&host, &sea->records, sizeof(swSeaRecord));
     swFreeSeaItems(&host, &sea->locations, sizeof(swMeasuredLocation));
+    swFreeSeaPlaces(sea);
     swFree(&host, sea, sizeof(*sea));
 }
 
@@ -63,6 +64,11 @@ swResult swMeasuredSea_AddLocation(swMeasuredSea* sea, const char* name, double 
     }
     added->longitude = longitude;
     added->latitude = latitude;
+    if (!swIndexSeaPlace(sea, (int)sea->locations.count - 1))
+    {
+        --sea->locations.count;
+        return swFail(&sea->host, SW_ERROR_NO_MEMORY, "No memory for the places of %s.", sea->name);
+    }
     if (location != NULL)
     {
         *location = (int)sea->locations.count - 1;
@@ -76,6 +82,7 @@ swResult swAddSeaRecord(swMeasuredSea* sea, int frequencyCount, int directionCou
     size_t floatCount = (size_t)frequencyCount * ((size_t)SW_SEA_TABLE + (size_t)directionCount);
     if (sea->floatCount + floatCount > SW_SEA_MAX_FLOATS)
     {
+        sea->isFull = true;
         return swFail(&sea->host, SW_ERROR_FORMAT, "%s: more than %zu values, the most that is read; cut it in time.",
                       sea->name, SW_SEA_MAX_FLOATS);
     }
@@ -314,19 +321,6 @@ void swMeasuredSea_SetDirections(swMeasuredSea* sea, const swMeasuredDirections*
         sea->directions = *directions;
         sea->directions.basis[sizeof(sea->directions.basis) - 1] = '\0';
     }
-}
-
-int swMeasuredSea_FindLocation(const swMeasuredSea* sea, const char* name)
-{
-    const swMeasuredLocation* locations = sea->locations.data;
-    for (int i = 0; i < (int)sea->locations.count; ++i)
-    {
-        if (name != NULL && strcmp(locations[i].name, name) == 0)
-        {
-            return i;
-        }
-    }
-    return -1;
 }
 
 // ---- searching ----

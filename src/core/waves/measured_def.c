@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/trial.h"
 #include "core/math/scalar.h"
 #include "core/waves/direction_grid.h"
 #include "core/waves/measured.h"
@@ -453,7 +453,17 @@ swResult swMeasuredSea_AddSpectrum(swMeasuredSea* sea, const swMeasuredSpectrumD
     {
         return swFail(&sea->host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.", sea->name);
     }
+    swHost host = sea->host;
+    swTrial trial;
+    swBeginTrial(&trial, &host);
+    sea->host = trial.host;
     swResult result = addSpectrum(sea, def, scratch);
-    swFree(&sea->host, scratch, sizeof(*scratch));
-    return result;
+    sea->host = host;
+    swFree(&host, scratch, sizeof(*scratch));
+    if (result == SW_ERROR_FORMAT && def->warnOnly)
+    {
+        swLog(&host, SW_LOG_WARNING, "%s", trial.message);
+        return result;
+    }
+    return swEndTrial(&trial, result);
 }
