@@ -39,6 +39,10 @@ typedef struct swMeasuredRecord
     const float* direction2;
     const float* r2;
 
+    /// meanDirection and r1 where the file tells them, NAN where they were filled in: a gap, a direction without r1, a
+    /// frequency without energy in a spectrum by direction. NULL if the file holds no directions. [frequencyCount]
+    const float *measuredDirection, *measuredR1;
+
     /// How many frequencies had moments that no distribution can have and were corrected.
     int correctedCount;
 
@@ -201,8 +205,8 @@ typedef struct swMeasuredSpectrumDef
     /// [frequencyCount]
     const double *a1, *b1, *a2, *b2;
 
-    /// The same by their angles and lengths instead, where a1 is NULL: radians where waves go, r1 and r2 in [0, 1], NAN
-    /// where missing. Without r1 the spread is that of cos^2s with s = 8. Default NULL. [frequencyCount]
+    /// The same by their angles and lengths instead, where a1 or b1 is missing: radians where waves go, r1 and r2 in
+    /// [0, 1], NAN where missing. Without r1 the spread is that of cos^2s with s = 8. Default NULL. [frequencyCount]
     const double *meanDirection, *r1, *direction2, *r2;
 
     /// A spectrum that cannot be used is told as a warning, not as an error: for readers that go on without it.

@@ -289,6 +289,8 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
         result.r1 = swGetSeaRow(record, SW_SEA_R1);
         result.direction2 = swGetSeaRow(record, SW_SEA_DIRECTION2);
         result.r2 = swGetSeaRow(record, SW_SEA_R2);
+        result.measuredDirection = swGetSeaRow(record, SW_SEA_MEASURED_DIRECTION);
+        result.measuredR1 = swGetSeaRow(record, SW_SEA_MEASURED_R1);
     }
     return result;
 }

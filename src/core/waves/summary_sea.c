@@ -305,23 +305,17 @@ static void addMoments(swMoments* moments, const Partition* partition, int index
 
 static void fillMoments(const Sea* sea, swSeaRecord* record)
 {
-    float* meanDirection = swGetSeaRow(record, SW_SEA_MEAN_DIRECTION);
-    float* r1 = swGetSeaRow(record, SW_SEA_R1);
-    float* direction2 = swGetSeaRow(record, SW_SEA_DIRECTION2);
-    float* r2 = swGetSeaRow(record, SW_SEA_R2);
     for (int i = 0; i < FREQUENCIES; ++i)
     {
         double energy = 0.0;
-        swMoments moments = {0};
+        swMoments sum = {0};
         for (int j = 0; j < sea->count; ++j)
         {
             energy += sea->partitions[j].energy[i];
-            addMoments(&moments, &sea->partitions[j], i);
+            addMoments(&sum, &sea->partitions[j], i);
         }
-        meanDirection[i] = (float)swAtan2(moments.b1, moments.a1);
-        r1[i] = (float)(sqrt(moments.a1 * moments.a1 + moments.b1 * moments.b1) / energy);
-        direction2[i] = (float)(0.5 * swAtan2(moments.b2, moments.a2));
-        r2[i] = (float)(sqrt(moments.a2 * moments.a2 + moments.b2 * moments.b2) / energy);
+        swMoments mean = {sum.a1 / energy, sum.b1 / energy, sum.a2 / energy, sum.b2 / energy};
+        swKeepSeaMoments(record, i, &mean, true, false); // spreads are assumed
     }
 }
 
