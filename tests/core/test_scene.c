@@ -498,6 +498,8 @@ static void WhatIsTooLargeIsRefusedAtOnce(void** state)
         {"- ", 400000, "a", "a.yaml:1: lists and mappings are nested more than 16 deep"},
         {"? ", 400000, "a", "a.yaml:1: lists and mappings are nested more than 16 deep"},
         {"- a\n", 200000, "", "there are more than 100000 values; remove what is no scene. [too_large]"},
+        {"- &a b\n", 90000, "", "a.yaml:1001: there are more than 1000 anchors (&); remove what is no scene."},
+        {"%TAG ! a\n", 90000, "", "a.yaml:1001: there are more than 1000 directives (%); remove what is no scene."},
         {"a: b\n", 100, "", "a.yaml:64: here is mistake 64, and more are not looked for; mend those above."},
         {"waves:\n  - a: {b: [c]}\n", 1, "    d: e\n", "a.yaml:3: 'd' is no key of waves"},
     };
