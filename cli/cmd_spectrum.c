@@ -230,6 +230,16 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
         printf("  built up from heights, periods and directions of %d system%s of waves\n", record->partitionCount,
                record->partitionCount > 1 ? "s" : "");
     }
+    if (record->averagePeriod > 0.0f)
+    {
+        printf("  the buoy's average period is %.1f s: for it a peak of gamma %.2g and a tail f^-%.2g were chosen\n",
+               (double)record->averagePeriod, (double)record->gamma, (double)record->tailExponent);
+    }
+    else if (record->gamma > 0.0f)
+    {
+        printf("  no average period is told: a peak of gamma %.2g and a tail f^-%.2g were assumed\n",
+               (double)record->gamma, (double)record->tailExponent);
+    }
     printf("  %d frequencies, %.4g to %.4g Hz; %s\n", table->frequencyCount, (double)table->frequencies[0],
            (double)table->frequencies[table->frequencyCount - 1],
            record->meanDirection != NULL ? "with directions"
@@ -289,6 +299,9 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     JsonNumber(&json, "negative_fraction", (double)record->negativePart);
     JsonNumber(&json, "added_fraction", (double)record->addedPart);
     JsonInteger(&json, "partition_count", record->partitionCount);
+    JsonNumber(&json, "reported_tm02_s", record->averagePeriod > 0.0f ? (double)record->averagePeriod : (double)NAN);
+    JsonNumber(&json, "assumed_gamma", record->gamma > 0.0f ? (double)record->gamma : (double)NAN);
+    JsonNumber(&json, "assumed_tail_exponent", record->gamma > 0.0f ? (double)record->tailExponent : (double)NAN);
     WriteLocation(&json, sea, record->location);
     JsonNumber(&json, "distance_km", distance / 1000.0); // null unless a point was asked for
     WriteDirections(&json, sea);
@@ -465,8 +478,9 @@ int RunSpectrum(int argumentCount, char** arguments)
                            "Read a measured or computed sea state. The format is known by the contents: spectra and\n"
                            "summaries of NDBC (name the energy file, such as 44013.data_spec or 44013w2022.txt; the\n"
                            "direction files beside it are found by name), of SWAN, WAVEWATCH III (text and\n"
-                           "partitions), TriAxys, Datawell (.spt), Sofar Spotter and MHKiT (JSON), netCDF (WAVEWATCH\n"
-                           "III, SWAN, WWM, ERA5, NDBC, CDIP, Sofar, Copernicus, MHKiT and wavespectra), and\n"
+                           "partitions), Octopus, TriAxys, Datawell (.spt), Obscape, Nortek AWAC (NMEA), Sofar\n"
+                           "Spotter (JSON and the dashboard's table), MHKiT (JSON), netCDF (WAVEWATCH III, SWAN, WWM,\n"
+                           "ERA5, NDBC, CDIP, Sofar, Copernicus, MHKiT and wavespectra), and\n"
                            "a table of partitions: time,hs_m,tp_s,direction_from_deg,spread_deg,gamma.",
                        .options = options,
                        .optionCount = sizeof(options) / sizeof(options[0]),

@@ -59,6 +59,11 @@ typedef struct swMeasuredRecord
     /// 0 if the file holds spectra. Of a summary or of partitions: of how many systems of waves the table was built up;
     /// then its shape is that of a formula and only heights, periods and directions are measured.
     int partitionCount;
+
+    /// Of a summary: the average period that the buoy told, s, 0 if it did not; and of the record's largest system what was
+    /// assumed, which gives the record that period where a shape can: the enhancement gamma of JONSWAP's peak, and the
+    /// exponent n of its tail f^-n, which is 5 where gamma suffices. 0 of other files.
+    float averagePeriod, gamma, tailExponent;
 } swMeasuredRecord;
 
 /// A place of a measured sea.

@@ -280,6 +280,9 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
     result.energy = swGetSeaRow(record, SW_SEA_ENERGY);
     result.correctedCount = record->correctedCount;
     result.partitionCount = record->partitionCount;
+    result.averagePeriod = record->averagePeriod;
+    result.gamma = record->gamma;
+    result.tailExponent = record->tailExponent;
     result.negativeCount = record->negativeCount;
     result.negativePart = getPart(record->negativeVariance, record->variance);
     result.addedPart = getPart(record->addedVariance, record->variance);

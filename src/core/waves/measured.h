@@ -34,6 +34,7 @@ typedef struct swSeaRecord
     float firstDirection;
     int correctedCount;
     int partitionCount;
+    float averagePeriod, gamma, tailExponent; // see swMeasuredRecord
     int negativeCount;
     double negativeVariance; // taken away by negative densities, m^2
     double addedVariance;    // which the record has more than the file, m^2
