@@ -175,6 +175,7 @@ static void PrintList(const swMeasuredSea* sea, int location, bool asJson)
             WriteSeaState(&json, &state);
             JsonFlag(&json, "has_directions", record.meanDirection != NULL);
             WriteLocation(&json, sea, record.location);
+            WriteDirections(&json, sea);
             JsonCloseObject(&json);
         }
         else if (isCalm)
