@@ -198,18 +198,19 @@ static bool TimeFrames(PictureMaker* maker, swWorld* world, swView* view, GpuRes
 static bool BenchGpu(DeviceName device, PixelSize size, GpuResult* result)
 {
     swHost host = MakeHost();
+    swTaskPool* pool = AttachThreads(&host, 0);
     int tileCount = 0;
-    swWorld* world = CreateSea(&host, false, &tileCount);
-    swView* view = NULL;
-    swViewDef viewDef = swDefaultViewDef();
-    bool isFine = world != NULL && swCreateView(world, &viewDef, &view) == SW_SUCCESS;
     PictureMakerDef def = {.device = device.choice,
                            .deviceIndex = device.index,
                            .width = size.width,
                            .height = size.height,
                            .supersample = 1};
-    PictureMaker* maker = isFine ? CreatePictureMaker(&host, &def, world) : NULL;
-    if (maker != NULL)
+    PictureMaker* maker = CreatePictureMaker(&host, &def);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef = maker != NULL ? FitPictureView(maker, &viewDef) : viewDef;
+    swWorld* world = maker != NULL ? CreateSea(&host, viewDef.enableCpuLayers, &tileCount) : NULL;
+    swView* view = NULL;
+    if (world != NULL && swCreateView(world, &viewDef, &view) == SW_SUCCESS && ShowWorld(maker, world))
     {
         result->size = size;
         snprintf(result->device, sizeof(result->device), "%s", swGpu_GetDeviceName(GetPictureGpu(maker)));
@@ -220,6 +221,7 @@ static bool BenchGpu(DeviceName device, PixelSize size, GpuResult* result)
     DestroyPictureMaker(maker);
     swDestroyView(view);
     swDestroyWorld(world);
+    swDestroyTaskPool(pool);
     return result->isPresent;
 }
 

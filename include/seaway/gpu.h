@@ -22,6 +22,14 @@ typedef enum swDeviceChoice
     SW_DEVICE_INDEX     ///< swGpuDef::deviceIndex in Vulkan's order
 } swDeviceChoice;
 
+/// Who makes the layers that are drawn: displacement, derivatives and foam of a view's slices, and the tiles below them.
+typedef enum swLayerSource
+{
+    SW_LAYERS_AUTO, ///< the core on a software device, for views with swViewDef::enableCpuLayers; else the GPU
+    SW_LAYERS_GPU,  ///< compute passes, on every device
+    SW_LAYERS_CORE  ///< the core, for views with swViewDef::enableCpuLayers; else the GPU
+} swLayerSource;
+
 /// Must be initialized with swDefaultGpuDef().
 typedef struct swGpuDef
 {
@@ -51,6 +59,10 @@ typedef struct swGpuDef
     /// Frames that may be in flight: the host waits for frame n - framesInFlight before it records frame n.
     /// Range [1, 4]. Default 2.
     int framesInFlight;
+
+    /// Where layers come from. The core's are as good as the GPU's, and on a device that is a CPU they take a tenth of the
+    /// time. See swGpu_FitView(). Default SW_LAYERS_AUTO.
+    swLayerSource layers;
 
     /// Pipeline cache of an earlier run, see swGpu_GetPipelineCache(). May be NULL; bad data are ignored.
     const void* pipelineCache;
@@ -94,6 +106,16 @@ SW_API uint32_t swGpu_GetQueueFamily(const swGpu* gpu);
 SW_API const char* swGpu_GetDeviceName(const swGpu* gpu);
 SW_API bool swGpu_IsSoftware(const swGpu* gpu);
 
+/// Whether views for this device are best made with swViewDef::enableCpuLayers (and their world with
+/// swWorldDef::enableQueries): layers then come from the core, and the GPU only gets a copy of them.
+SW_API bool swGpu_WantsCpuLayers(const swGpu* gpu);
+
+/// A view that suits the device and pictures of `height` pixels. On a GPU it is `def` as it is. On a software device it has
+/// CPU layers, and for pictures of less than 540 and of less than 270 lines half and a third of the default's texels, each
+/// twice and four times as wide: what a pixel covers grows likewise. A def that names another resolution or finest texel
+/// than the default keeps its own.
+SW_API swViewDef swGpu_FitView(const swGpu* gpu, const swViewDef* def, uint32_t height);
+
 /// Number of validation errors and warnings seen since creation (0 without enableValidation).
 SW_API int swGpu_GetValidationCount(const swGpu* gpu);
 
@@ -116,8 +138,17 @@ SW_API void swDestroyGpuWorld(swGpuWorld* gpuWorld);
 
 /// Record all passes of the world's last step and all its views: spectra to tiles to slices to foam. Compute only,
 /// outside of a render pass. `frameIndex` grows by one per recorded frame.
-/// @return SW_ERROR_NO_MEMORY or SW_ERROR_DEVICE when something new could not be allocated; nothing is recorded then
+/// All or nothing: after an error nothing has been recorded, nothing can be drawn, and the next call, with the same
+/// frameIndex or a larger one, makes up for all that this one did not do.
+/// @return SW_ERROR_NO_MEMORY or SW_ERROR_DEVICE when something new could not be allocated
 SW_API swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex);
+
+/// Say that the commands of frame `frameIndex`, and of all frames recorded after it, will never run: the host has thrown
+/// them away, or could not submit them. Without this call Seaway takes it that recorded commands run, and draws what they
+/// would have left. The next swGpuWorld_Record() then brings everything again that was lost, and foam goes on from the last
+/// frame that does run; frame indices may be used again. At most the framesInFlight newest frames can be taken back
+/// without foam beginning anew. Renderers of the world follow by themselves.
+SW_API void swGpuWorld_Discard(swGpuWorld* gpuWorld, uint64_t frameIndex);
 
 /// Bytes of device memory in use, queries included.
 SW_API size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld);

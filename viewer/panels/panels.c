@@ -1,16 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "panels.h"
 
-#include <math.h>
-
 float ToDegrees(float radians)
 {
     return radians * (float)(180.0 / SW_PI);
 }
 
-float ToRadians(float degrees)
+float ToBearing(float direction)
 {
-    return degrees * (float)(SW_PI / 180.0);
+    return ShowValue(&(Knob){.isBearing = true}, direction);
+}
+
+// These lines are always there, so that nothing below them moves when they have something to say.
+static void DrawChanges(App* app)
+{
+    if (app->changeCount == 0)
+    {
+        UiFaint("As in %s", GetSceneName(app));
+        return;
+    }
+    if (UiSmallButton("reset") && !ResetChanges(&app->sea))
+    {
+        ShowNote(app, "not all came back; see Messages");
+    }
+    UiTip("Everything as in the file. A dot beside a name sets that value back alone.");
+    UiSameLine();
+    UiMarked("%d value%s from %s", app->changeCount, app->changeCount == 1 ? " differs" : "s differ",
+             GetSceneName(app));
+}
+
+static void DrawPace(const App* app)
+{
+    if (IsSeaSlow(&app->pace))
+    {
+        UiMarked("Sea at %.2g x the clock, %.0f ms a frame", (double)app->pace.ratio, (double)app->pace.frameMs);
+        UiTip("Frames take longer than the sea may advance at once, so it runs slower than the clock");
+    }
+    else
+    {
+        UiFaint("%s", app->clock.isPaused       ? "The sea is paused"
+                      : app->pace.ratio == 0.0f ? "Sea and clock are being compared"
+                                                : "The sea keeps up with the clock");
+    }
 }
 
 static void DrawSummary(App* app)
@@ -26,6 +57,8 @@ void DrawPanels(App* app)
 {
     BeginUiPanel("Seaway (F1)");
     DrawSummary(app);
+    DrawPace(app);
+    DrawChanges(app);
     DrawMessagePanel(app);
     DrawTimePanel(app);
     DrawSeaPanel(app);

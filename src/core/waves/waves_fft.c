@@ -487,6 +487,12 @@ void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choic
     kernels->sampleTiles(choice, count, points, out, gradients);
 }
 
+void swSampleRow(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const double* x, double z,
+                 float* out, float (*gradients)[8])
+{
+    kernels->sampleRow(tileCount, tiles, count, x, z, out, gradients);
+}
+
 void swSumWaves(const swWaveKernels* kernels, const swWaveSumJob* job)
 {
     kernels->sumWaves(job);

@@ -12,6 +12,8 @@ struct swWaveKernels
     void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
                            void* scratch);
     void (*sampleTiles)(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients);
+    void (*sampleRow)(int tileCount, const swTile* tiles, int count, const double* x, double z, float* out,
+                      float (*gradients)[8]);
     void (*sumWaves)(const swWaveSumJob* job);
 };
 

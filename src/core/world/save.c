@@ -157,6 +157,7 @@ static swResult streamSystemDef(swStream* stream, const swWorld* world, swWaveSy
     swStreamI32(stream, &def->componentsPerOctave);
     swStreamF32(stream, &def->reverseWeight);
     swStreamF32(stream, &def->directionVariance);
+    swStreamF32(stream, &def->leastJacobian);
     swStreamF32(stream, &def->minWavelength);
     swStreamF32(stream, &def->maxWavelength);
     swStreamF32(stream, &def->chop);

@@ -376,6 +376,17 @@ void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const s
     }
 }
 
+void swDiscardQueries(swGpuWorld* gpuWorld, uint64_t frameIndex)
+{
+    for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        for (int i = 0; i < query->slotCount; ++i)
+        {
+            query->slots[i].isRecorded = query->slots[i].isRecorded && query->slots[i].frameIndex < frameIndex;
+        }
+    }
+}
+
 static bool isFinished(const swGpu* gpu, uint64_t frameIndex)
 {
     return (gpu->hasFinished && frameIndex <= gpu->finishedFrame) ||
