@@ -51,7 +51,7 @@ struct swMeasuredSea
     swSeaArray records;   // swSeaRecord
     swSeaArray locations; // swMeasuredLocation
     swMeasuredDirections directions;
-    swSeaArray places;    // finds them, see sea_places.c
+    swSeaArray places; // finds them, see sea_places.c
     size_t floatCount;
     bool isFull; // another record was refused because there are too many: no fault of that record
 };
