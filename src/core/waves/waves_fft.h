@@ -76,7 +76,7 @@ typedef struct swTileChoice
 
 static inline bool swIsTileChosen(const swTile* tile, float minWavelength)
 {
-    return tile->maxWavelength > minWavelength;
+    return minWavelength <= 0.0f || tile->maxWavelength > minWavelength;
 }
 
 // As swSampleTiles() below, of some tiles of a list.
