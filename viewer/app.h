@@ -65,7 +65,7 @@ typedef struct App
     char title[256];
     int windowPlace[4]; // x, y, width, height before full screen
     CaptureStage capture;
-    char capturePath[512];
+    char capturePath[4096];
     char note[600];
     double noteUntil;
     uint64_t frameIndex;
@@ -99,6 +99,6 @@ const char* GetSceneName(const App* app);
 void OpenInput(App* app);
 CameraInput ReadCameraInput(App* app);
 
-// What was pressed since the last frame, as far as this one can take it: to the panel, and keys that it does not want to
-// the viewer. Before BeginUiFrame().
+// What was pressed since the last frame, as far as this one can take it: to the panel, and keys that it does not want
+// to the viewer. Before BeginUiFrame().
 void HandleInput(App* app);

@@ -91,8 +91,8 @@ bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, uint32_t height, const ch
 void CloseSea(Sea* sea);
 
 // Let the world's waves run to the settings that changed. Changes that come faster than a part of the transition wait
-// their turn: a world cross-fades three of them at most. `isPaused`: at once, since time does not run. If the world refuses,
-// the host's log says why and the settings are those of the world again.
+// their turn: a world cross-fades three of them at most. `isPaused`: at once, since time does not run. If the world
+// refuses, the host's log says why and the settings are those of the world again.
 void ApplyChanges(Sea* sea, bool isPaused);
 
 // Set replays to a time, before the step to it.
@@ -115,8 +115,8 @@ typedef enum NewWaves
     NEW_WAVES_COUNT
 } NewWaves;
 
-// Add a system, whose waves rise over the transition; it runs as the first one does. False, with a sentence in the host's
-// log, if the world has no room for it.
+// Add a system, whose waves rise over the transition; it runs as the first one does. False, with a sentence in the
+// host's log, if the world has no room for it.
 bool AddWaves(Sea* sea, NewWaves kind);
 
 // Take a system away; its waves run down over the transition. One of the file stays in the list, to be brought back.
@@ -139,6 +139,10 @@ void ClearLeavingWaves(Sea* sea, bool isPaused);
 
 // UTC in seconds since 1970 that a replay has reached.
 double GetReplaySeconds(const Sea* sea, int index);
+
+// The same by the file's settings, and back to it.
+double GetFiledReplaySeconds(const Sea* sea, int index);
+void ResetReplayMoment(Sea* sea, int index);
 
 // Significant height asked for by all systems together, and what their bands carry, m.
 float GetAskedHeight(const Sea* sea);

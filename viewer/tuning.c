@@ -39,6 +39,7 @@ static const Field systemFields[] = {
     SYSTEM(method),
     SYSTEM(componentsPerOctave),
     SYSTEM(reverseWeight),
+    SYSTEM(leastJacobian),
     SYSTEM(directionVariance),
     SYSTEM(chop),
     SYSTEM(weight),

@@ -72,10 +72,13 @@ SW_PARAMS(swPictureParams)
 
     float slopeVariance; // of each axis, all waves
     float foamAtRest;    // beyond the slices
+    sw_uint waveCount;   // free waves
     float cloudWayX;     // 1 or -1: which way the clouds run there, see swMirrorClouds()
+
     float cloudWayZ;
+    float unused0, unused1, unused2;
 };
-SW_PARAMS_SIZE(swPictureParams, 320);
+SW_PARAMS_SIZE(swPictureParams, 336);
 
 // The clouds' noise has no period of its own, and floats hold a metre of it within SW_CLOUD_EDGE of its middle, km. Beyond
 // its edges it goes on as in a mirror, without a jump, and so repeats after four times as much.
@@ -99,6 +102,19 @@ SW_PARAMS(swDetailParams)
     float weight;
 };
 SW_PARAMS_SIZE(swDetailParams, 32);
+
+// A free wave as the fragment shader reads it, longest first: slopes by rest position from the mesh's anchor are
+// -amplitude sin(kx x + kz z + phase) (kx, kz).
+SW_PARAMS(swDetailWave)
+{
+    float kx, kz; // rad/m
+    float phase;
+    float amplitude;    // m
+    float wavelength;   // m
+    float restX, restZ; // slope variance of this wave and all that are shorter
+    float unused;
+};
+SW_PARAMS_SIZE(swDetailWave, 32);
 
 // Light at sea level, pre-exposed. Written by sky_light.comp.
 SW_PARAMS(swSkyLight)

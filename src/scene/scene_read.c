@@ -230,6 +230,9 @@ enum
     FILE_NAME,
     FILE_LIST,
     PLACE,
+    LATITUDE,
+    LONGITUDE,
+    DIRECTIONS,
     AT,
     REPLAY,
     WIND_SPEED,
@@ -265,6 +268,7 @@ enum
     COMPONENTS_PER_OCTAVE,
     REVERSE_WEIGHT,
     DIRECTION_VARIANCE,
+    LEAST_JACOBIAN,
     WAVES_FIELD_COUNT
 };
 
@@ -320,6 +324,14 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = TEXT(measured.file), .size = 512},
     [FILE_LIST] = {.key = "files", .type = SW_YAML_CUSTOM, .read = keepNode},
     [PLACE] = {.key = "location", .type = SW_YAML_TEXT, .offset = TEXT(measured.location), .size = 64},
+    [LATITUDE] =
+        {.key = "latitude", .type = SW_YAML_DOUBLE, .offset = TEXT(measured.latitude), .low = -90.0, .high = 90.0},
+    [LONGITUDE] =
+        {.key = "longitude", .type = SW_YAML_DOUBLE, .offset = TEXT(measured.longitude), .low = -180.0, .high = 360.0},
+    [DIRECTIONS] = {.key = "directions",
+                    .type = SW_YAML_CHOICE,
+                    .offset = TEXT(measured.directions),
+                    .words = swDirectionWords},
     [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = TEXT(measured.at), .size = 32},
     [REPLAY] = {.key = "replay", .type = SW_YAML_CUSTOM, .read = readReplayKey},
     [WIND_SPEED] =
@@ -375,6 +387,8 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
                                .high = 32.0},
     [REVERSE_WEIGHT] =
         {.key = "reverse_weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(reverseWeight), .low = 0.0, .high = 1.0},
+    [LEAST_JACOBIAN] =
+        {.key = "least_jacobian", .type = SW_YAML_FLOAT, .offset = SYSTEM(leastJacobian), .low = -10.0, .high = 0.9},
     [DIRECTION_VARIANCE] = {.key = "direction_variance_deg",
                             .type = SW_YAML_DEGREES,
                             .offset = SYSTEM(directionVariance),
@@ -447,6 +461,7 @@ static swResult checkMethodKeys(swYaml* yaml, WavesText* text, const swYamlNodes
         {COMPONENTS_PER_OCTAVE, SW_WAVES_GERSTNER, SPECTRA},
         {REVERSE_WEIGHT, SW_WAVES_GERSTNER, SPECTRA},
         {DIRECTION_VARIANCE, SW_WAVES_GERSTNER, SPECTRA},
+        {LEAST_JACOBIAN, SW_WAVES_GERSTNER, SPECTRA},
     };
     if (text->kind == COMPONENTS_KIND && nodes->nodes[METHOD] != NULL && text->def.method != SW_WAVES_GERSTNER)
     {
@@ -479,6 +494,9 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {FILE_NAME, FILES},
         {FILE_LIST, FILES},
         {PLACE, FILES},
+        {LATITUDE, FILES},
+        {LONGITUDE, FILES},
+        {DIRECTIONS, FILES},
         {REPLAY, FILES},
         {AT, FILES},
         {TURN, FILES},
@@ -507,6 +525,7 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {COMPONENTS_PER_OCTAVE, SPECTRA},
         {REVERSE_WEIGHT, SPECTRA},
         {DIRECTION_VARIANCE, SPECTRA},
+        {LEAST_JACOBIAN, SPECTRA},
     };
     swResult result = SW_SUCCESS;
     for (int i = 0; i < COUNT(rules); ++i)
@@ -644,6 +663,9 @@ static swResult readMeasured(swYaml* yaml, yaml_node_t* node, WavesText* text, c
     measured->fileNode = nodes->nodes[FILE_NAME];
     measured->listNode = nodes->nodes[FILE_LIST];
     measured->locationNode = nodes->nodes[PLACE];
+    measured->latitudeNode = nodes->nodes[LATITUDE];
+    measured->longitudeNode = nodes->nodes[LONGITUDE];
+    measured->directionsNode = nodes->nodes[DIRECTIONS];
     measured->atNode = nodes->nodes[AT];
     measured->replayNode = nodes->nodes[REPLAY];
     measured->methodNode = nodes->nodes[METHOD];

@@ -37,9 +37,9 @@ static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swS
         .constants = constants,
         .vertex = SW_SHADER(vertexCode),
         .fragment = SW_SHADER(fragmentCode),
-        .bindingCount = 12,
+        .bindingCount = 13,
         .types = {SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED,
-                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED},
+                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_STORAGE},
         .colorFormat = def->colorFormat,
         .depthFormat = def->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -212,6 +212,7 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surfac
         swBindImage(gpu, &sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
         swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_LINEAR_REPEAT),
+        swBindUpload(&picture->wavesUpload),
     };
     bool isWire = picture->params.debugMode == SW_DEBUG_WIREFRAME && surface->wirePipeline.handle != VK_NULL_HANDLE;
     swBeginPass(gpu, commands, "surface");
