@@ -22,7 +22,7 @@ typedef struct Targets
 
 // Pixels that a software device draws of the sea before tone mapping stretches them over the window: what two cores do ten
 // times a second. Never less than half of a side.
-#define SOFTWARE_PIXELS 80000.0
+#define SOFTWARE_PIXELS 70000.0
 
 // A GPU draws every pixel of the window.
 VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware);
