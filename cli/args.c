@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "output.h"
 #include "verbs.h"
 
 #define MAX_OPTIONS 32
@@ -184,6 +185,43 @@ static bool ParseRanged(const Verb* verb, const Option* option, const char* text
     return true;
 }
 
+// The kind of file is known by its ending, and a device or FIFO is whatever is written into it.
+static bool ParseOutput(const Verb* verb, const Option* option, const char* text)
+{
+    if (*text == 0)
+    {
+        Complain("%s: --%s wants the name of a file, not an empty one", verb->name, option->name);
+        return false;
+    }
+    if (strcmp(text, "-") == 0)
+    {
+        Complain("%s: --%s wants the name of a file; standard output is /dev/stdout", verb->name, option->name);
+        return false;
+    }
+    if (strlen(text) >= MAX_PATH_LENGTH)
+    {
+        Complain("%s: --%s has a path of %zu bytes, and the longest has %d", verb->name, option->name, strlen(text),
+                 MAX_PATH_LENGTH - 1);
+        return false;
+    }
+    char all[64] = "";
+    bool isKnown = option->choices == NULL || IsDevice(text);
+    for (int i = 0; !isKnown && option->choices[i] != NULL; ++i)
+    {
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof(all) - used, "%s%s", i == 0 ? "" : " or ", option->choices[i]);
+        isKnown = HasEnding(text, option->choices[i]);
+    }
+    if (!isKnown)
+    {
+        Complain("%s: --%s writes %s, and \"%s\" is named otherwise; give it that ending", verb->name, option->name,
+                 all, text);
+        return false;
+    }
+    *(const char**)option->value = text;
+    return true;
+}
+
 static bool ParseValue(const Verb* verb, const Option* option, const char* text)
 {
     switch (option->kind)
@@ -194,6 +232,8 @@ static bool ParseValue(const Verb* verb, const Option* option, const char* text)
     case OPTION_TEXT:
         *(const char**)option->value = text;
         return true;
+    case OPTION_OUTPUT:
+        return ParseOutput(verb, option, text);
     case OPTION_INT:
     case OPTION_NUMBER:
         return ParseRanged(verb, option, text);
@@ -225,20 +265,20 @@ static void ComplainAboutOption(const Verb* verb, const char* name)
     }
 }
 
-static const Option* FindOption(const Verb* verb, const char* name)
+static int FindOption(const Verb* verb, const char* name)
 {
     for (int i = 0; i < verb->optionCount; ++i)
     {
         if (strcmp(verb->options[i].name, name) == 0)
         {
-            return verb->options + i;
+            return i;
         }
     }
-    return NULL;
+    return -1;
 }
 
 // Parse arguments[*index], an option, and its value, which may be the next argument.
-static bool ParseOption(const Verb* verb, int argumentCount, char** arguments, int* index)
+static bool ParseOption(const Verb* verb, int argumentCount, char** arguments, int* index, bool* isGiven)
 {
     const char* text = arguments[*index] + 1;
     text += *text == '-';
@@ -250,12 +290,19 @@ static bool ParseOption(const Verb* verb, int argumentCount, char** arguments, i
     {
         *equals = 0;
     }
-    const Option* option = FindOption(verb, name);
-    if (option == NULL)
+    int number = FindOption(verb, name);
+    if (number < 0)
     {
         ComplainAboutOption(verb, name);
         return false;
     }
+    const Option* option = verb->options + number;
+    if (isGiven[number])
+    {
+        Complain("%s: --%s is given twice; leave one of them out", verb->name, name);
+        return false;
+    }
+    isGiven[number] = true;
     if (option->kind == OPTION_FLAG && value != NULL)
     {
         Complain("%s: --%s takes no value", verb->name, name);
@@ -270,14 +317,60 @@ static bool ParseOption(const Verb* verb, int argumentCount, char** arguments, i
         }
         *index += 1;
         value = arguments[*index];
+        if (strncmp(value, "--", 2) == 0)
+        {
+            Complain("%s: --%s wants a value, and \"%s\" looks like an option; if it is meant, write --%s=%s",
+                     verb->name, name, value, name, value);
+            return false;
+        }
     }
     return ParseValue(verb, option, value);
+}
+
+// Given, and of a choice not the first, which is what would be without it.
+static bool IsOn(const Verb* verb, const char* name, const bool* isGiven)
+{
+    int number = FindOption(verb, name);
+    const Option* option = verb->options + number;
+    return number >= 0 && isGiven[number] && (option->kind != OPTION_CHOICE || *(const int*)option->value != 0);
+}
+
+// Nobody turns a knob that does nothing.
+static bool CheckEffects(const Verb* verb, const bool* isGiven)
+{
+    for (int i = 0; i < verb->optionCount; ++i)
+    {
+        const Option* option = verb->options + i;
+        if (!isGiven[i])
+        {
+            continue;
+        }
+        if (option->needs != NULL && !IsOn(verb, option->needs, isGiven))
+        {
+            const Option* needed = verb->options + FindOption(verb, option->needs);
+            Complain("%s: --%s has no effect without --%s%s%s; add that, or leave it out", verb->name, option->name,
+                     needed->name, needed->kind == OPTION_CHOICE ? " " : "",
+                     needed->kind == OPTION_CHOICE ? needed->choices[1] : "");
+            return false;
+        }
+        for (int j = 0; option->without != NULL && option->without[j] != NULL; ++j)
+        {
+            if (IsOn(verb, option->without[j], isGiven))
+            {
+                Complain("%s: --%s has no effect with --%s; leave one of them out", verb->name, option->name,
+                         option->without[j]);
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 ParseResult ParseArguments(const Verb* verb, int argumentCount, char** arguments)
 {
     int positionalCount = 0;
     bool areOptionsOver = false;
+    bool isGiven[MAX_OPTIONS] = {false};
     for (int i = 1; i < argumentCount; ++i)
     {
         const char* text = arguments[i];
@@ -292,7 +385,7 @@ ParseResult ParseArguments(const Verb* verb, int argumentCount, char** arguments
         }
         else if (!areOptionsOver && text[0] == '-' && text[1] != 0)
         {
-            if (!ParseOption(verb, argumentCount, arguments, &i))
+            if (!ParseOption(verb, argumentCount, arguments, &i, isGiven))
             {
                 return PARSE_WRONG;
             }
@@ -314,7 +407,11 @@ ParseResult ParseArguments(const Verb* verb, int argumentCount, char** arguments
                  verb->synopsis);
         return PARSE_WRONG;
     }
-    return PARSE_FINE;
+    if (verb->isGiven != NULL)
+    {
+        memcpy(verb->isGiven, isGiven, (size_t)verb->optionCount * sizeof(bool));
+    }
+    return CheckEffects(verb, isGiven) ? PARSE_FINE : PARSE_WRONG;
 }
 
 int GetParseExit(ParseResult result)

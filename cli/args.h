@@ -12,6 +12,7 @@ typedef enum OptionKind
 {
     OPTION_FLAG,   // bool
     OPTION_TEXT,   // const char*
+    OPTION_OUTPUT, // const char*: a file to write; `choices` are the endings of what it can be, NULL: any
     OPTION_INT,    // int, in [min, max]
     OPTION_NUMBER, // double, in [min, max]
     OPTION_SIZE,   // PixelSize, WxH, each in [min, max]
@@ -39,6 +40,10 @@ typedef struct Option
     const char* help;        // one line
     double min, max;
     const char* const* choices; // ends with NULL
+
+    // An option that would have no effect is refused. "On" is what was given, other than the first of the choices.
+    const char* needs;          // the name of the option that has to be on too; NULL: none
+    const char* const* without; // names of options of which none may be on; ends with NULL
 } Option;
 
 #define MAX_POSITIONALS 4
@@ -53,6 +58,7 @@ typedef struct Verb
     int positionalMin, positionalMax;
     const char* positionalName; // of the first missing one, for messages: "a scene file"
     const char** positionals;   // [positionalMax], filled
+    bool* isGiven;              // [optionCount], filled; NULL: nobody asks
 } Verb;
 
 typedef enum ParseResult

@@ -109,7 +109,7 @@ static bool TimeQueries(const swWorld* world, CpuResult* cpu)
         swWorld_QuerySurface(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.height = heights}, &stats);
         double middle = GetSeconds();
         swWorld_QueryParticles(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.displacement = displacements},
-                               NULL);
+                               NULL, NULL);
         times[0][i] = middle - begin;
         times[1][i] = GetSeconds() - middle;
     }
@@ -198,18 +198,19 @@ static bool TimeFrames(PictureMaker* maker, swWorld* world, swView* view, GpuRes
 static bool BenchGpu(DeviceName device, PixelSize size, GpuResult* result)
 {
     swHost host = MakeHost();
+    swTaskPool* pool = AttachThreads(&host, 0);
     int tileCount = 0;
-    swWorld* world = CreateSea(&host, false, &tileCount);
-    swView* view = NULL;
-    swViewDef viewDef = swDefaultViewDef();
-    bool isFine = world != NULL && swCreateView(world, &viewDef, &view) == SW_SUCCESS;
     PictureMakerDef def = {.device = device.choice,
                            .deviceIndex = device.index,
                            .width = size.width,
                            .height = size.height,
                            .supersample = 1};
-    PictureMaker* maker = isFine ? CreatePictureMaker(&host, &def, world) : NULL;
-    if (maker != NULL)
+    PictureMaker* maker = CreatePictureMaker(&host, &def);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef = maker != NULL ? FitPictureView(maker, &viewDef) : viewDef;
+    swWorld* world = maker != NULL ? CreateSea(&host, viewDef.enableCpuLayers, &tileCount) : NULL;
+    swView* view = NULL;
+    if (world != NULL && swCreateView(world, &viewDef, &view) == SW_SUCCESS && ShowWorld(maker, world))
     {
         result->size = size;
         snprintf(result->device, sizeof(result->device), "%s", swGpu_GetDeviceName(GetPictureGpu(maker)));
@@ -220,6 +221,7 @@ static bool BenchGpu(DeviceName device, PixelSize size, GpuResult* result)
     DestroyPictureMaker(maker);
     swDestroyView(view);
     swDestroyWorld(world);
+    swDestroyTaskPool(pool);
     return result->isPresent;
 }
 
@@ -300,6 +302,7 @@ int RunBench(int argumentCount, char** arguments)
     bool asJson = false, cpuOnly = false;
     DeviceName device = {SW_DEVICE_AUTO, 0};
     PixelSize size = {1280, 720};
+    static const char* const ofTheGpu[] = {"device", "size", NULL};
     const Option options[] = {
         {.name = "device",
          .kind = OPTION_DEVICE,
@@ -313,7 +316,7 @@ int RunBench(int argumentCount, char** arguments)
          .help = "of the picture that the GPU draws (default 1280x720)",
          .min = 16,
          .max = 16384},
-        {.name = "cpu-only", .kind = OPTION_FLAG, .value = &cpuOnly, .help = "leave the GPU out"},
+        {.name = "cpu-only", .kind = OPTION_FLAG, .value = &cpuOnly, .help = "leave the GPU out", .without = ofTheGpu},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };
     const Verb verb = {

@@ -5,73 +5,111 @@
 #include <string.h>
 
 #include "args.h"
+#include "sea_calm.h"
+#include "text.h"
 #include "verbs.h"
 
-#define MAX_PROBLEMS 64
+#define MAX_PROBLEMS 256
 
 typedef struct Problem
 {
     swLogLevel level;
-    int line; // 0: none
-    char text[1024];
+    int line; // of the scene file; 0: none
+    char code[32];
+    char text[5000];
 } Problem;
 
 typedef struct ProblemList
 {
+    const char* path;
     Problem problems[MAX_PROBLEMS];
-    int count, errorCount;
+    int errorCount, warningCount; // also of those for which there was no room
 } ProblemList;
 
-// The library writes "file:line: what is wrong".
-static int FindLine(const char* message)
+static int CountProblems(const ProblemList* list)
 {
-    for (const char* colon = strchr(message, ':'); colon != NULL; colon = strchr(colon + 1, ':'))
+    int count = list->errorCount + list->warningCount;
+    return count < MAX_PROBLEMS ? count : MAX_PROBLEMS;
+}
+
+// The library writes "scene.yaml:12: what is wrong; what would be right. [code]" of the scene, and speaks of other files
+// without a code.
+static void ReadMessage(const char* path, const char* message, Problem* problem)
+{
+    size_t length = strlen(path);
+    if (strncmp(message, path, length) == 0 && message[length] == ':')
     {
-        char* end = NULL;
-        long line = strtol(colon + 1, &end, 10);
-        if (end != colon + 1 && *end == ':' && line > 0)
-        {
-            return (int)line;
-        }
+        problem->line = atoi(message + length + 1);
     }
-    return 0;
+    snprintf(problem->text, sizeof(problem->text), "%s", message);
+    char* bracket = strrchr(problem->text, '[');
+    size_t codeLength = bracket != NULL ? strspn(bracket + 1, "abcdefghijklmnopqrstuvwxyz_") : 0;
+    if (codeLength > 0 && codeLength < sizeof(problem->code) && strcmp(bracket + 1 + codeLength, "]") == 0)
+    {
+        memcpy(problem->code, bracket + 1, codeLength);
+        *bracket = 0;
+        bracket[-1] = bracket > problem->text && bracket[-1] == ' ' ? 0 : bracket[-1];
+    }
 }
 
 static void TakeProblem(void* context, swLogLevel level, const char* message)
 {
     ProblemList* list = context;
-    if (level == SW_LOG_INFO || list->count == MAX_PROBLEMS)
+    if (level == SW_LOG_INFO)
     {
         return;
     }
-    Problem* problem = list->problems + list->count++;
-    problem->level = level;
-    problem->line = FindLine(message);
-    snprintf(problem->text, sizeof(problem->text), "%s", message);
-    list->errorCount += level == SW_LOG_ERROR;
+    int count = list->errorCount + list->warningCount;
+    *(level == SW_LOG_ERROR ? &list->errorCount : &list->warningCount) += 1;
+    if (count < MAX_PROBLEMS)
+    {
+        list->problems[count].level = level;
+        ReadMessage(list->path, message, &list->problems[count]);
+    }
 }
 
-static void PrintProblems(const char* path, const ProblemList* list, swResult result, bool asJson)
+// Codes of what has none: the file itself, and files that the scene names.
+static const char* GetCode(const Problem* problem, swResult result)
 {
-    for (int i = 0; i < list->count && !asJson; ++i)
+    return problem->code[0] != 0              ? problem->code
+           : problem->level == SW_LOG_WARNING ? "warning"
+           : result == SW_SUCCESS             ? "error"
+                                              : swResult_GetName(result);
+}
+
+static void PrintProblems(const ProblemList* list, swResult result)
+{
+    static char line[4 * sizeof(list->problems[0].text)];
+    for (int i = 0; i < CountProblems(list); ++i)
     {
-        printf("%s: %s\n", list->problems[i].level == SW_LOG_ERROR ? "error" : "warning", list->problems[i].text);
+        const Problem* problem = list->problems + i;
+        printf("%s: %s [%s]\n", problem->level == SW_LOG_ERROR ? "error" : "warning",
+               CopyPrintable(line, sizeof(line), problem->text), GetCode(problem, result));
     }
-    if (!asJson)
+    printf("%s: ", CopyPrintable(line, sizeof(line), list->path));
+    if (list->errorCount + list->warningCount == 0)
     {
-        printf("%s: %s\n", path, result == SW_SUCCESS ? "fine" : swResult_GetName(result));
+        printf("fine\n");
         return;
     }
+    printf("%s, %d error%s, %d warning%s\n", list->errorCount > 0 ? "not usable" : "usable", list->errorCount,
+           list->errorCount == 1 ? "" : "s", list->warningCount, list->warningCount == 1 ? "" : "s");
+}
+
+static void PrintProblemsJson(const ProblemList* list, swResult result)
+{
     Json json = OpenJson(stdout);
     JsonOpenObject(&json, NULL);
-    JsonText(&json, "scene", path);
+    JsonText(&json, "scene", list->path);
     JsonText(&json, "result", swResult_GetName(result));
+    JsonInteger(&json, "error_count", list->errorCount);
+    JsonInteger(&json, "warning_count", list->warningCount);
     JsonOpenArray(&json, "problems");
-    for (int i = 0; i < list->count; ++i)
+    for (int i = 0; i < CountProblems(list); ++i)
     {
         const Problem* problem = list->problems + i;
         JsonOpenObject(&json, NULL);
-        JsonText(&json, "code", problem->level == SW_LOG_ERROR ? swResult_GetName(result) : "SW_WARNING");
+        JsonText(&json, "code", GetCode(problem, result));
         JsonText(&json, "severity", problem->level == SW_LOG_ERROR ? "error" : "warning");
         if (problem->line > 0)
         {
@@ -88,22 +126,36 @@ static void PrintProblems(const char* path, const ProblemList* list, swResult re
     JsonCloseObject(&json);
 }
 
+static void Warn(ProblemList* list, const char* text)
+{
+    char message[5000];
+    snprintf(message, sizeof(message), "%s: %s", list->path, text);
+    TakeProblem(list, SW_LOG_WARNING, message);
+}
+
 // Read the scene and make its world, which checks what single keys cannot show.
-static swResult CheckScene(const char* path, ProblemList* list)
+static swResult CheckScene(ProblemList* list)
 {
     swHost host = MakeHost();
     host.log = TakeProblem;
     host.logContext = list;
     swScene* scene = NULL;
     swWorld* world = NULL;
-    swResult result = swReadScene(&host, path, &scene);
+    swResult result = swReadScene(&host, list->path, &scene);
     if (result == SW_SUCCESS)
     {
         result = swCreateSceneWorld(&host, scene, &world);
     }
     if (result == SW_SUCCESS && scene->viewCount == 0)
     {
-        TakeProblem(list, SW_LOG_WARNING, "the scene has no views, so `seaway render` cannot draw it");
+        Warn(list, "the scene has no views, so `seaway render` cannot draw it; add one under `views`. [no_views]");
+    }
+    if (result == SW_SUCCESS && !HasWaves(scene))
+    {
+        Warn(list, scene->wavesCount == 0
+                       ? "the scene has no waves, so its sea is flat; list some under `waves`. [no_energy]"
+                       : "no waves of the scene have energy, so its sea is flat; give one a height and a weight. "
+                         "[no_energy]");
     }
     if (result != SW_SUCCESS && list->errorCount == 0)
     {
@@ -121,8 +173,9 @@ int RunCheck(int argumentCount, char** arguments)
     const Option options[] = {{.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"}};
     const Verb verb = {.name = "check",
                        .synopsis = "SCENE [--json]",
-                       .text = "Read a scene file, make its world, and print every problem with its code and line.\n"
-                               "Exit code 1 if there is one.",
+                       .text = "Read a scene file, make its world, and print every problem with its line, what would\n"
+                               "be right, and its code; docs/scenes.md lists the codes. Exit code 1 if there is one,\n"
+                               "be it a warning.",
                        .options = options,
                        .optionCount = 1,
                        .positionalMin = 1,
@@ -135,7 +188,16 @@ int RunCheck(int argumentCount, char** arguments)
         return GetParseExit(parsed);
     }
     static ProblemList list;
-    swResult result = CheckScene(path, &list);
-    PrintProblems(path, &list, result, asJson);
-    return FinishOutput() && result == SW_SUCCESS && list.count == 0 ? EXIT_FINE : EXIT_PROBLEM;
+    list.path = path;
+    swResult result = CheckScene(&list);
+    if (asJson)
+    {
+        PrintProblemsJson(&list, result);
+    }
+    else
+    {
+        PrintProblems(&list, result);
+    }
+    bool isFine = result == SW_SUCCESS && list.errorCount + list.warningCount == 0;
+    return FinishOutput() && isFine ? EXIT_FINE : EXIT_PROBLEM;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "args.h"
+#include "decimal.h"
 #include "progress.h"
 #include "query_answers.h"
 #include "verbs.h"
@@ -57,10 +58,16 @@ static int ParseNumbers(const char* text, char separator, int most, double* valu
     return count;
 }
 
-// Places from `begin` to `end`, both included if the step divides the way.
+// Places from `begin` to `end`, both included if the step divides the way but for the last bits of the two.
 static double CountSteps(double begin, double end, double step)
 {
-    return floor((end - begin) / step + 1e-9) + 1.0;
+    double lastBits = 0x1p-52 * (fabs(begin) + fabs(end)) / step;
+    return floor((end - begin) / step + 1e-9 + fmin(lastBits, 0.25)) + 1.0;
+}
+
+static bool IsTime(double time)
+{
+    return fabs(time) <= LARGEST_TIME;
 }
 
 // "T" or "A:B:STEP".
@@ -73,6 +80,11 @@ static bool ParseTimes(const char* text, TimeRange* range)
         Complain("query: --time wants seconds, T or A:B:STEP, not \"%s\"", text);
         return false;
     }
+    if (!IsTime(value[0]) || !IsTime(value[1]))
+    {
+        Complain("query: --time %s goes beyond %.2g s, the largest time of a sea", text, LARGEST_TIME);
+        return false;
+    }
     if (count == 1)
     {
         *range = (TimeRange){value[0], 1.0, 1};
@@ -81,6 +93,12 @@ static bool ParseTimes(const char* text, TimeRange* range)
     if (value[1] < value[0] || value[2] <= 0.0)
     {
         Complain("query: --time %s runs nowhere; it wants A <= B and STEP > 0", text);
+        return false;
+    }
+    double most = fmax(fabs(value[0]), fabs(value[1]));
+    if (value[1] > value[0] && most + value[2] == most)
+    {
+        Complain("query: --time %s has a step that is lost in times so large; a larger STEP is not", text);
         return false;
     }
     double times = CountSteps(value[0], value[1], value[2]);
@@ -135,7 +153,7 @@ static int PrintTimes(const Source* source, swWorld* world, swSceneSea* sea, con
     bool isFine = true;
     for (int i = 0; i < times.count && isFine && !ferror(stdout); ++i)
     {
-        double time = times.begin + times.step * i;
+        double time = StepDecimal(times.begin, times.step, i);
         swWorld_SetTime(world, time);
         swResult result = swSceneSea_Advance(sea, time);
         result = result == SW_SUCCESS ? swWorld_Step(world, 0.0) : result;
@@ -170,43 +188,11 @@ static int AnswerTimes(swWorld* world, swSceneSea* sea, const DeviceName* device
     return exitCode;
 }
 
-// `times` NULL: the scene's time.
-static int QueryScene(const char* scenePath, const TimeRange* times, const DeviceName* device, const Asked* asked)
-{
-    swHost host = MakeHost();
-    swTaskPool* pool = AttachThreads(&host, 0);
-    swScene* scene = NULL;
-    swWorld* world = NULL;
-    swSceneSea sea = {0};
-    int exitCode = EXIT_PROBLEM;
-    swResult result = swReadScene(&host, scenePath, &scene);
-    if (result == SW_SUCCESS)
-    {
-        scene->world.enableQueries = device == NULL;
-        scene->world.enableVelocity = scene->world.enableAcceleration =
-            device == NULL && asked->question == QUESTION_MOTION;
-        result = swOpenScene(&host, scene, &world, &sea);
-    }
-    if (result == SW_SUCCESS)
-    {
-        const TimeRange own = {scene->time, 1.0, 1};
-        exitCode = AnswerTimes(world, &sea, device, asked, times != NULL ? *times : own);
-    }
-    else
-    {
-        ComplainAboutResult(result, scenePath);
-    }
-    swDestroySceneSea(&sea);
-    swDestroyWorld(world);
-    swDestroyScene(scene);
-    swDestroyTaskPool(pool);
-    return exitCode;
-}
-
 static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArguments* given)
 {
     static const char* const backends[] = {"cpu", "gpu", NULL};
     static const char* const stretchings[] = {"wheeler", "linear", NULL};
+    static const char* const ofParticles[] = {"particles", NULL};
     const Option options[] = {
         {.name = "points",
          .kind = OPTION_TEXT,
@@ -217,7 +203,7 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .kind = OPTION_TEXT,
          .value = &given->timeText,
          .placeholder = "T",
-         .help = "seconds, or A:B:STEP for many times (default: the scene's time)"},
+         .help = "seconds up to 2.7e11, or A:B:STEP for many times (default: the scene's time)"},
         {.name = "min-wavelength",
          .kind = OPTION_NUMBER,
          .value = &given->minWavelength,
@@ -230,7 +216,8 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .placeholder = "M",
          .help = "largest horizontal error of the search, m (default 0.0005)",
          .min = 1e-5,
-         .max = 10.0},
+         .max = 10.0,
+         .without = ofParticles},
         {.name = "motion",
          .kind = OPTION_FLAG,
          .value = &given->withMotion,
@@ -267,7 +254,8 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .value = &given->stretching,
          .placeholder = "wheeler",
          .help = "of --below: how linear theory meets the surface, wheeler or linear (default wheeler)",
-         .choices = stretchings},
+         .choices = stretchings,
+         .needs = "below"},
         {.name = "backend",
          .kind = OPTION_CHOICE,
          .value = &given->backend,
@@ -278,7 +266,8 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .kind = OPTION_DEVICE,
          .value = &given->device,
          .placeholder = "D",
-         .help = "of --backend gpu: auto, gpu, software, or a number of `seaway devices`"},
+         .help = "of --backend gpu: auto, gpu, software, or a number of `seaway devices`",
+         .needs = "backend"},
     };
     const Verb verb = {
         .name = "query",
@@ -378,6 +367,53 @@ static bool ReadQuestionNumbers(const QueryArguments* given, Asked* asked)
     return given->backend == 0 || AreWithinGpuReach(asked);
 }
 
+// `times` NULL: the scene's time.
+static int AnswerScene(const swHost* host, swScene* scene, const QueryArguments* given, const Asked* asked,
+                       const TimeRange* times)
+{
+    const DeviceName* device = given->backend == 1 ? &given->device : NULL;
+    const TimeRange own = {scene->time, 1.0, 1};
+    swWorld* world = NULL;
+    swSceneSea sea = {0};
+    scene->world.enableQueries = device == NULL;
+    scene->world.enableVelocity = scene->world.enableAcceleration =
+        device == NULL && asked->question == QUESTION_MOTION;
+    int exitCode = EXIT_PROBLEM;
+    swResult result = swOpenScene(host, scene, &world, &sea);
+    if (result == SW_SUCCESS)
+    {
+        exitCode = AnswerTimes(world, &sea, device, asked, times != NULL ? *times : own);
+    }
+    else
+    {
+        ComplainAboutResult(result, given->scenePath);
+    }
+    swDestroySceneSea(&sea);
+    swDestroyWorld(world);
+    return exitCode;
+}
+
+// The scene comes first: nobody types points for one that is not there.
+static int QueryScene(const QueryArguments* given, Asked* asked, const TimeRange* times)
+{
+    swHost host = MakeHost();
+    swTaskPool* pool = AttachThreads(&host, 0);
+    swScene* scene = NULL;
+    int exitCode = EXIT_PROBLEM;
+    swResult result = swReadScene(&host, given->scenePath, &scene);
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, given->scenePath);
+    }
+    else if (asked->question == QUESTION_MAP || ReadQuestionNumbers(given, asked))
+    {
+        exitCode = AnswerScene(&host, scene, given, asked, times);
+    }
+    swDestroyScene(scene);
+    swDestroyTaskPool(pool);
+    return exitCode;
+}
+
 int RunQuery(int argumentCount, char** arguments)
 {
     QueryArguments given = {.tolerance = 0.0005, .maxDistance = -1.0, .device = {.choice = SW_DEVICE_AUTO}};
@@ -405,12 +441,7 @@ int RunQuery(int argumentCount, char** arguments)
     {
         return EXIT_USAGE;
     }
-    int exitCode = EXIT_PROBLEM;
-    if (asked.question == QUESTION_MAP || ReadQuestionNumbers(&given, &asked))
-    {
-        exitCode = QueryScene(given.scenePath, given.timeText != NULL ? &times : NULL,
-                              given.backend == 1 ? &given.device : NULL, &asked);
-    }
+    int exitCode = QueryScene(&given, &asked, given.timeText != NULL ? &times : NULL);
     FreeCsvNumbers(&asked.numbers);
     return exitCode;
 }

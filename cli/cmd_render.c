@@ -17,7 +17,10 @@
 #include "verbs.h"
 #include "video.h"
 
-#define WARMUP_STEP 0.1 // s
+// Foam gathers by steps that are longer further back, where what they miss between them has faded and spread: the mean stays
+// within 2 % of that of steps of 1/30 s.
+#define WARMUP_STEP 0.1        // s, in the last second
+#define EARLY_WARMUP_STEP 0.25 // before
 
 typedef enum OutputKind
 {
@@ -35,7 +38,7 @@ typedef struct RenderOptions
     DeviceName device;
     double time; // NAN: the scene's
     int frames;
-    double fps;
+    double fps; // NAN: not said
     const char* viewName;
     const char* toViewName;
     bool ease;
@@ -171,15 +174,18 @@ static bool Step(Render* render, double dt)
 // From `warmup` seconds before the first frame to one step before it.
 static bool WarmUp(Render* render, double time)
 {
-    int stepCount = (int)ceil(render->options.warmup / WARMUP_STEP);
+    double warmup = render->options.warmup;
+    int stepCount = (int)ceil(fmin(warmup, 1.0) / WARMUP_STEP - 1e-9);
+    int earlyCount = (int)ceil(fmax(warmup - 1.0, 0.0) / EARLY_WARMUP_STEP - 1e-9);
     swSceneView view = FindFrameView(render, 0);
-    JumpTo(render, time - stepCount * WARMUP_STEP);
-    BeginProgress("steps of foam", stepCount);
+    JumpTo(render, time - stepCount * WARMUP_STEP - earlyCount * EARLY_WARMUP_STEP);
+    BeginProgress("steps of foam", earlyCount + stepCount);
     bool isFine = true;
-    for (int i = 0; i < stepCount && isFine; ++i)
+    for (int i = 0; i < earlyCount + stepCount && isFine; ++i)
     {
         swView_SetViewpoint(render->view, PlaceCamera(render, &view));
-        isFine = Step(render, i == 0 ? 0.0 : WARMUP_STEP) && AdvancePicture(render->maker);
+        double dt = i <= earlyCount && earlyCount > 0 ? EARLY_WARMUP_STEP : WARMUP_STEP;
+        isFine = Step(render, i == 0 ? 0.0 : dt) && AdvancePicture(render->maker);
         UpdateProgress(i + 1);
     }
     EndProgress();
@@ -215,18 +221,28 @@ static bool DrawFrame(Render* render, int frame, double time)
     return MakePicture(render->maker, &picture, (float)dt, frame == 0);
 }
 
+static bool IsExr(const RenderOptions* options)
+{
+    return options->kind == OUTPUT_EXR || (options->kind == OUTPUT_FRAMES && options->frameFormat == 1);
+}
+
 static bool SaveFrame(Render* render, int frame)
 {
     const RenderOptions* options = &render->options;
     char path[MAX_PATH_LENGTH];
-    bool asExr = options->kind == OUTPUT_EXR || (options->kind == OUTPUT_FRAMES && options->frameFormat == 1);
-    snprintf(path, sizeof(path), "%s", options->outPath);
+    bool asExr = IsExr(options);
+    int length = snprintf(path, sizeof(path), "%s", options->outPath);
     if (options->kind == OUTPUT_FRAMES)
     {
-        size_t length = strlen(options->outPath);
         bool hasSlash = length > 0 && options->outPath[length - 1] == '/';
-        snprintf(path, sizeof(path), "%s%sframe_%05d.%s", options->outPath, hasSlash ? "" : "/", frame,
-                 asExr ? "exr" : "png");
+        length = snprintf(path, sizeof(path), "%s%sframe_%05d.%s", options->outPath, hasSlash ? "" : "/", frame,
+                          asExr ? "exr" : "png");
+    }
+    if (length >= (int)sizeof(path))
+    {
+        Complain("cannot write frame %d: its path in %s has more than %d bytes", frame, options->outPath,
+                 MAX_PATH_LENGTH - 1);
+        return false;
     }
     if (asExr)
     {
@@ -282,7 +298,21 @@ static const swSceneView* FindView(const swScene* scene, const char* path, const
     return NULL;
 }
 
-static bool OpenSea(Render* render, const char* scenePath)
+// From the first step of the warm-up to the last frame.
+static bool CheckTimes(const RenderOptions* options, double time)
+{
+    double first = time - options->warmup - EARLY_WARMUP_STEP - WARMUP_STEP,
+           last = time + options->frames / options->fps;
+    if (first < -LARGEST_TIME || last > LARGEST_TIME)
+    {
+        Complain("render: the time %.17g s with its warm-up and frames goes beyond %.2g s, the largest of a sea", time,
+                 LARGEST_TIME);
+        return false;
+    }
+    return true;
+}
+
+static bool ReadSea(Render* render, const char* scenePath)
 {
     const RenderOptions* options = &render->options;
     swResult result = swReadScene(&render->host, scenePath, &render->scene);
@@ -294,22 +324,24 @@ static bool OpenSea(Render* render, const char* scenePath)
     swScene* scene = render->scene;
     render->from = FindView(scene, scenePath, options->viewName);
     render->to = options->toViewName != NULL ? FindView(scene, scenePath, options->toViewName) : NULL;
-    if (render->from == NULL || (options->toViewName != NULL && render->to == NULL))
-    {
-        return false;
-    }
-    scene->world.enableQueries = options->ride; // a picture needs no surface on the CPU
-    result = swOpenScene(&render->host, scene, &render->world, &render->sea);
-    if (result == SW_SUCCESS)
-    {
-        scene->view.enableCpuLayers = false;
-        result = swCreateView(render->world, &scene->view, &render->view);
-    }
+    return render->from != NULL && (options->toViewName == NULL || render->to != NULL) &&
+           (!isnan(options->time) || CheckTimes(options, scene->time));
+}
+
+static bool OpenSea(Render* render, const char* scenePath)
+{
+    swScene* scene = render->scene;
+    scene->view.enableCpuLayers = false;
+    swViewDef view = FitPictureView(render->maker, &scene->view);
+    scene->world.enableQueries =
+        render->options.ride || view.enableCpuLayers; // else a picture needs no surface on the CPU
+    swResult result = swOpenScene(&render->host, scene, &render->world, &render->sea);
+    result = result == SW_SUCCESS ? swCreateView(render->world, &view, &render->view) : result;
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, scenePath);
     }
-    return result == SW_SUCCESS;
+    return result == SW_SUCCESS && ShowWorld(render->maker, render->world);
 }
 
 // Whether the output can be written is found out before the sea is made, which may take minutes.
@@ -328,10 +360,7 @@ static bool OpenOutput(Render* render)
     {
     case OUTPUT_PNG:
     case OUTPUT_EXR:
-    {
-        OutputFile probe;
-        return BeginOutput(&probe, options->outPath) && (EndOutput(&probe, false), true);
-    }
+        return ProbeOutput(options->outPath);
     case OUTPUT_FRAMES:
         return MakeFolder(options->outPath);
     case OUTPUT_VIDEO:
@@ -345,7 +374,7 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
 {
     Render render = {.options = *options, .host = MakeHost()};
     swTaskPool* pool = AttachThreads(&render.host, 0);
-    bool isFine = OpenOutput(&render) && OpenSea(&render, scenePath);
+    bool isFine = OpenOutput(&render) && ReadSea(&render, scenePath);
     if (isFine)
     {
         PictureMakerDef def = {.device = options->device.choice,
@@ -354,8 +383,8 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
                                .height = options->size.height,
                                .supersample = (int)lround(sqrt((double)options->samples)),
                                .enableValidation = options->enableValidation};
-        render.maker = CreatePictureMaker(&render.host, &def, render.world);
-        isFine = render.maker != NULL && DrawFrames(&render);
+        render.maker = CreatePictureMaker(&render.host, &def);
+        isFine = render.maker != NULL && OpenSea(&render, scenePath) && DrawFrames(&render);
     }
     if (render.video != NULL)
     {
@@ -377,25 +406,70 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
     return isFine ? EXIT_FINE : EXIT_PROBLEM;
 }
 
-static bool CheckOptions(RenderOptions* options)
+// What is written is known by the ending. A device or a FIFO without one takes a picture.
+static bool ChooseKind(RenderOptions* options)
 {
     const char* path = options->outPath;
-    if (path == NULL || *path == 0)
-    {
-        Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
-        return false;
-    }
     const char* slash = strrchr(path, '/');
     const char* dot = strrchr(slash != NULL ? slash : path, '.');
     options->kind = HasEnding(path, ".png")   ? OUTPUT_PNG
                     : HasEnding(path, ".exr") ? OUTPUT_EXR
                     : HasEnding(path, ".mp4") ? OUTPUT_VIDEO
+                    : IsDevice(path)          ? OUTPUT_PNG
                                               : OUTPUT_FRAMES;
     if (options->kind == OUTPUT_FRAMES && dot != NULL && dot[1] != 0 && dot[1] != '.')
     {
         Complain("render: --out %s: \"%s\" is none of .png, .exr and .mp4; end a folder's name with /", path, dot);
         return false;
     }
+    return true;
+}
+
+// Options that would do nothing to this kind of output.
+static bool CheckEffects(const RenderOptions* options)
+{
+    const char* useless = NULL;
+    const char* where = NULL;
+    if (options->frameFormat != 0 && options->kind != OUTPUT_FRAMES)
+    {
+        useless = "--frame-format";
+        where = "without a folder to write frames to";
+    }
+    else if (options->singlePrecision && !IsExr(options))
+    {
+        useless = "--exr-float";
+        where = "without .exr";
+    }
+    else if (options->exposureEv != 0.0 && IsExr(options))
+    {
+        useless = "--exposure";
+        where = "on .exr, which holds the light before exposure";
+    }
+    else if (!isnan(options->fps) && options->frames == 1 && options->kind != OUTPUT_VIDEO)
+    {
+        useless = "--fps";
+        where = "on a single picture";
+    }
+    if (useless != NULL)
+    {
+        Complain("render: %s has no effect %s; leave it out", useless, where);
+    }
+    return useless == NULL;
+}
+
+static bool CheckOptions(RenderOptions* options)
+{
+    const char* path = options->outPath;
+    if (path == NULL)
+    {
+        Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
+        return false;
+    }
+    if (!ChooseKind(options) || !CheckEffects(options))
+    {
+        return false;
+    }
+    options->fps = isnan(options->fps) ? 30.0 : options->fps;
     bool isPicture = options->kind == OUTPUT_PNG || options->kind == OUTPUT_EXR;
     if (isPicture && options->frames > 1)
     {
@@ -419,12 +493,13 @@ static bool CheckOptions(RenderOptions* options)
         Complain("render: --samples is a square: 1, 4, 9, 16, 25, 36, 49 or 64, not %d", options->samples);
         return false;
     }
-    return true;
+    return isnan(options->time) || CheckTimes(options, options->time);
 }
 
 int RunRender(int argumentCount, char** arguments)
 {
     static const char* const formats[] = {"png", "exr", NULL};
+    static const char* const debugWords[] = {"debug", NULL};
     const char* debugNames[SW_DEBUG_COUNT + 1] = {NULL};
     for (int i = 0; i < SW_DEBUG_COUNT; ++i)
     {
@@ -434,14 +509,14 @@ int RunRender(int argumentCount, char** arguments)
     RenderOptions render = {.size = {1280, 720},
                             .time = (double)NAN,
                             .frames = 1,
-                            .fps = 30.0,
+                            .fps = (double)NAN,
                             .sunElevation = (double)NAN,
                             .sunAzimuth = (double)NAN,
                             .warmup = 5.0,
                             .samples = 1};
     const Option options[] = {
         {.name = "out",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &render.outPath,
          .placeholder = "FILE",
          .help = "name.png, name.exr (linear light), name.mp4, or a folder"},
@@ -457,8 +532,8 @@ int RunRender(int argumentCount, char** arguments)
          .value = &render.time,
          .placeholder = "T",
          .help = "of the first frame, s (default: the scene's)",
-         .min = -1e9,
-         .max = 1e9},
+         .min = -LARGEST_TIME,
+         .max = LARGEST_TIME},
         {.name = "frames",
          .kind = OPTION_INT,
          .value = &render.frames,
@@ -483,7 +558,11 @@ int RunRender(int argumentCount, char** arguments)
          .value = &render.toViewName,
          .placeholder = "NAME",
          .help = "move there over the frames, height growing by equal factors"},
-        {.name = "ease", .kind = OPTION_FLAG, .value = &render.ease, .help = "start and end that move gently"},
+        {.name = "ease",
+         .kind = OPTION_FLAG,
+         .value = &render.ease,
+         .help = "of --to-view: start and end that move gently",
+         .needs = "to-view"},
         {.name = "ride",
          .kind = OPTION_FLAG,
          .value = &render.ride,
@@ -520,7 +599,8 @@ int RunRender(int argumentCount, char** arguments)
          .placeholder = "EV",
          .help = "stops to add to the scene's exposure",
          .min = -20,
-         .max = 20},
+         .max = 20,
+         .without = debugWords},
         {.name = "warmup",
          .kind = OPTION_NUMBER,
          .value = &render.warmup,
@@ -531,7 +611,7 @@ int RunRender(int argumentCount, char** arguments)
          .kind = OPTION_CHOICE,
          .value = &render.debug,
          .placeholder = "MODE",
-         .help = "show slices, normals, height and the like",
+         .help = DEBUG_MODE_HELP,
          .choices = debugNames},
         {.name = "frame-format",
          .kind = OPTION_CHOICE,

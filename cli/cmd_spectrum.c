@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "args.h"
+#include "output.h"
 #include "spectrum_plot.h"
+#include "text.h"
 #include "verbs.h"
 
 // Seas that are made of the record and measured for a plot.
@@ -32,7 +34,9 @@ static bool FindState(const swMeasuredRecord* record, swSeaState* state)
 static const char* NameLocation(const swMeasuredSea* sea, int location, char text[80])
 {
     swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
-    snprintf(text, 80, place.name[0] != '\0' ? "%d %s" : "%d", location + 1, place.name);
+    char name[80];
+    snprintf(text, 80, place.name[0] != '\0' ? "%d %s" : "%d", location + 1,
+             CopyPrintable(name, sizeof(name) - 16, place.name));
     return text;
 }
 
@@ -113,10 +117,10 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
     swSeaState state;
     bool hasWaves = FindState(record, &state);
     const swSpectrumTable* table = &record->table;
-    char time[32];
+    char time[32], name[MAX_PATH_LENGTH];
     snprintf(time, sizeof(time), "%s UTC", record->time);
-    printf("%s, %s, one of %d records\n", path, record->time[0] != '\0' ? time : "no time",
-           swMeasuredSea_GetCount(sea));
+    printf("%s, %s, one of %d records\n", CopyPrintable(name, sizeof(name), path),
+           record->time[0] != '\0' ? time : "no time", swMeasuredSea_GetCount(sea));
     PrintLocation(sea, record->location);
     if (record->partitionCount > 0)
     {
@@ -239,6 +243,8 @@ int RunSpectrum(int argumentCount, char** arguments)
     const char* place = NULL;
     const char* plotPath = NULL;
     bool asJson = false, asList = false;
+    static const char* const plotEndings[] = {".svg", NULL};
+    static const char* const ofOneRecord[] = {"at", "plot", NULL};
     const Option options[] = {
         {.name = "at",
          .kind = OPTION_TEXT,
@@ -251,11 +257,16 @@ int RunSpectrum(int argumentCount, char** arguments)
          .placeholder = "N|NAME",
          .help = "records of one place only, by number from 1 on or by name (default: of all)"},
         {.name = "plot",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &plotPath,
          .placeholder = "FILE.svg",
-         .help = "make its sea, and draw the record and what the surface measures"},
-        {.name = "list", .kind = OPTION_FLAG, .value = &asList, .help = "one line for each record"},
+         .help = "make its sea, and draw the record and what the surface measures",
+         .choices = plotEndings},
+        {.name = "list",
+         .kind = OPTION_FLAG,
+         .value = &asList,
+         .help = "one line for each record",
+         .without = ofOneRecord},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };
     const Verb verb = {.name = "spectrum",
@@ -276,6 +287,10 @@ int RunSpectrum(int argumentCount, char** arguments)
     if (parsed != PARSE_FINE)
     {
         return GetParseExit(parsed);
+    }
+    if (plotPath != NULL && !ProbeOutput(plotPath))
+    {
+        return EXIT_PROBLEM;
     }
     swHost host = MakeHost();
     swMeasuredSea* sea = NULL;

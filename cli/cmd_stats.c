@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "args.h"
+#include "output.h"
+#include "sea_calm.h"
 #include "sea_measure.h"
 #include "spectrum_plot.h"
 #include "verbs.h"
@@ -12,7 +14,11 @@
 // The error is left out where it is not known.
 static void PrintLine(const char* name, const char* unit, int digits, double asked, double measured, double error)
 {
-    char left[32] = "-", right[32] = "";
+    char left[32] = "-", middle[32] = "-", right[32] = "";
+    if (isfinite(measured))
+    {
+        snprintf(middle, sizeof(middle), "%.*f", digits, measured);
+    }
     if (isfinite(asked))
     {
         snprintf(left, sizeof(left), "%.*f", digits, asked);
@@ -21,7 +27,7 @@ static void PrintLine(const char* name, const char* unit, int digits, double ask
     {
         snprintf(right, sizeof(right), "+- %.*f", digits, error);
     }
-    printf("%-18s %9s  %9.*f  %-10s %s\n", name, left, digits, measured, right, unit);
+    printf("%-18s %9s  %9s  %-10s %s\n", name, left, middle, right, unit);
 }
 
 static double ToDegrees(float radians)
@@ -68,6 +74,12 @@ static void PrintReport(const SeaMeasurement* sea)
     PrintLine("spread", "deg", 1, ToDegrees(a->spread), ToDegrees(m->spread), ToDegrees(e->spread));
     PrintLine("mean square slope", "all waves", 5, (double)a->meanSquareSlope, (double)m->meanSquareSlope, (double)NAN);
     PrintLine("whitecap cover", "of the area", 5, sea->askedWhitecaps, sea->whitecaps, (double)NAN);
+    if (sea->bins.count == 0)
+    {
+        printf(
+            "\nThe sea has no energy: no system of waves has a height and a weight. It is flat, and has no periods.\n");
+        return;
+    }
     PrintOctaves(sea);
     printf("\nThe surface itself: 4 sigma %.3f m, mean square slope %.5f\n", sea->surfaceHeight, sea->surfaceSlope);
     printf("%.4g to %.4g Hz, %d seeds, Hs %.3f m from seed to seed; %d gauges over %.0f m, %.0f s\n", sea->bins.low[0],
@@ -124,18 +136,23 @@ static void PrintReportJson(const SeaMeasurement* sea, const char* path)
     JsonNumber(&json, "mean_square_slope", sea->surfaceSlope);
     JsonCloseObject(&json);
     WriteSpectra(&json, sea);
-    JsonNumber(&json, "min_frequency_hz", sea->bins.low[0]);
-    JsonNumber(&json, "max_frequency_hz", sea->bins.high[sea->bins.count - 1]);
+    int binCount = sea->bins.count;
+    JsonNumber(&json, "min_frequency_hz", binCount > 0 ? sea->bins.low[0] : (double)NAN);
+    JsonNumber(&json, "max_frequency_hz", binCount > 0 ? sea->bins.high[binCount - 1] : (double)NAN);
     JsonInteger(&json, "seed_count", sea->options.seeds);
     JsonNumber(&json, "hs_deviation_m", sea->heightDeviation);
     JsonInteger(&json, "gauge_count", sea->gauges.gaugeCount);
-    JsonNumber(&json, "area_m", sea->gauges.area);
-    JsonNumber(&json, "duration_s", sea->gauges.duration);
+    JsonNumber(&json, "area_m", binCount > 0 ? sea->gauges.area : (double)NAN);
+    JsonNumber(&json, "duration_s", binCount > 0 ? sea->gauges.duration : (double)NAN);
     JsonCloseObject(&json);
 }
 
 static int MeasureScene(MeasureOptions options, const char* path, const char* plotPath, bool asJson)
 {
+    if (plotPath != NULL && !ProbeOutput(plotPath))
+    {
+        return EXIT_PROBLEM;
+    }
     swHost host = MakeHost();
     swScene* scene = NULL;
     swResult result = swReadScene(&host, path, &scene);
@@ -145,7 +162,8 @@ static int MeasureScene(MeasureOptions options, const char* path, const char* pl
         return EXIT_PROBLEM;
     }
     options.withDirections = plotPath != NULL;
-    SeaMeasurement* sea = MeasureSea(scene, &options);
+    bool hasWaves = HasWaves(scene);
+    SeaMeasurement* sea = hasWaves ? MeasureSea(scene, &options) : MeasureCalm(scene, &options);
     bool isFine = sea != NULL;
     if (isFine && asJson)
     {
@@ -156,7 +174,12 @@ static int MeasureScene(MeasureOptions options, const char* path, const char* pl
         PrintReport(sea);
     }
     isFine = FinishOutput() && isFine;
-    if (isFine && plotPath != NULL)
+    if (isFine && plotPath != NULL && !hasWaves)
+    {
+        Complain("%s has no waves to plot", path);
+        isFine = false;
+    }
+    else if (isFine && plotPath != NULL)
     {
         isFine = PlotSea(plotPath, scene->name[0] != 0 ? scene->name : path, NULL, sea);
     }
@@ -171,6 +194,7 @@ int RunStats(int argumentCount, char** arguments)
     const char* plotPath = NULL;
     bool asJson = false;
     MeasureOptions stats = {.seeds = 4};
+    static const char* const plotEndings[] = {".svg", NULL};
     const Option options[] = {
         {.name = "area",
          .kind = OPTION_NUMBER,
@@ -194,9 +218,10 @@ int RunStats(int argumentCount, char** arguments)
          .min = 10,
          .max = 1e5},
         {.name = "plot",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &plotPath,
          .placeholder = "FILE.svg",
+         .choices = plotEndings,
          .help = "draw the asked and the measured spectrum, by frequency and by direction"},
         {.name = "json", .kind = OPTION_FLAG, .value = &asJson, .help = "print JSON"},
     };

@@ -12,6 +12,14 @@ int RunView(int argumentCount, char** arguments)
     PixelSize size = {1280, 720};
     DeviceName device = {SW_DEVICE_AUTO, 0};
     bool disableVsync = false;
+    double uiScale = 1.0;
+    int debug = SW_DEBUG_NONE;
+    const char* debugNames[SW_DEBUG_COUNT + 1] = {NULL};
+    for (int i = 0; i < SW_DEBUG_COUNT; ++i)
+    {
+        debugNames[i] = swDebugMode_GetName((swDebugMode)i);
+    }
+    static const char* const pictureEndings[] = {".png", NULL};
     const Option options[] = {
         {.name = "size",
          .kind = OPTION_SIZE,
@@ -33,6 +41,19 @@ int RunView(int argumentCount, char** arguments)
          .help = "auto, gpu, software, or a number of `seaway devices`"},
         {.name = "no-vsync", .kind = OPTION_FLAG, .value = &disableVsync, .help = "draw as fast as possible"},
         {.name = "no-panel", .kind = OPTION_FLAG, .value = &viewer.hidePanel, .help = "start without the panel"},
+        {.name = "ui-scale",
+         .kind = OPTION_NUMBER,
+         .value = &uiScale,
+         .placeholder = "X",
+         .help = "panel and letters so many times as large as suits the window",
+         .min = 0.5,
+         .max = 4.0},
+        {.name = "debug",
+         .kind = OPTION_CHOICE,
+         .value = &debug,
+         .placeholder = "MODE",
+         .help = DEBUG_MODE_HELP,
+         .choices = debugNames},
         {.name = "frames",
          .kind = OPTION_INT,
          .value = &viewer.frameCount,
@@ -40,24 +61,26 @@ int RunView(int argumentCount, char** arguments)
          .help = "leave after N frames of 1/30 s of the sea each",
          .max = 1e9},
         {.name = "screenshot",
-         .kind = OPTION_TEXT,
+         .kind = OPTION_OUTPUT,
          .value = &viewer.screenshotPath,
-         .placeholder = "FILE",
+         .placeholder = "FILE.png",
+         .choices = pictureEndings,
          .help = "with --frames: PNG of the last one"},
         {.name = "validate",
          .kind = OPTION_FLAG,
          .value = &viewer.enableValidation,
          .help = "Vulkan validation layers; a message of theirs is a problem"},
     };
-    const Verb verb = {.name = "view",
-                       .synopsis = "[SCENE] [options]",
-                       .text =
-                           "Look at a sea in a window: fly or orbit, change wind and sun, save screenshots. Without\n"
-                           "SCENE an open sea is shown. F1 in the window lists the keys.",
-                       .options = options,
-                       .optionCount = sizeof(options) / sizeof(options[0]),
-                       .positionalMax = 1,
-                       .positionals = &scenePath};
+    const Verb verb = {
+        .name = "view",
+        .synopsis = "[SCENE] [options]",
+        .text = "Look at a sea in a window: fly or orbit, change waves, wind and sun, save screenshots. Without\n"
+                "SCENE an open sea is shown. The panel, F1, lists the keys. What is changed is not written to\n"
+                "SCENE; the panel marks it, and a question comes before it is dropped.",
+        .options = options,
+        .optionCount = sizeof(options) / sizeof(options[0]),
+        .positionalMax = 1,
+        .positionals = &scenePath};
     ParseResult parsed = ParseArguments(&verb, argumentCount, arguments);
     if (parsed != PARSE_FINE)
     {
@@ -68,6 +91,8 @@ int RunView(int argumentCount, char** arguments)
         Complain("view: --screenshot wants --frames N, which says when to take it");
         return EXIT_USAGE;
     }
+    viewer.uiScale = (float)uiScale;
+    viewer.debug = (swDebugMode)debug;
     viewer.scenePath = scenePath;
     viewer.width = size.width;
     viewer.height = size.height;

@@ -161,7 +161,7 @@ bool AskGpuBelow(GpuAnswers* answers, int count, const swPos* places, const swVo
     bool isThere = FetchResults(answers, &results);
     if (isThere)
     {
-        swGpuQueryResults_UnpackVolume(&results, samples);
+        swGpuQueryResults_UnpackVolume(&results, samples, NULL);
     }
     return isThere;
 }
@@ -173,7 +173,7 @@ bool AskGpuRays(GpuAnswers* answers, int count, const swRay* rays, swRayHit* hit
     bool isThere = FetchResults(answers, &results);
     if (isThere)
     {
-        swGpuQueryResults_UnpackHits(&results, rays, hits);
+        swGpuQueryResults_UnpackHits(&results, rays, hits, NULL);
     }
     return isThere;
 }

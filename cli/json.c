@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "text.h"
+
 Json OpenJson(FILE* file)
 {
     return (Json){.file = file};
@@ -11,21 +13,25 @@ Json OpenJson(FILE* file)
 static void WriteString(Json* json, const char* text)
 {
     fputc('"', json->file);
-    for (const unsigned char* c = (const unsigned char*)text; *c != 0; ++c)
+    while (*text != 0)
     {
-        if (*c == '"' || *c == '\\')
+        size_t size = MeasureCharacter(text);
+        if (*text == '"' || *text == '\\')
         {
             fputc('\\', json->file);
-            fputc(*c, json->file);
         }
-        else if (*c < 0x20)
+        if (size > 0)
         {
-            fprintf(json->file, "\\u%04x", *c);
+            fwrite(text, size, 1, json->file);
         }
         else
         {
-            fputc(*c, json->file);
+            // A control character of two bytes by its number; a byte that is no UTF-8, as a file's name may have, alike.
+            const unsigned char* c = (const unsigned char*)text;
+            size = c[0] == 0xc2 && c[1] >= 0x80 && c[1] < 0xa0 ? 2 : 1;
+            fprintf(json->file, "\\u%04x", c[size - 1]);
         }
+        text += size;
     }
     fputc('"', json->file);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <signal.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -11,6 +12,7 @@
 
 #include "args.h"
 #include "progress.h"
+#include "text.h"
 #include "verbs.h"
 
 typedef struct VerbEntry
@@ -30,19 +32,20 @@ static const VerbEntry verbs[] = {
     {"bench", RunBench, "time steps, queries and passes on this machine"},
     {"devices", RunDevices, "list Vulkan devices and what each lacks"},
 };
+#define LONGEST_MESSAGE 10000 // two paths and a sentence
 #define VERB_COUNT ((int)(sizeof(verbs) / sizeof(verbs[0])))
 
-static int errorCount; // messages of the library at error level
+static atomic_int errorCount; // messages of the library at error level
 
 void Complain(const char* format, ...)
 {
-    HideProgress();
+    char text[LONGEST_MESSAGE], line[LONGEST_MESSAGE + 16] = "seaway: ";
     va_list arguments;
     va_start(arguments, format);
-    fputs("seaway: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    vsnprintf(text, sizeof(text), format, arguments);
     va_end(arguments);
+    CopyPrintable(line + 8, sizeof(line) - 8, text);
+    WriteTerminalLine(line);
 }
 
 static void LogFromLibrary(void* context, swLogLevel level, const char* message)

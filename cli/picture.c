@@ -193,7 +193,12 @@ static bool CreateDevice(PictureMaker* maker, const swHost* host)
            LoadDeviceCalls(&maker->calls, maker->device);
 }
 
-static bool CreateRenderer(PictureMaker* maker, const swWorld* world)
+swViewDef FitPictureView(const PictureMaker* maker, const swViewDef* def)
+{
+    return swGpu_FitView(maker->gpu, def, maker->height);
+}
+
+bool ShowWorld(PictureMaker* maker, const swWorld* world)
 {
     swResult result = swCreateGpuWorld(maker->gpu, world, &maker->world);
     if (result == SW_SUCCESS)
@@ -208,7 +213,7 @@ static bool CreateRenderer(PictureMaker* maker, const swWorld* world)
     return result == SW_SUCCESS;
 }
 
-PictureMaker* CreatePictureMaker(const swHost* host, const PictureMakerDef* def, const swWorld* world)
+PictureMaker* CreatePictureMaker(const swHost* host, const PictureMakerDef* def)
 {
     PictureMaker* maker = calloc(1, sizeof(PictureMaker));
     if (maker == NULL)
@@ -219,8 +224,7 @@ PictureMaker* CreatePictureMaker(const swHost* host, const PictureMakerDef* def,
     maker->def = *def;
     maker->width = (uint32_t)(def->width * def->supersample);
     maker->height = (uint32_t)(def->height * def->supersample);
-    if (!CreateDevice(maker, host) || !CheckSize(maker) || !CreateTargets(maker) || !CreateCommands(maker) ||
-        !CreateRenderer(maker, world))
+    if (!CreateDevice(maker, host) || !CheckSize(maker) || !CreateTargets(maker) || !CreateCommands(maker))
     {
         DestroyPictureMaker(maker);
         return NULL;
@@ -361,7 +365,7 @@ static bool FinishCommands(PictureMaker* maker)
 
 bool AdvancePicture(PictureMaker* maker)
 {
-    return BeginCommands(maker) && FinishCommands(maker);
+    return swGpu_WantsCpuLayers(maker->gpu) || (BeginCommands(maker) && FinishCommands(maker));
 }
 
 bool MakePicture(PictureMaker* maker, const swPicture* picture, float dt, bool isFirst)

@@ -21,10 +21,16 @@ typedef struct PictureMakerDef
 } PictureMakerDef;
 
 // Complains and returns NULL if there is no device, no memory, or the picture is larger than the device can draw.
-// The world must outlive it.
-PictureMaker* CreatePictureMaker(const swHost* host, const PictureMakerDef* def, const swWorld* world);
+PictureMaker* CreatePictureMaker(const swHost* host, const PictureMakerDef* def);
 
-// Run the passes of the world's last step and draw nothing: how foam gathers before the first picture.
+// A view whose slices suit the device and the picture; see swGpu_FitView().
+swViewDef FitPictureView(const PictureMaker* maker, const swViewDef* def);
+
+// Take up a world, which must outlive the maker. Once, before any picture.
+bool ShowWorld(PictureMaker* maker, const swWorld* world);
+
+// Run the passes of the world's last step and draw nothing: how foam gathers before the first picture. Where the core makes
+// the layers, foam has gathered with the step already.
 bool AdvancePicture(PictureMaker* maker);
 
 // Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "progress.h"
 
+#include <pthread.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <unistd.h>
@@ -10,6 +11,8 @@
 #define BAR_WIDTH 32
 #define REDRAW_SECONDS 0.1
 
+// Messages come from the library's threads too: the bar and what is on the terminal belong to who holds the lock.
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static struct
 {
     const char* label;
@@ -20,15 +23,17 @@ static struct
 
 void BeginProgress(const char* label, int total)
 {
+    pthread_mutex_lock(&lock);
     bar.label = label;
     bar.total = total > 0 ? total : 1;
     bar.startTime = GetSeconds();
     bar.drawTime = bar.startTime + 1.0 - REDRAW_SECONDS; // nothing before a second is over
     bar.isActive = isatty(STDERR_FILENO) != 0;
     bar.isShown = false;
+    pthread_mutex_unlock(&lock);
 }
 
-void UpdateProgress(int done)
+static void DrawBar(int done)
 {
     double now = GetSeconds();
     if (!bar.isActive || now < bar.drawTime + REDRAW_SECONDS)
@@ -49,7 +54,14 @@ void UpdateProgress(int done)
     fflush(stderr);
 }
 
-void HideProgress(void)
+void UpdateProgress(int done)
+{
+    pthread_mutex_lock(&lock);
+    DrawBar(done);
+    pthread_mutex_unlock(&lock);
+}
+
+static void WipeBar(void)
 {
     if (bar.isShown)
     {
@@ -59,8 +71,18 @@ void HideProgress(void)
     }
 }
 
+void WriteTerminalLine(const char* line)
+{
+    pthread_mutex_lock(&lock);
+    WipeBar();
+    fprintf(stderr, "%s\n", line);
+    pthread_mutex_unlock(&lock);
+}
+
 void EndProgress(void)
 {
-    HideProgress();
+    pthread_mutex_lock(&lock);
+    WipeBar();
     bar.isActive = false;
+    pthread_mutex_unlock(&lock);
 }

@@ -8,5 +8,5 @@ void BeginProgress(const char* label, int total);
 void UpdateProgress(int done);
 void EndProgress(void);
 
-// Wipe the bar before a message; the next update draws it again.
-void HideProgress(void);
+// Write a line to stderr, in front of which the bar is wiped; the next update draws it again. Any thread.
+void WriteTerminalLine(const char* line);

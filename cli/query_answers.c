@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "decimal.h"
 #include "verbs.h"
 
 #define BLOCK 65536    // points asked at once
@@ -114,6 +115,13 @@ void PrintHeading(const Asked* asked)
     printf("%s%s\n", headings[asked->question], asked->withDrift ? ",drift_x_mps,drift_z_mps" : "");
 }
 
+// What was asked, as it was asked.
+static void PrintExact(double value)
+{
+    char text[DECIMAL_SIZE];
+    fputs(FormatExact(text, value), stdout);
+}
+
 static void PrintVector(swVec3 v)
 {
     printf(",%.6g,%.6g,%.6g", (double)v.x, (double)v.y, (double)v.z);
@@ -122,6 +130,16 @@ static void PrintVector(swVec3 v)
 static void PrintPlace(swPos place)
 {
     printf(",%.10g,%.10g,%.10g", place.x, place.y, place.z);
+}
+
+static void PrintAsked(double time, const double* values, int count)
+{
+    PrintExact(time);
+    for (int i = 0; i < count; ++i)
+    {
+        putchar(',');
+        PrintExact(values[i]);
+    }
 }
 
 // The surface, a block of points at once.
@@ -142,7 +160,7 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
     }
     if (asked->ofParticles)
     {
-        swWorld_QueryParticles(source->world, &asked->def, count, points, &samples, NULL);
+        swWorld_QueryParticles(source->world, &asked->def, count, points, &samples, NULL, NULL);
     }
     else if (source->gpu == NULL)
     {
@@ -155,7 +173,8 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
     double time = swWorld_GetTime(source->world);
     for (int i = 0; i < count; ++i)
     {
-        printf("%.10g,%.10g,%.10g,%.7g", time, points[i].x, points[i].z, (double)height[i]);
+        PrintAsked(time, (const double[]){points[i].x, points[i].z}, 2);
+        printf(",%.7g", (double)height[i]);
         PrintVector(displacement[i]);
         PrintVector(normal[i]);
         printf(",%.6g,%.3g", (double)jacobian[i], (double)residual[i]);
@@ -190,7 +209,7 @@ static bool PrintBelow(const Source* source, const Asked* asked, int begin, int 
     }
     if (source->gpu == NULL)
     {
-        swWorld_QueryVolume(source->world, &asked->def, count, places, &samples);
+        swWorld_QueryVolume(source->world, &asked->def, count, places, &samples, NULL);
     }
     else if (!AskGpuBelow(source->gpu, count, places, &samples))
     {
@@ -199,8 +218,7 @@ static bool PrintBelow(const Source* source, const Asked* asked, int begin, int 
     double time = swWorld_GetTime(source->world);
     for (int i = 0; i < count; ++i)
     {
-        printf("%.10g", time);
-        PrintPlace(places[i]);
+        PrintAsked(time, (const double[]){places[i].x, places[i].y, places[i].z}, 3);
         printf(",%.6g", (double)depth[i]);
         PrintVector(velocity[i]);
         PrintVector(acceleration[i]);
@@ -228,8 +246,7 @@ static swRay MakeRay(const double* row, float maxDistance)
 // Without a hit there is nowhere to speak of: those fields stay empty.
 static void PrintHit(double time, const double* row, const swRayHit* hit)
 {
-    printf("%.10g", time);
-    PrintPlace((swPos){row[RAY_X], row[RAY_Y], row[RAY_Z]});
+    PrintAsked(time, (const double[]){row[RAY_X], row[RAY_Y], row[RAY_Z]}, 3);
     printf(",%.9g,%.9g,%.9g,%.9g,%d,%.9g", row[RAY_DX], row[RAY_DY], row[RAY_DZ], row[RAY_RADIUS], hit->isHit ? 1 : 0,
            (double)hit->distance);
     if (!hit->isHit)
@@ -253,7 +270,7 @@ static bool PrintRays(const Source* source, const Asked* asked, int begin, int c
     }
     if (source->gpu == NULL)
     {
-        swWorld_CastRays(source->world, &asked->def, count, rays, hits);
+        swWorld_CastRays(source->world, &asked->def, count, rays, hits, NULL);
     }
     else if (!AskGpuRays(source->gpu, count, rays, hits))
     {
@@ -283,8 +300,10 @@ static bool PrintMap(const Source* source, const Asked* asked)
         const float* row = heights + (size_t)j * (size_t)map->width;
         for (int i = 0; i < map->width; ++i)
         {
-            printf("%.10g,%.10g,%.10g,%.7g\n", time, map->originX + map->spacing * i, map->originZ + map->spacing * j,
-                   (double)row[i]);
+            const double place[] = {StepDecimal(map->originX, map->spacing, i),
+                                    StepDecimal(map->originZ, map->spacing, j)};
+            PrintAsked(time, place, 2);
+            printf(",%.7g\n", (double)row[i]);
         }
     }
     free(heights);

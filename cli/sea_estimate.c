@@ -286,7 +286,7 @@ static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* record
     {
         swWorld_SetTime(world, gauges->begin + records->dt * j);
         isFine = swWorld_Step(world, 0.0) == SW_SUCCESS;
-        swWorld_QueryParticles(world, &def, records->gaugeCount, points, &samples, slopes);
+        swWorld_QueryParticles(world, &def, records->gaugeCount, points, &samples, slopes, NULL);
         for (size_t i = 0; i < count; ++i)
         {
             size_t at = i * (size_t)records->sampleCount + (size_t)j;
@@ -507,7 +507,7 @@ bool LookAtSurface(const swWorld* world, double area, int count, float foamThres
             points[i] = PlaceGauge(area, i);
         }
         swWorld_QuerySurface(world, &def, count, points, &samples, NULL);
-        swWorld_QueryParticles(world, &def, count, points, &(swSurfaceSamples){0}, slopes);
+        swWorld_QueryParticles(world, &def, count, points, &(swSurfaceSamples){0}, slopes, NULL);
     }
     for (int i = 0; i < count && isFine; ++i)
     {

@@ -396,9 +396,9 @@ static bool AskSea(const SeaMeasurement* sea, swSeaState* state)
     state->meanSquareSlope = 0.0f; // of all waves, also those beyond the bins
     for (int i = 0; i < scene->wavesCount && isFine; ++i)
     {
-        swSeaState system;
-        isFine = AskSystem(sea, scene->waves + i, true, &system);
-        state->meanSquareSlope += isFine ? system.meanSquareSlope : 0.0f;
+        swSeaState system; // one without energy adds nothing
+        bool hasEnergy = AskSystem(sea, scene->waves + i, true, &system);
+        state->meanSquareSlope += hasEnergy ? system.meanSquareSlope : 0.0f;
     }
     return isFine;
 }

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "text.h"
+
 void BeginSvg(FILE* file, int width, int height)
 {
     fprintf(file,
@@ -21,9 +23,16 @@ void EndSvg(FILE* file)
 void WriteText(FILE* file, double x, double y, const char* style, const char* text)
 {
     fprintf(file, "<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, style);
-    for (const char* c = text; *c != 0; ++c)
+    for (const char* c = text; *c != 0;)
     {
-        switch (*c)
+        size_t size = MeasureCharacter(c);
+        if (size != 1)
+        {
+            fwrite(size > 0 ? c : "?", size > 0 ? size : 1, 1, file); // XML takes no control characters
+            c += size > 0 ? size : 1;
+            continue;
+        }
+        switch (*c++)
         {
         case '<':
             fputs("&lt;", file);
@@ -35,7 +44,7 @@ void WriteText(FILE* file, double x, double y, const char* style, const char* te
             fputs("&amp;", file);
             break;
         default:
-            fputc(*c, file);
+            fputc(c[-1], file);
         }
     }
     fputs("</text>\n", file);

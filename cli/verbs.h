@@ -16,6 +16,12 @@
 #define EXIT_PROBLEM 1 // ran and found problems
 #define EXIT_USAGE 2   // asked for something that cannot be asked
 
+// What --debug shows instead of the picture, by the names of swDebugMode_GetName().
+#define DEBUG_MODE_HELP "slices, wireframe, normals, height, jacobian, foam or roughness instead of the picture"
+
+// Of a sea, s: swWorld_SetTime() goes no farther. Unix times are well within, and exact to 0.3 microseconds.
+#define LARGEST_TIME 2.7e11
+
 // A verb gets its own arguments: arguments[0] is its name.
 typedef int VerbFcn(int argumentCount, char** arguments);
 

@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "mp4_check.h"
 #include "output.h"
 #include "verbs.h"
 
@@ -22,6 +23,7 @@ struct Video
     int pipe;
     FILE* messages; // what ffmpeg says
     size_t frameSize;
+    int frameCount; // written so far
     bool isFine;
 };
 
@@ -73,6 +75,7 @@ static bool StartEncoder(Video* video, int width, int height, double framesPerSe
     }
     close(ends[0]);
     video->pipe = ends[1];
+    SetOutputProcess(video->process > 0 ? video->process : 0);
     if (video->process < 0)
     {
         Complain("cannot start ffmpeg: %s", strerror(errno));
@@ -121,24 +124,29 @@ bool WriteVideoFrame(Video* video, const uint8_t* rgb)
         }
         done += written > 0 ? (size_t)written : 0;
     }
+    video->frameCount += video->isFine;
     return video->isFine;
 }
 
-static void ComplainAboutEncoder(Video* video, int status)
+// `fault`: of the file that it left, or NULL.
+static void ComplainAboutEncoder(Video* video, int status, const char* fault)
 {
     if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_NO_PROGRAM)
     {
         Complain("cannot write %s: ffmpeg is not installed; `--out FOLDER/` writes numbered pictures instead",
-                 video->output.finalPath);
+                 video->output.name);
         return;
     }
-    char message[512] = "it gave no reason";
+    char message[512] = "";
     rewind(video->messages);
     if (fgets(message, sizeof(message), video->messages) != NULL)
     {
         message[strcspn(message, "\n")] = 0;
     }
-    Complain("cannot write %s: ffmpeg failed: %s", video->output.finalPath, message);
+    Complain("cannot write %s: ffmpeg failed: %s", video->output.name,
+             message[0] != 0 ? message
+             : fault != NULL ? fault
+                             : "it gave no reason");
 }
 
 bool CloseVideo(Video* video, bool keep)
@@ -152,10 +160,13 @@ bool CloseVideo(Video* video, bool keep)
     while (waitpid(video->process, &status, 0) < 0 && errno == EINTR)
     {
     }
+    SetOutputProcess(0);
     bool isWritten = video->isFine && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    if (!isWritten)
+    const char* fault = isWritten && keep ? FindVideoFault(video->output.path, video->frameCount) : NULL;
+    if (!isWritten || fault != NULL)
     {
-        ComplainAboutEncoder(video, status);
+        ComplainAboutEncoder(video, status, fault);
+        isWritten = false;
     }
     isWritten = EndOutput(&video->output, isWritten && keep);
     fclose(video->messages);

@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 
 #include "screenshot.h"
+#include "ui_scale.h"
 
 #define RADIANS_PER_PIXEL 0.0025f
 
@@ -49,12 +50,30 @@ static void TogglePause(App* app)
     ShowNote(app, app->clock.isPaused ? "paused" : "running");
 }
 
+static void ScaleUi(App* app, float factor)
+{
+    app->uiFactor = factor;
+    app->showPanel = true;
+    ShowNote(app, "panel x %.2f", (double)factor);
+}
+
 static void PressKey(App* app, int key, bool hasShift)
 {
     switch (key)
     {
     case GLFW_KEY_ESCAPE:
-        glfwSetWindowShouldClose(app->window, GLFW_TRUE);
+        WishQuit(app);
+        break;
+    case GLFW_KEY_MINUS:
+    case GLFW_KEY_KP_SUBTRACT:
+        ScaleUi(app, StepUiFactor(app->uiFactor, -1));
+        break;
+    case GLFW_KEY_EQUAL:
+    case GLFW_KEY_KP_ADD:
+        ScaleUi(app, StepUiFactor(app->uiFactor, 1));
+        break;
+    case GLFW_KEY_0:
+        ScaleUi(app, 1.0f);
         break;
     case GLFW_KEY_SPACE:
         TogglePause(app);
@@ -78,7 +97,7 @@ static void PressKey(App* app, int key, bool hasShift)
         ShowNote(app, app->camera.mayDive ? "the camera may go under the water" : "the camera stays above the water");
         break;
     case GLFW_KEY_R:
-        app->wantsReload = true;
+        WishReload(app);
         break;
     case GLFW_KEY_F1:
         app->showPanel = !app->showPanel;
@@ -90,8 +109,14 @@ static void PressKey(App* app, int key, bool hasShift)
         ToggleFullscreen(app);
         break;
     case GLFW_KEY_F12:
-        NameScreenshot(app->capturePath, sizeof(app->capturePath));
-        app->capture = hasShift ? CAPTURE_WINDOW : CAPTURE_SEA;
+        if (NameScreenshot(app->capturePath, sizeof(app->capturePath)))
+        {
+            app->capture = hasShift ? CAPTURE_WINDOW : CAPTURE_SEA;
+        }
+        else
+        {
+            ShowNote(app, "no screenshot: seaway_0001.png to seaway_9999.png are all there");
+        }
         break;
     default:
         if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
@@ -104,29 +129,89 @@ static void PressKey(App* app, int key, bool hasShift)
 
 static void OnKey(GLFWwindow* window, int key, int scancode, int action, int modifiers)
 {
-    (void)scancode;
     App* app = glfwGetWindowUserPointer(window);
-    if (action == GLFW_PRESS && !(app->hasUi && HasUiKeyboard()))
+    if (action != GLFW_REPEAT) // the panel repeats by itself
     {
-        PressKey(app, key, (modifiers & GLFW_MOD_SHIFT) != 0);
+        PushInput(&app->input,
+                  (InputEvent){
+                      .kind = INPUT_KEY, .code = key, .scancode = scancode, .action = action, .modifiers = modifiers});
     }
+}
+
+static void OnLetter(GLFWwindow* window, unsigned codePoint)
+{
+    App* app = glfwGetWindowUserPointer(window);
+    PushInput(&app->input, (InputEvent){.kind = INPUT_LETTER, .code = (int)codePoint});
+}
+
+static void OnButton(GLFWwindow* window, int button, int action, int modifiers)
+{
+    App* app = glfwGetWindowUserPointer(window);
+    InputEvent event = {.kind = INPUT_BUTTON, .code = button, .action = action, .modifiers = modifiers};
+    glfwGetCursorPos(window, &event.x, &event.y);
+    PushInput(&app->input, event);
 }
 
 static void OnScroll(GLFWwindow* window, double x, double y)
 {
-    (void)x;
     App* app = glfwGetWindowUserPointer(window);
-    if (!(app->hasUi && HasUiMouse()))
+    PushInput(&app->input, (InputEvent){.kind = INPUT_WHEEL, .x = x, .y = y});
+}
+
+static void OnFocus(GLFWwindow* window, int isFocused)
+{
+    const App* app = glfwGetWindowUserPointer(window);
+    if (app->hasUi)
     {
-        app->wheel += (float)y;
+        FeedUiFocus(window, isFocused != 0);
     }
+}
+
+static void OnEntry(GLFWwindow* window, int isInside)
+{
+    const App* app = glfwGetWindowUserPointer(window);
+    if (app->hasUi)
+    {
+        FeedUiEntry(window, isInside != 0);
+    }
+}
+
+static void OnClose(GLFWwindow* window)
+{
+    glfwSetWindowShouldClose(window, GLFW_FALSE);
+    WishQuit(glfwGetWindowUserPointer(window));
 }
 
 void OpenInput(App* app)
 {
     glfwSetWindowUserPointer(app->window, app);
     glfwSetKeyCallback(app->window, OnKey);
+    glfwSetCharCallback(app->window, OnLetter);
+    glfwSetMouseButtonCallback(app->window, OnButton);
     glfwSetScrollCallback(app->window, OnScroll);
+    glfwSetWindowFocusCallback(app->window, OnFocus);
+    glfwSetCursorEnterCallback(app->window, OnEntry);
+    glfwSetWindowCloseCallback(app->window, OnClose);
+}
+
+void HandleInput(App* app)
+{
+    InputEvent batch[MAX_INPUT_EVENTS];
+    int count = TakeInput(&app->input, batch);
+    bool hasKeyboard = HasUiKeyboard(), hasMouse = HasUiMouse();
+    for (int i = 0; i < count; i++)
+    {
+        const InputEvent* event = &batch[i];
+        FeedUi(app->window, event);
+        if (event->kind == INPUT_KEY && event->action == GLFW_PRESS && !hasKeyboard)
+        {
+            PressKey(app, event->code, (event->modifiers & GLFW_MOD_SHIFT) != 0);
+        }
+        if (event->kind == INPUT_WHEEL && !hasMouse)
+        {
+            app->wheel += (float)event->y;
+        }
+    }
 }
 
 static float GetAxis(GLFWwindow* window, int positive, int negative)

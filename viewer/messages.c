@@ -41,3 +41,11 @@ int ReadMessages(Messages* messages, Message* lines, int capacity)
     pthread_mutex_unlock(&messages->mutex);
     return count;
 }
+
+int CountMessages(Messages* messages)
+{
+    pthread_mutex_lock(&messages->mutex);
+    int count = messages->count;
+    pthread_mutex_unlock(&messages->mutex);
+    return count;
+}

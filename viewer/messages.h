@@ -29,5 +29,8 @@ void CloseMessages(Messages* messages);
 // Fits swHost::log; the context is a Messages.
 void WriteMessage(void* context, swLogLevel level, const char* text);
 
+// How many were ever written.
+int CountMessages(Messages* messages);
+
 // Copy the latest messages, oldest first. Returns how many.
 int ReadMessages(Messages* messages, Message* lines, int capacity);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "screenshot.h"
 
+#include <errno.h>
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
 static bool Exists(const char* path)
 {
@@ -15,16 +18,53 @@ static bool Exists(const char* path)
     return file != NULL;
 }
 
-void NameScreenshot(char* path, size_t size)
+bool NameScreenshot(char* path, size_t size)
 {
     for (int i = 1; i < 10000; i++)
     {
         snprintf(path, size, "seaway_%04d.png", i);
         if (!Exists(path))
         {
-            return;
+            return true;
         }
     }
+    return false;
+}
+
+// Half a picture is taken away; what is no regular file, such as a device, stays.
+static void RemovePart(const char* path)
+{
+    struct stat status;
+    if (stat(path, &status) == 0 && S_ISREG(status.st_mode))
+    {
+        remove(path);
+    }
+}
+
+static bool WritePng(const char* path, const uint8_t* rgb, uint32_t width, uint32_t height, char* reason, size_t size)
+{
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = PNG_FORMAT_RGB};
+    FILE* file = fopen(path, "wb");
+    if (file == NULL)
+    {
+        snprintf(reason, size, "%s was not written: %s", path, strerror(errno));
+        return false;
+    }
+    bool isWritten = png_image_write_to_stdio(&image, file, 0, rgb, 0, NULL) != 0;
+    if (!isWritten)
+    {
+        snprintf(reason, size, "%s was not written: %s", path, image.message);
+    }
+    if (fclose(file) != 0 && isWritten)
+    {
+        snprintf(reason, size, "%s was not written: %s", path, strerror(errno));
+        isWritten = false;
+    }
+    if (!isWritten)
+    {
+        RemovePart(path);
+    }
+    return isWritten;
 }
 
 bool WriteScreenshot(const char* path, const uint8_t* rgba, uint32_t width, uint32_t height, char* reason, size_t size)
@@ -42,12 +82,7 @@ bool WriteScreenshot(const char* path, const uint8_t* rgba, uint32_t width, uint
         rgb[3 * i + 1] = rgba[4 * i + 1];
         rgb[3 * i + 2] = rgba[4 * i + 2];
     }
-    png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = PNG_FORMAT_RGB};
-    bool isWritten = png_image_write_to_file(&image, path, 0, rgb, 0, NULL) != 0;
-    if (!isWritten)
-    {
-        snprintf(reason, size, "%s was not written: %s", path, image.message);
-    }
+    bool isWritten = WritePng(path, rgb, width, height, reason, size);
     free(rgb);
     return isWritten;
 }

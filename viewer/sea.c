@@ -6,36 +6,52 @@
 #include <stdlib.h>
 #include <string.h>
 
+void SayInSea(const Sea* sea, const char* text)
+{
+    if (sea->host->log != NULL)
+    {
+        sea->host->log(sea->host->logContext, SW_LOG_ERROR, text);
+    }
+}
+
 // Settings of an open sea under a fresh breeze.
 static void DescribeOpenSea(Sea* sea)
 {
     snprintf(sea->name, sizeof(sea->name), "open sea");
     sea->worldDef = swDefaultWorldDef();
-    sea->sky = swDefaultSkyDef();
-    sea->water = swDefaultWaterDef();
+    sea->look.sky = swDefaultSkyDef();
+    sea->look.water = swDefaultWaterDef();
     sea->wavesCount = 1;
     sea->waves[0] = (SeaWaves){.def = swDefaultWaveSystemDef(), .file = ""};
 }
 
-// Waves by hand are copied, to be changed. Without memory the scene's own are shown, which nobody can change.
-static void TakeComponents(SeaWaves* waves)
+static bool TakeHandWaves(SeaWaves* waves, const swSceneWaves* from)
 {
-    size_t size = (size_t)waves->def.componentCount * sizeof(swWaveComponent);
-    waves->components = size > 0 ? malloc(size) : NULL;
-    if (waves->components != NULL)
+    waves->hand = malloc(sizeof(HandWaves));
+    if (waves->hand == NULL)
     {
-        memcpy(waves->components, waves->def.components, size);
-        waves->def.components = waves->components;
+        return false;
     }
+    waves->hand->filed = from->components;
+    waves->hand->filedCount = from->componentCount;
+    waves->def.componentCount = 0;
+    waves->def.components = waves->hand->waves;
+    for (int i = 0; i < from->componentCount; i++)
+    {
+        waves->hand->waves[i] = from->components[i];
+        waves->hand->filedRows[i] = waves->hand->appliedRows[i] = i;
+        waves->def.componentCount++;
+    }
+    return true;
 }
 
-static void DescribeScene(Sea* sea, const swScene* scene)
+static swResult DescribeScene(Sea* sea, const swScene* scene)
 {
     snprintf(sea->name, sizeof(sea->name), "%s", scene->name);
     sea->worldDef = scene->world;
-    sea->sky = scene->sky;
-    sea->water = scene->water;
-    sea->exposureEv = scene->exposureEv;
+    sea->look.sky = scene->sky;
+    sea->look.water = scene->water;
+    sea->look.exposureEv = scene->exposureEv;
     sea->wavesCount = scene->wavesCount;
     for (int i = 0; i < scene->wavesCount; i++)
     {
@@ -46,7 +62,27 @@ static void DescribeScene(Sea* sea, const swScene* scene)
                                    .file = from->file,
                                    .replayDef = from->replay,
                                    .records = {-1, -1}};
-        TakeComponents(&sea->waves[i]);
+        if (from->componentCount > 0 && !TakeHandWaves(&sea->waves[i], from))
+        {
+            SayInSea(sea, "there is no memory for the scene's waves by hand");
+            return SW_ERROR_NO_MEMORY;
+        }
+    }
+    return SW_SUCCESS;
+}
+
+// What is described now is what the file has.
+static void KeepFiled(Sea* sea)
+{
+    sea->look.foam = sea->worldDef.foam;
+    sea->filedLook = sea->look;
+    for (int i = 0; i < sea->wavesCount; i++)
+    {
+        SeaWaves* waves = &sea->waves[i];
+        waves->serial = sea->lastSerial++;
+        waves->filedDef = waves->def;
+        waves->filedRecord = waves->record;
+        waves->filedReplay = waves->replayDef;
     }
 }
 
@@ -77,11 +113,13 @@ static swResult FindAsked(SeaWaves* waves, const swSpectrumDef* spectrum)
     return swSpectrum_GetSeaState(spectrum, 0.0f, 0.0f, &waves->asked);
 }
 
-static swResult CreateWaves(Sea* sea, SeaWaves* waves)
+// Make a system in the world, with a weight of its own until the next change.
+static swResult CreateWaves(Sea* sea, SeaWaves* waves, float weight)
 {
     swMeasuredRecord record;
     swWaveSystemDef def = CompleteDef(waves, &record);
     swResult result = SW_SUCCESS;
+    def.weight = weight;
     if (waves->replayDef.sea != NULL)
     {
         swSeaReplayDef replay = waves->replayDef;
@@ -96,6 +134,13 @@ static swResult CreateWaves(Sea* sea, SeaWaves* waves)
     return result ? result : FindAsked(waves, &def.spectrum);
 }
 
+swResult RaiseWaves(Sea* sea, SeaWaves* waves)
+{
+    swResult result = CreateWaves(sea, waves, 0.0f);
+    waves->hasChanged = result == SW_SUCCESS;
+    return result;
+}
+
 static swResult BuildSea(Sea* sea)
 {
     swViewDef viewDef = sea->scene ? sea->scene->view : swDefaultViewDef();
@@ -107,7 +152,7 @@ static swResult BuildSea(Sea* sea)
     }
     for (int i = 0; i < sea->wavesCount && result == SW_SUCCESS; i++)
     {
-        result = CreateWaves(sea, &sea->waves[i]);
+        result = CreateWaves(sea, &sea->waves[i], sea->waves[i].def.weight);
     }
     result = result ? result : swCreateView(sea->world, &viewDef, &sea->view);
     result = result ? result : swCreateGpuWorld(sea->gpu, sea->world, &sea->gpuWorld);
@@ -118,16 +163,17 @@ bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, const char* path)
 {
     *sea = (Sea){.host = host, .gpu = gpu, .transition = 1.0f, .nextChange = (double)-INFINITY};
     swResult result = path ? swReadScene(host, path, &sea->scene) : SW_SUCCESS;
+    if (result == SW_SUCCESS && sea->scene != NULL)
+    {
+        result = DescribeScene(sea, sea->scene);
+    }
+    else if (result == SW_SUCCESS)
+    {
+        DescribeOpenSea(sea);
+    }
     if (result == SW_SUCCESS)
     {
-        if (sea->scene != NULL)
-        {
-            DescribeScene(sea, sea->scene);
-        }
-        else
-        {
-            DescribeOpenSea(sea);
-        }
+        KeepFiled(sea);
         result = BuildSea(sea);
     }
     if (result != SW_SUCCESS)
@@ -146,7 +192,7 @@ void CloseSea(Sea* sea)
     for (int i = 0; i < sea->wavesCount; i++)
     {
         swDestroySeaReplay(sea->waves[i].replay);
-        free(sea->waves[i].components);
+        free(sea->waves[i].hand);
     }
     swDestroyWorld(sea->world);
     if (sea->scene != NULL)
@@ -174,18 +220,28 @@ static swResult ReplaceReplay(Sea* sea, SeaWaves* waves, const swWaveSystemDef* 
     return result;
 }
 
-// What the world has, where it refused something else. Tables and components are still those of the panel.
+// What the world has, where it refused something else. Tables and rows are still those of the panel.
 static void RestoreDef(const Sea* sea, SeaWaves* waves)
 {
     swWaveSystemDef def = swWaveSystem_Get(sea->world, waves->id);
     def.spectrum.table = waves->def.spectrum.table;
-    size_t size = (size_t)def.componentCount * sizeof(swWaveComponent);
-    if (waves->components != NULL && size > 0)
+    if (waves->hand != NULL && def.componentCount > 0)
     {
-        memcpy(waves->components, def.components, size);
+        size_t count = (size_t)def.componentCount;
+        memcpy(waves->hand->waves, def.components, count * sizeof(swWaveComponent));
+        memcpy(waves->hand->filedRows, waves->hand->appliedRows, count * sizeof(int));
     }
     def.components = waves->def.components;
     waves->def = def;
+}
+
+// The world has taken the panel's waves.
+static void KeepApplied(SeaWaves* waves)
+{
+    if (waves->hand != NULL)
+    {
+        memcpy(waves->hand->appliedRows, waves->hand->filedRows, sizeof(waves->hand->appliedRows));
+    }
 }
 
 static void ApplyChange(Sea* sea, SeaWaves* waves, double seconds)
@@ -204,6 +260,10 @@ static void ApplyChange(Sea* sea, SeaWaves* waves, double seconds)
         def = CompleteDef(waves, &record);
         FindAsked(waves, &def.spectrum);
     }
+    else
+    {
+        KeepApplied(waves);
+    }
     waves->hasChanged = false;
 }
 
@@ -212,11 +272,13 @@ void ApplyChanges(Sea* sea, bool isPaused)
     double now = swWorld_GetTime(sea->world);
     double seconds = isPaused ? 0.0 : (double)sea->transition;
     bool isEarly = now < sea->nextChange && now > sea->nextChange - SW_MAX_TRANSITION; // or time was set back
+    ClearLeavingWaves(sea, isPaused);
     for (int i = 0; i < sea->wavesCount; i++)
     {
-        if (sea->waves[i].hasChanged && (isPaused || !isEarly))
+        SeaWaves* waves = &sea->waves[i];
+        if (waves->hasChanged && !waves->isRemoved && (isPaused || !isEarly))
         {
-            ApplyChange(sea, &sea->waves[i], seconds);
+            ApplyChange(sea, waves, seconds);
             sea->nextChange = now + 0.4 * seconds;
         }
     }
@@ -276,12 +338,19 @@ void ChangeReplay(Sea* sea, int index, double seconds, double speed)
     waves->hasChanged = true;
 }
 
+void ChangeReplayPlace(Sea* sea, int index, int location)
+{
+    ChangeReplay(sea, index, GetReplaySeconds(sea, index), sea->waves[index].replayDef.speed);
+    sea->waves[index].replayDef.location = location;
+}
+
 float GetAskedHeight(const Sea* sea)
 {
     float square = 0.0f;
     for (int i = 0; i < sea->wavesCount; i++)
     {
-        float height = sea->waves[i].asked.significantHeight * sea->waves[i].def.weight;
+        const SeaWaves* waves = &sea->waves[i];
+        float height = waves->isRemoved ? 0.0f : waves->asked.significantHeight * waves->def.weight;
         square += height * height;
     }
     return sqrtf(square);
@@ -292,6 +361,10 @@ float GetCarriedHeight(const Sea* sea)
     float variance = 0.0f;
     for (int i = 0; i < sea->wavesCount; i++)
     {
+        if (sea->waves[i].isRemoved)
+        {
+            continue;
+        }
         swBandInfo bands[SW_MAX_BANDS];
         int count = swWaveSystem_GetBands(sea->world, sea->waves[i].id, bands);
         for (int b = 0; b < count; b++)

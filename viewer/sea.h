@@ -7,11 +7,22 @@
 #include "seaway/query.h"
 #include "seaway/scene.h"
 
+// Waves by hand as the panel has them, and the file's beside them.
+typedef struct HandWaves
+{
+    swWaveComponent waves[SW_MAX_FREE_WAVES]; // def.components points here
+    int filedRows[SW_MAX_FREE_WAVES];         // which of the file's each is; -1: added
+    int appliedRows[SW_MAX_FREE_WAVES];       // the same of those that the world has
+    const swWaveComponent* filed;             // belongs to the scene
+    int filedCount;
+} HandWaves;
+
 typedef struct SeaWaves
 {
+    int serial; // one number for as long as it lives, whatever goes before it
     swWaveSystemId id;
     swWaveSystemDef def;           // as the panel has it; the world follows with ApplyChanges()
-    swWaveComponent* components;   // waves by hand, a copy that the panel may change; NULL if there are none
+    HandWaves* hand;               // NULL if the waves are not by hand
     const swMeasuredSea* measured; // NULL for formulas; belongs to the scene
     int record;
     const char* file;    // of the measured spectrum, or empty
@@ -21,7 +32,33 @@ typedef struct SeaWaves
     swSeaState recorded[2];
     swSeaState asked; // what the spectrum holds, at weight 1; of waves by hand only the height
     bool hasChanged;  // since the world had it
+
+    // What the file has, to go back to: see tuning.h.
+    bool isAdded;   // the file has no such system
+    bool isRemoved; // the file has it, the world no longer
+    swWaveSystemDef filedDef;
+    int filedRecord;
+    swSeaReplayDef filedReplay;
 } SeaWaves;
+
+// Systems that were added, and those of the file that were removed and may come back.
+#define MAX_SEA_WAVES (2 * SW_MAX_WAVE_SYSTEMS)
+
+// A system that was removed while its waves run down.
+typedef struct LeavingWaves
+{
+    swWaveSystemId id;
+    double start, end; // s of the sea
+} LeavingWaves;
+
+// Everything to tune but the waves.
+typedef struct SeaLook
+{
+    swSkyDef sky;
+    swWaterDef water;
+    swFoamDef foam;
+    float exposureEv;
+} SeaLook;
 
 typedef struct Sea
 {
@@ -31,11 +68,12 @@ typedef struct Sea
     swScene* scene; // NULL: the open sea that needs no file
     char name[128];
     swWorldDef worldDef;
-    swSkyDef sky;
-    swWaterDef water;
-    float exposureEv;
+    SeaLook look, filedLook;
     int wavesCount;
-    SeaWaves waves[SW_MAX_WAVE_SYSTEMS];
+    SeaWaves waves[MAX_SEA_WAVES];
+    int lastSerial;
+    int leavingCount;
+    LeavingWaves leaving[SW_MAX_WAVE_SYSTEMS];
     float transition;  // s of the sea that a change of its waves takes
     double nextChange; // when the next one may begin, s of the sea
 
@@ -61,6 +99,42 @@ bool AdvanceSea(Sea* sea, double time);
 
 // Let a replay run at another speed from now on, or from another moment of its records.
 void ChangeReplay(Sea* sea, int index, double seconds, double speed);
+
+// Play the records of another place, from the same moment on.
+void ChangeReplayPlace(Sea* sea, int index, int location);
+
+// ---- sea_edit.c: systems and rows that come and go ----
+
+typedef enum NewWaves
+{
+    NEW_WIND_SEA, // Beaufort 4
+    NEW_SWELL,
+    NEW_EQUALISER,
+    NEW_BY_HAND,
+    NEW_WAVES_COUNT
+} NewWaves;
+
+// Add a system, whose waves rise over the transition; it runs as the first one does. False, with a sentence in the host's
+// log, if the world has no room for it.
+bool AddWaves(Sea* sea, NewWaves kind);
+
+// Take a system away; its waves run down over the transition. One of the file stays in the list, to be brought back.
+void RemoveWaves(Sea* sea, int index);
+bool BringBackWaves(Sea* sea, int index);
+
+// Waves by hand: a copy of a row behind it; a row away, but never the last; the file's rows that are missing, back.
+bool AddRow(Sea* sea, int index, int row);
+bool RemoveRow(Sea* sea, int index, int row);
+void BringBackRows(Sea* sea, int index);
+
+// An error in the host's log.
+void SayInSea(const Sea* sea, const char* text);
+
+// Make a system in the world that waits for its weight until the next ApplyChanges().
+swResult RaiseWaves(Sea* sea, SeaWaves* waves);
+
+// Systems that have run down are destroyed. ApplyChanges() calls it.
+void ClearLeavingWaves(Sea* sea, bool isPaused);
 
 // UTC in seconds since 1970 that a replay has reached.
 double GetReplaySeconds(const Sea* sea, int index);

@@ -17,9 +17,21 @@
 
 struct GLFWwindow;
 
-// Chains its input callbacks in front of those that the window has.
+// Takes no events by itself; FeedUi() brings them.
 bool OpenUi(struct GLFWwindow* window);
 void CloseUi(void);
+
+// Size of letters and spaces from the next frame on, as ui_scale.h chooses it; the nearest that there are letters for.
+void SetUiScale(float scale);
+
+// The window's units in a pixel of an ordinary screen.
+float GetUiDensity(struct GLFWwindow* window);
+
+// What a frame's widgets shall see, before BeginUiFrame().
+struct InputEvent;
+void FeedUi(struct GLFWwindow* window, const struct InputEvent* event);
+void FeedUiFocus(struct GLFWwindow* window, bool isFocused);
+void FeedUiEntry(struct GLFWwindow* window, bool isInside);
 
 // Letters and shapes as 8-bit coverage; one texture serves every command.
 const uint8_t* GetUiAtlas(int* width, int* height);
@@ -70,6 +82,9 @@ void EndUiPanel(void);
 // A line over the picture, at the bottom.
 void ShowUiNote(const char* text);
 
+// A question over the picture with two answers. Returns 1 for yes, -1 for no, 0 while there is none.
+int AskUiQuestion(const char* text, const char* yes, const char* no);
+
 // A part of the panel that folds; draw its widgets if it returns true.
 bool BeginUiSection(const char* label, bool isOpen);
 
@@ -87,6 +102,14 @@ void UiTip(const char* text);                            // shown when the mouse
 void UiSpace(void);
 void UiSameLine(void);
 bool UiButton(const char* label);
+bool UiSmallButton(const char* label); // no higher than a line of text
+
+// Before a widget: its value can be set back to a file's. A slot for a mark is kept behind it; the mark is there if the
+// value is changed, with the tip that is given, and whoever clicks on it wants the file's value: UiWasReset(), after the
+// widget.
+void UiMarkNext(bool isChanged, const char* format, ...) UI_PRINTF(2, 3);
+bool UiWasReset(void);
+
 bool UiCheckbox(const char* label, bool* value);
 bool UiSlider(const char* label, float* value, float low, float high, const char* format);
 bool UiLogSlider(const char* label, float* value, float low, float high, const char* format);
@@ -104,9 +127,20 @@ void UiGraph(const char* label, const float* values, int count, int offset, floa
 // A bar as long as `fraction`, with a text beside it.
 void UiBar(float fraction, const char* text);
 
-bool BeginUiTable(const char* label, int columnCount, const char* const* titles);
+// Columns keep their widths whatever their cells hold: so many letters, or (0) an even part of the rest.
+typedef struct UiColumn
+{
+    const char* title;
+    float letters;
+} UiColumn;
+
+bool BeginUiTable(const char* label, int columnCount, const UiColumn* columns);
 void UiCell(const char* format, ...) UI_PRINTF(1, 2);
 
 // The next widget fills the next cell; it needs a label of its own, which is not shown if it begins with "##".
 void UiNextCell(void);
 void EndUiTable(void);
+
+// Rows of a table that may be long: only those that are seen are asked for, part by part until it returns false.
+void BeginUiRows(int count);
+bool StepUiRows(int* first, int* end);

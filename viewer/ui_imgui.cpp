@@ -4,11 +4,15 @@
 
 extern "C"
 {
+#include "input_queue.h"
 #include "ui.h"
+#include "ui_scale.h"
 }
 
+#include <cmath>
 #include <cstdarg>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
 
 #include <imgui.h>
@@ -24,14 +28,40 @@ static_assert(sizeof(ImDrawIdx) == sizeof(uint16_t), "an index is copied as it i
 
 static const ImVec4 faintColor(0.62f, 0.70f, 0.75f, 1.0f);
 static const ImVec4 warningColor(1.0f, 0.72f, 0.35f, 1.0f);
+static const ImVec4 changedColor(1.0f, 0.82f, 0.45f, 1.0f);
+static const ImVec4 handleColor(0.31f, 0.67f, 0.78f, 1.0f);
+static const ImVec4 activeHandleColor(0.45f, 0.83f, 0.93f, 1.0f);
+
+// Letters are drawn at sizes of their own instead of being stretched; 13 and its multiples are the sharpest.
+static const int fontSizes[] = {10, 11, 12, 13, 14, 16, 18, 20, 23, 26, 30, 34, 39, 46, 52};
+static const int fontCount = sizeof(fontSizes) / sizeof(fontSizes[0]);
+
+static struct
+{
+    float density;  // pixels of the picture in one of the window's units
+    float scale;    // of letters and spaces
+    ImVec2 room;    // the window, when the panel was placed
+    bool mustPlace; // the panel, with its next frame
+    ImVec2 cursor;  // where a button was pressed in this frame's events
+    bool hasCursor; //
+    bool isMarked;  // the next widget differs from the file
+    bool hasSlot;   // the next widget can differ from a file
+    char markTip[160];
+    bool wasReset;  // the last widget's mark was clicked
+    bool isHovered; // the last widget or its label
+} ui;
 
 static void SetStyle(float scale)
 {
-    ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
     style.WindowRounding = 4.0f;
     style.FrameRounding = 3.0f;
     style.GrabRounding = 3.0f;
+    style.FramePadding = ImVec2(4.0f, 4.0f);
+    style.ItemSpacing = ImVec2(8.0f, 3.0f);
+    style.ScrollbarSize = 12.0f;
     style.WindowBorderSize = 0.0f;
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.05f, 0.08f, 0.10f, 0.84f);
     style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.07f, 0.24f, 0.31f, 0.95f);
@@ -41,16 +71,42 @@ static void SetStyle(float scale)
     style.Colors[ImGuiCol_FrameBg] = ImVec4(0.17f, 0.25f, 0.29f, 0.90f);
     style.Colors[ImGuiCol_FrameBgHovered] = ImVec4(0.17f, 0.30f, 0.36f, 0.80f);
     style.Colors[ImGuiCol_FrameBgActive] = ImVec4(0.19f, 0.37f, 0.44f, 0.90f);
-    style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.31f, 0.67f, 0.78f, 1.0f);
-    style.Colors[ImGuiCol_SliderGrabActive] = ImVec4(0.45f, 0.83f, 0.93f, 1.0f);
-    style.Colors[ImGuiCol_CheckMark] = ImVec4(0.45f, 0.83f, 0.93f, 1.0f);
+    style.Colors[ImGuiCol_CheckMark] = activeHandleColor;
     style.Colors[ImGuiCol_Button] = ImVec4(0.12f, 0.33f, 0.41f, 0.80f);
     style.Colors[ImGuiCol_ButtonHovered] = ImVec4(0.16f, 0.46f, 0.57f, 1.0f);
     style.Colors[ImGuiCol_TableHeaderBg] = ImVec4(0.08f, 0.17f, 0.21f, 1.0f);
-    style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.31f, 0.67f, 0.78f, 1.0f);
-    style.Colors[ImGuiCol_PlotLines] = ImVec4(0.45f, 0.83f, 0.93f, 1.0f);
+    style.Colors[ImGuiCol_PlotHistogram] = handleColor;
+    style.Colors[ImGuiCol_PlotLines] = activeHandleColor;
     style.ScaleAllSizes(scale);
-    ImGui::GetIO().FontGlobalScale = scale;
+}
+
+void SetUiScale(float scale)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    float wanted = 13.0f * scale * ui.density;
+    int best = 0;
+    for (int i = 1; i < fontCount; i++)
+    {
+        float a = static_cast<float>(fontSizes[best]), b = static_cast<float>(fontSizes[i]);
+        best = std::fabs(b - wanted) < std::fabs(a - wanted) ? i : best;
+    }
+    float nearest = static_cast<float>(fontSizes[best]) / (13.0f * ui.density);
+    if (nearest != ui.scale)
+    {
+        ui.scale = nearest;
+        io.FontDefault = io.Fonts->Fonts[best];
+        io.FontGlobalScale = 1.0f / ui.density;
+        SetStyle(nearest);
+        ui.mustPlace = true;
+    }
+}
+
+static float GetDensity(GLFWwindow* window)
+{
+    int width = 0, height = 0, pixelWidth = 0, pixelHeight = 0;
+    glfwGetWindowSize(window, &width, &height);
+    glfwGetFramebufferSize(window, &pixelWidth, &pixelHeight);
+    return width > 0 && pixelWidth > 0 ? static_cast<float>(pixelWidth) / static_cast<float>(width) : 1.0f;
 }
 
 bool OpenUi(GLFWwindow* window)
@@ -61,10 +117,26 @@ bool OpenUi(GLFWwindow* window)
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.BackendRendererName = "seaway";
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    for (int size : fontSizes)
+    {
+        ImFontConfig config;
+        config.SizePixels = static_cast<float>(size);
+        config.OversampleH = config.OversampleV = size % 13 == 0 ? 1 : 2;
+        config.PixelSnapH = true;
+        io.Fonts->AddFontDefault(&config);
+    }
+    ui.density = GetDensity(window);
+    ui.scale = 0.0f;
+    SetUiScale(1.0f);
+    return ImGui_ImplGlfw_InitForVulkan(window, false);
+}
+
+float GetUiDensity(GLFWwindow* window)
+{
     float scaleX = 1.0f, scaleY = 1.0f;
     glfwGetWindowContentScale(window, &scaleX, &scaleY);
-    SetStyle(scaleX);
-    return ImGui_ImplGlfw_InitForVulkan(window, true);
+    return scaleX / GetDensity(window);
 }
 
 void CloseUi(void)
@@ -90,9 +162,45 @@ bool HasUiKeyboard(void)
     return ImGui::GetIO().WantTextInput || ImGui::IsAnyItemActive();
 }
 
+void FeedUi(GLFWwindow* window, const InputEvent* event)
+{
+    switch (event->kind)
+    {
+    case INPUT_KEY:
+        ImGui_ImplGlfw_KeyCallback(window, event->code, event->scancode, event->action, event->modifiers);
+        break;
+    case INPUT_LETTER:
+        ImGui_ImplGlfw_CharCallback(window, static_cast<unsigned>(event->code));
+        break;
+    case INPUT_BUTTON:
+        ImGui_ImplGlfw_MouseButtonCallback(window, event->code, event->action, event->modifiers);
+        ui.cursor = ImVec2(static_cast<float>(event->x), static_cast<float>(event->y));
+        ui.hasCursor = true;
+        break;
+    case INPUT_WHEEL:
+        ImGui_ImplGlfw_ScrollCallback(window, event->x, event->y);
+        break;
+    }
+}
+
+void FeedUiFocus(GLFWwindow* window, bool isFocused)
+{
+    ImGui_ImplGlfw_WindowFocusCallback(window, isFocused);
+}
+
+void FeedUiEntry(GLFWwindow* window, bool isInside)
+{
+    ImGui_ImplGlfw_CursorEnterCallback(window, isInside);
+}
+
 void BeginUiFrame(void)
 {
     ImGui_ImplGlfw_NewFrame();
+    if (ui.hasCursor) // the cursor has moved on since, in a slow frame
+    {
+        ImGui::GetIO().MousePos = ui.cursor;
+        ui.hasCursor = false;
+    }
     ImGui::NewFrame();
 }
 
@@ -150,12 +258,16 @@ void CopyUiMesh(UiVertex* vertices, uint16_t* indices)
 void BeginUiPanel(const char* title)
 {
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
-    float scale = ImGui::GetIO().FontGlobalScale;
-    ImVec2 room(viewport->WorkSize.x - 20.0f, viewport->WorkSize.y - 20.0f);
-    ImGui::SetNextWindowPos(ImVec2(10.0f, 10.0f), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(room.x < 390.0f * scale ? room.x : 390.0f * scale, room.y), ImGuiCond_FirstUseEver);
+    ImVec2 room = viewport->WorkSize;
+    bool mustPlace = ui.mustPlace || room.x != ui.room.x || room.y != ui.room.y;
+    ImGuiCond when = mustPlace ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
+    float margin = std::fmin(10.0f, 0.01f * room.x);
+    ui.room = room;
+    ui.mustPlace = false;
+    ImGui::SetNextWindowPos(ImVec2(margin, margin), when);
+    ImGui::SetNextWindowSize(ImVec2(ChoosePanelWidth(room.x, ImGui::GetFontSize()), room.y - 2.0f * margin), when);
     ImGui::Begin(title, nullptr, ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushItemWidth(ImGui::GetFontSize() * 13.0f);
+    ImGui::PushItemWidth(std::fmin(13.0f * ImGui::GetFontSize(), 0.5f * ImGui::GetContentRegionAvail().x));
 }
 
 void EndUiPanel(void)
@@ -174,6 +286,27 @@ void ShowUiNote(const char* text)
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
     ImGui::TextUnformatted(text);
     ImGui::End();
+}
+
+int AskUiQuestion(const char* text, const char* yes, const char* no)
+{
+    const ImGuiViewport* viewport = ImGui::GetMainViewport();
+    ImVec2 place(viewport->WorkPos.x + viewport->WorkSize.x * 0.5f, viewport->WorkPos.y + viewport->WorkSize.y * 0.5f);
+    ImGui::SetNextWindowPos(place, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowBgAlpha(0.95f);
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin("question", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoNav);
+    ImGui::PushTextWrapPos(std::fmin(30.0f * ImGui::GetFontSize(), viewport->WorkSize.x - 40.0f));
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    int answer = ImGui::Button(yes) ? 1 : 0;
+    ImGui::SameLine();
+    answer = ImGui::Button(no) ? -1 : answer;
+    ImGui::End();
+    return answer;
 }
 
 bool BeginUiSection(const char* label, bool isOpen)
@@ -225,7 +358,7 @@ void UiWarning(const char* format, ...)
 
 void UiTip(const char* text)
 {
-    if (ImGui::IsItemHovered())
+    if (ui.isHovered)
     {
         ImGui::SetTooltip("%s", text);
     }
@@ -243,61 +376,200 @@ void UiSameLine(void)
 
 bool UiButton(const char* label)
 {
-    return ImGui::Button(label);
+    bool isPressed = ImGui::Button(label);
+    ui.isHovered = ImGui::IsItemHovered();
+    return isPressed;
+}
+
+bool UiSmallButton(const char* label)
+{
+    bool isPressed = ImGui::SmallButton(label);
+    ui.isHovered = ImGui::IsItemHovered();
+    return isPressed;
+}
+
+void UiMarkNext(bool isChanged, const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(ui.markTip, sizeof(ui.markTip), format, arguments);
+    va_end(arguments);
+    ui.isMarked = isChanged;
+    ui.hasSlot = true;
+}
+
+bool UiWasReset(void)
+{
+    return ui.wasReset;
+}
+
+static float GetSlotWidth(void)
+{
+    return std::floor(0.9f * ImGui::GetFontSize());
+}
+
+// The mark of a value that differs from the file's: a dot to click, in a slot that is there also without.
+static void DrawMark(const char* label)
+{
+    ImVec2 size(GetSlotWidth(), ImGui::GetFrameHeight());
+    ui.wasReset = false;
+    ImGui::SameLine(0.0f, 0.0f);
+    if (!ui.isMarked)
+    {
+        ImGui::Dummy(size);
+        return;
+    }
+    ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::PushID(label);
+    ui.wasReset = ImGui::InvisibleButton("reset", size);
+    bool isHovered = ImGui::IsItemHovered();
+    ImGui::PopID();
+    float radius = ImGui::GetFontSize() * (isHovered ? 0.30f : 0.20f);
+    ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(place.x + 0.5f * size.x, place.y + 0.5f * size.y), radius,
+                                                ImGui::GetColorU32(changedColor));
+    if (isHovered)
+    {
+        ImGui::SetTooltip("%s", ui.markTip);
+    }
+}
+
+// Where a widget's own frame goes: in a cell of a table all of it but the mark's slot.
+static void BeginWidget(const char* label)
+{
+    if (label[0] == '#' && ui.hasSlot)
+    {
+        ImGui::SetNextItemWidth(-GetSlotWidth());
+    }
+    ImGui::PushID(label);
+}
+
+// Mark and label behind the frame that was just drawn.
+static void EndWidget(const char* label)
+{
+    ImGui::PopID();
+    ui.isHovered = ImGui::IsItemHovered();
+    ui.wasReset = false;
+    bool hasLabel = label[0] != '#';
+    if (hasLabel || ui.hasSlot)
+    {
+        DrawMark(label);
+    }
+    if (hasLabel)
+    {
+        ImGui::SameLine(0.0f, 0.0f);
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.isMarked ? changedColor : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+        ImGui::TextUnformatted(label);
+        ImGui::PopStyleColor();
+        ui.isHovered |= ImGui::IsItemHovered();
+    }
+    ui.isMarked = ui.hasSlot = false;
 }
 
 bool UiCheckbox(const char* label, bool* value)
 {
-    return ImGui::Checkbox(label, value);
+    bool isMarked = ui.isMarked, hasSlot = ui.hasSlot;
+    ImGui::PushStyleColor(ImGuiCol_Text, isMarked ? changedColor : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    bool hasChanged = ImGui::Checkbox(label, value);
+    ImGui::PopStyleColor();
+    ui.isHovered = ImGui::IsItemHovered();
+    ui.wasReset = false;
+    if (hasSlot)
+    {
+        DrawMark(label);
+    }
+    ui.isMarked = ui.hasSlot = false;
+    return hasChanged;
+}
+
+// A slider whose handle runs on a line below its value, which it never covers.
+static bool Slider(const char* label, ImGuiDataType type, void* value, const void* low, const void* high, double place,
+                   const char* format, ImGuiSliderFlags flags)
+{
+    BeginWidget(label);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, 0);
+    ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, 0);
+    bool hasChanged =
+        ImGui::SliderScalar("##slider", type, value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
+    ImGui::PopStyleColor(2);
+    bool isActive = ImGui::IsItemActive();
+    ImVec2 end = ImGui::GetItemRectMax();
+    float line = 2.0f * ui.scale, half = 3.0f * ui.scale;
+    float left = corner.x + 2.0f + half, right = end.x - 2.0f - half;
+    float x = left + static_cast<float>(place) * (right - left);
+    ImU32 color = ImGui::GetColorU32(isActive ? activeHandleColor : handleColor);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(ImVec2(corner.x + 2.0f, end.y - line), ImVec2(x, end.y), color, line);
+    list->AddRectFilled(ImVec2(x - half, end.y - 2.0f * line), ImVec2(x + half, end.y), color, line);
+    EndWidget(label);
+    return hasChanged;
 }
 
 bool UiSlider(const char* label, float* value, float low, float high, const char* format)
 {
-    return ImGui::SliderFloat(label, value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+    double place =
+        FindSliderPlace(static_cast<double>(*value), static_cast<double>(low), static_cast<double>(high), false);
+    return Slider(label, ImGuiDataType_Float, value, &low, &high, place, format, 0);
 }
 
 bool UiLogSlider(const char* label, float* value, float low, float high, const char* format)
 {
-    return ImGui::SliderFloat(label, value, low, high, format,
-                              ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    double place =
+        FindSliderPlace(static_cast<double>(*value), static_cast<double>(low), static_cast<double>(high), true);
+    return Slider(label, ImGuiDataType_Float, value, &low, &high, place, format, ImGuiSliderFlags_Logarithmic);
 }
 
 bool UiSliderInt(const char* label, int* value, int low, int high, const char* format)
 {
-    return ImGui::SliderInt(label, value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
+    double place = FindSliderPlace(*value, low, high, false);
+    return Slider(label, ImGuiDataType_S32, value, &low, &high, place, format, 0);
 }
 
 bool UiDoubleSlider(const char* label, double* value, double low, double high, const char* format)
 {
-    return ImGui::SliderScalar(label, ImGuiDataType_Double, value, &low, &high, format, ImGuiSliderFlags_AlwaysClamp);
+    double place = FindSliderPlace(*value, low, high, false);
+    return Slider(label, ImGuiDataType_Double, value, &low, &high, place, format, 0);
 }
 
 bool UiColor(const char* label, swVec3* rgb)
 {
-    return ImGui::ColorEdit3(label, &rgb->x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    BeginWidget(label);
+    bool hasChanged = ImGui::ColorEdit3("##color", &rgb->x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoInputs);
+    EndWidget(label);
+    return hasChanged;
+}
+
+static bool Choose(int* index, int count, UiItemFcn getName, void* context)
+{
+    bool hasChanged = false;
+    for (int i = 0; i < count; i++)
+    {
+        ImGui::PushID(i);
+        if (ImGui::Selectable(getName(context, i), i == *index))
+        {
+            hasChanged = i != *index;
+            *index = i;
+        }
+        if (i == *index)
+        {
+            ImGui::SetItemDefaultFocus();
+        }
+        ImGui::PopID();
+    }
+    return hasChanged;
 }
 
 bool UiChoice(const char* label, int* index, int count, UiItemFcn getName, void* context)
 {
     bool hasChanged = false;
-    if (ImGui::BeginCombo(label, getName(context, *index)))
+    BeginWidget(label);
+    if (ImGui::BeginCombo("##choice", getName(context, *index)))
     {
-        for (int i = 0; i < count; i++)
-        {
-            ImGui::PushID(i);
-            if (ImGui::Selectable(getName(context, i), i == *index))
-            {
-                hasChanged = i != *index;
-                *index = i;
-            }
-            if (i == *index)
-            {
-                ImGui::SetItemDefaultFocus();
-            }
-            ImGui::PopID();
-        }
+        hasChanged = Choose(index, count, getName, context);
         ImGui::EndCombo();
     }
+    EndWidget(label);
     return hasChanged;
 }
 
@@ -312,15 +584,19 @@ void UiBar(float fraction, const char* text)
     ImGui::ProgressBar(fraction, ImVec2(-1.0f, 0.0f), text);
 }
 
-bool BeginUiTable(const char* label, int columnCount, const char* const* titles)
+bool BeginUiTable(const char* label, int columnCount, const UiColumn* columns)
 {
-    if (!ImGui::BeginTable(label, columnCount, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
+    if (!ImGui::BeginTable(label, columnCount, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchSame))
     {
         return false;
     }
     for (int i = 0; i < columnCount; i++)
     {
-        ImGui::TableSetupColumn(titles[i]);
+        float letter = ImGui::CalcTextSize("0").x;
+        bool isFixed = columns[i].letters > 0.0f;
+        ImGui::TableSetupColumn(columns[i].title,
+                                isFixed ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+                                isFixed ? columns[i].letters * letter : 1.0f);
     }
     ImGui::TableHeadersRow();
     return true;
@@ -344,4 +620,19 @@ void UiNextCell(void)
 void EndUiTable(void)
 {
     ImGui::EndTable();
+}
+
+static ImGuiListClipper rows;
+
+void BeginUiRows(int count)
+{
+    rows.Begin(count);
+}
+
+bool StepUiRows(int* first, int* end)
+{
+    bool isThere = rows.Step();
+    *first = rows.DisplayStart;
+    *end = rows.DisplayEnd;
+    return isThere;
 }

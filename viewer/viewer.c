@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #define GLFW_INCLUDE_NONE
@@ -17,16 +16,18 @@
 #include "app.h"
 #include "panels/panels.h"
 #include "screenshot.h"
+#include "tuning.h"
+#include "ui_scale.h"
 
 #define TEST_STEP (1.0 / 30.0) // s of the sea per frame when frames are counted
-#define LONGEST_STEP 0.1       // a frame that took longer slows the sea instead of making it jump
+#define LONGEST_STEP 0.25      // a frame that took longer slows the sea instead of making it jump
 #define NEAR_ORIGIN 4096.0     // m from the host's origin that the camera may be
-#define STAMP_INTERVAL 0.5     // s between looks at the scene file
 #define MAX_WORKERS 15
 
 ViewerOptions DefaultViewerOptions(void)
 {
-    return (ViewerOptions){.device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true};
+    return (ViewerOptions){
+        .device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true, .uiScale = 1.0f};
 }
 
 void ShowNote(App* app, const char* format, ...)
@@ -36,30 +37,6 @@ void ShowNote(App* app, const char* format, ...)
     vsnprintf(app->note, sizeof(app->note), format, arguments);
     va_end(arguments);
     app->noteUntil = glfwGetTime() + 3.0;
-}
-
-// A view may bring a sun of its own.
-static void PlaceInView(App* app, const swSceneView* view)
-{
-    swSkyDef sky = swScene_GetSky(app->sea.scene, view);
-    app->sea.sky.sunAzimuth = sky.sunAzimuth;
-    app->sea.sky.sunElevation = sky.sunElevation;
-    PlaceCamera(&app->camera, view, swWorld_GetSeaLevel(app->sea.world));
-    swPosXZ origin = swWorld_GetOrigin(app->sea.world); // views are places in the sea
-    ShiftCamera(&app->camera, -origin.x, -origin.z);
-    app->jumpExposure = true;
-}
-
-void GoToView(App* app, int index)
-{
-    const swScene* scene = app->sea.scene;
-    if (scene == NULL || index >= scene->viewCount)
-    {
-        ShowNote(app, "the scene has no view %d", index + 1);
-        return;
-    }
-    PlaceInView(app, &scene->views[index]);
-    ShowNote(app, "view: %s", scene->views[index].name);
 }
 
 static const char* GetGlfwError(void)
@@ -139,84 +116,6 @@ static bool OpenPanel(App* app)
     return app->hasUi && OpenUiDrawer(&app->drawer, &app->graphics, PICTURE_FORMAT);
 }
 
-static int64_t GetSceneStamp(const App* app)
-{
-    struct stat status;
-    if (app->options.scenePath == NULL || stat(app->options.scenePath, &status) != 0)
-    {
-        return 0;
-    }
-    return (int64_t)status.st_mtim.tv_sec * 1000000000 + status.st_mtim.tv_nsec;
-}
-
-static void SetTitle(App* app)
-{
-    char title[256];
-    snprintf(title, sizeof(title), "Seaway: %s", app->sea.name);
-    glfwSetWindowTitle(app->window, title);
-}
-
-static bool OpenFirstSea(App* app)
-{
-    app->sceneStamp = GetSceneStamp(app);
-    if (!OpenSea(&app->sea, &app->host, app->gpu, app->options.scenePath))
-    {
-        return false;
-    }
-    app->clock.time = app->sea.scene ? app->sea.scene->time : 0.0;
-    app->camera = DefaultCamera(swWorld_GetSeaLevel(app->sea.world));
-    const swSceneView* view = app->sea.scene ? swScene_FindView(app->sea.scene, app->options.viewName) : NULL;
-    if (view != NULL)
-    {
-        PlaceInView(app, view);
-    }
-    else if (app->options.viewName != NULL)
-    {
-        fprintf(stderr, "seaway: the scene has no view named \"%s\"\n", app->options.viewName);
-        return false;
-    }
-    SetTitle(app);
-    return true;
-}
-
-// A scene that cannot be read leaves the sea as it is; the log, which the panel shows, says why.
-static void ReloadSea(App* app)
-{
-    Sea fresh;
-    app->sceneStamp = GetSceneStamp(app);
-    app->wantsReload = false;
-    app->hasSceneFailed = !OpenSea(&fresh, &app->host, app->gpu, app->options.scenePath);
-    if (app->hasSceneFailed)
-    {
-        ShowNote(app, "the scene has an error; see the panel");
-        return;
-    }
-    fresh.transition = app->sea.transition;
-    swWorld_SetTime(fresh.world, app->clock.time);
-    swWorld_SetOrigin(fresh.world, swWorld_GetOrigin(app->sea.world));
-    app->graphics.vk.DeviceWaitIdle(app->graphics.device);
-    CloseSea(&app->sea);
-    app->sea = fresh;
-    app->jumpExposure = true;
-    SetTitle(app);
-    ShowNote(app, "scene read");
-}
-
-static void FollowSceneFile(App* app)
-{
-    double now = glfwGetTime();
-    if (now >= app->nextStampCheck)
-    {
-        app->nextStampCheck = now + STAMP_INTERVAL;
-        int64_t stamp = GetSceneStamp(app);
-        app->wantsReload = app->wantsReload || (stamp != 0 && stamp != app->sceneStamp);
-    }
-    if (app->wantsReload)
-    {
-        ReloadSea(app);
-    }
-}
-
 static void RecordFrameTime(FrameTimes* times, double seconds)
 {
     times->milliseconds[times->next] = (float)(seconds * 1e3);
@@ -229,6 +128,7 @@ static double TakeFrameTime(App* app)
     double now = glfwGetTime();
     double passed = now - app->frameTimes.last;
     app->frameTimes.last = now;
+    app->wallPassed = passed;
     RecordFrameTime(&app->frameTimes, passed);
     if (app->options.frameCount > 0)
     {
@@ -239,9 +139,22 @@ static double TakeFrameTime(App* app)
 
 static double AdvanceTime(App* app, double passed)
 {
-    bool stepOnce = app->stepOnce;
-    app->stepOnce = false;
-    return stepOnce ? swClock_StepOnce(&app->clock) : swClock_Advance(&app->clock, passed);
+    swClock* clock = &app->clock;
+    if (app->stepOnce || clock->isPaused || app->options.frameCount > 0)
+    {
+        ForgetPace(&app->pace);
+    }
+    if (app->stepOnce)
+    {
+        app->stepOnce = false;
+        return swClock_StepOnce(clock);
+    }
+    double before = clock->time, after = swClock_Advance(clock, passed);
+    if (!clock->isPaused && app->options.frameCount == 0)
+    {
+        MeasurePace(&app->pace, app->wallPassed, clock->scale, after - before);
+    }
+    return after;
 }
 
 // Coordinates move along with the camera, as those of a game do: none is ever far from 0, and the sea does not notice.
@@ -277,11 +190,15 @@ static bool StepSea(App* app, double passed)
 
 static void BuildPanel(App* app)
 {
+    SetUiScale(ChooseUiScale((float)app->screen.windowExtent.width, (float)app->screen.windowExtent.height,
+                             GetUiDensity(app->window), app->uiFactor));
+    HandleInput(app);
     BeginUiFrame();
     if (app->showPanel)
     {
         DrawPanels(app);
     }
+    AskQuestion(app);
     if (glfwGetTime() < app->noteUntil)
     {
         ShowUiNote(app->note);
@@ -328,11 +245,11 @@ static PictureDef DescribePicture(App* app, double passed)
             {
                 .view = sea->view,
                 .camera = MakePictureCamera(&app->camera, app->screen.extent.width, app->screen.extent.height),
-                .sky = sea->sky,
-                .water = sea->water,
+                .sky = sea->look.sky,
+                .water = sea->look.water,
                 .debug = app->debug,
                 .time = swWorld_GetTime(sea->world),
-                .exposureEv = sea->exposureEv,
+                .exposureEv = sea->look.exposureEv,
             },
         .frameIndex = app->frameIndex,
         .dt = (float)passed,
@@ -346,6 +263,8 @@ static bool MakeFrame(App* app, FrameInFlight* frame)
 {
     double passed = TakeFrameTime(app);
     BuildPanel(app);
+    app->changeCount = CountChanges(&app->sea);
+    UpdateTitle(app);
     if (!StepSea(app, passed))
     {
         return false;
@@ -390,6 +309,11 @@ static bool RunFrames(App* app)
     {
         glfwPollEvents();
         FollowSceneFile(app);
+        if (app->wantsReload)
+        {
+            app->wantsReload = false;
+            WishReload(app);
+        }
         FrameInFlight* frame = NULL;
         switch (BeginScreenFrame(&app->screen, app->frameIndex, &frame))
         {
@@ -401,6 +325,7 @@ static bool RunFrames(App* app)
             break;
         case SCREEN_HIDDEN:
             glfwWaitEventsTimeout(0.2);
+            app->frameTimes.last = glfwGetTime();
             break;
         case SCREEN_CHANGED:
             break;
@@ -416,6 +341,8 @@ static bool OpenApp(App* app)
     OpenHost(app);
     app->clock = swDefaultClock();
     app->showPanel = !app->options.hidePanel;
+    app->uiFactor = app->options.uiScale;
+    app->debug = app->options.debug;
     app->jumpExposure = true;
     if (!OpenWindow(app) || !OpenDevice(app) || !OpenPanel(app) || !OpenFirstSea(app))
     {

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "seaway/draw.h"
 #include "seaway/gpu.h"
 
 typedef struct ViewerOptions
@@ -20,6 +21,8 @@ typedef struct ViewerOptions
     bool enableValidation; // validation layers; their messages count as problems and make RunViewer() return 1
     bool enableVsync;
     bool hidePanel;
+    float uiScale;     // factor on the size of letters and panel, which suits the window by itself; range [0.5, 4]
+    swDebugMode debug; // what is shown instead of the picture
 
     int frameCount; // 0: until the window is closed; else leave after that many frames, 1/30 s of the sea each
     const char* screenshotPath; // PNG of the last of `frameCount` frames, panel included; NULL: none

@@ -22,6 +22,14 @@ typedef enum swDeviceChoice
     SW_DEVICE_INDEX     ///< swGpuDef::deviceIndex in Vulkan's order
 } swDeviceChoice;
 
+/// Who makes the layers that are drawn: displacement, derivatives and foam of a view's slices, and the tiles below them.
+typedef enum swLayerSource
+{
+    SW_LAYERS_AUTO, ///< the core on a software device, for views with swViewDef::enableCpuLayers; else the GPU
+    SW_LAYERS_GPU,  ///< compute passes, on every device
+    SW_LAYERS_CORE  ///< the core, for views with swViewDef::enableCpuLayers; else the GPU
+} swLayerSource;
+
 /// Must be initialized with swDefaultGpuDef().
 typedef struct swGpuDef
 {
@@ -51,6 +59,10 @@ typedef struct swGpuDef
     /// Frames that may be in flight: the host waits for frame n - framesInFlight before it records frame n.
     /// Range [1, 4]. Default 2.
     int framesInFlight;
+
+    /// Where layers come from. The core's are as good as the GPU's, and on a device that is a CPU they take a tenth of the
+    /// time. See swGpu_FitView(). Default SW_LAYERS_AUTO.
+    swLayerSource layers;
 
     /// Pipeline cache of an earlier run, see swGpu_GetPipelineCache(). May be NULL; bad data are ignored.
     const void* pipelineCache;
@@ -94,6 +106,16 @@ SW_API uint32_t swGpu_GetQueueFamily(const swGpu* gpu);
 SW_API const char* swGpu_GetDeviceName(const swGpu* gpu);
 SW_API bool swGpu_IsSoftware(const swGpu* gpu);
 
+/// Whether views for this device are best made with swViewDef::enableCpuLayers (and their world with
+/// swWorldDef::enableQueries): layers then come from the core, and the GPU only gets a copy of them.
+SW_API bool swGpu_WantsCpuLayers(const swGpu* gpu);
+
+/// A view that suits the device and pictures of `height` pixels. On a GPU it is `def` as it is. On a software device it has
+/// CPU layers, and for pictures of less than 540 and of less than 270 lines half and a third of the default's texels, each
+/// twice and four times as wide: what a pixel covers grows likewise. A def that names another resolution or finest texel
+/// than the default keeps its own.
+SW_API swViewDef swGpu_FitView(const swGpu* gpu, const swViewDef* def, uint32_t height);
+
 /// Number of validation errors and warnings seen since creation (0 without enableValidation).
 SW_API int swGpu_GetValidationCount(const swGpu* gpu);
 
@@ -116,8 +138,17 @@ SW_API void swDestroyGpuWorld(swGpuWorld* gpuWorld);
 
 /// Record all passes of the world's last step and all its views: spectra to tiles to slices to foam. Compute only,
 /// outside of a render pass. `frameIndex` grows by one per recorded frame.
-/// @return SW_ERROR_NO_MEMORY or SW_ERROR_DEVICE when something new could not be allocated; nothing is recorded then
+/// All or nothing: after an error nothing has been recorded, nothing can be drawn, and the next call, with the same
+/// frameIndex or a larger one, makes up for all that this one did not do.
+/// @return SW_ERROR_NO_MEMORY or SW_ERROR_DEVICE when something new could not be allocated
 SW_API swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex);
+
+/// Say that the commands of frame `frameIndex`, and of all frames recorded after it, will never run: the host has thrown
+/// them away, or could not submit them. Without this call Seaway takes it that recorded commands run, and draws what they
+/// would have left. The next swGpuWorld_Record() then brings everything again that was lost, and foam goes on from the last
+/// frame that does run; frame indices may be used again. At most the framesInFlight newest frames can be taken back
+/// without foam beginning anew. Renderers of the world follow by themselves.
+SW_API void swGpuWorld_Discard(swGpuWorld* gpuWorld, uint64_t frameIndex);
 
 /// Bytes of device memory in use, queries included.
 SW_API size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld);
@@ -207,7 +238,8 @@ SW_API void swDestroyGpuQuery(swGpuQuery* query);
 
 /// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each to 0.01 mm.
 /// How far the first is from the origin does not matter; the others are best within 1,000 km of it. No points: the query
-/// rests.
+/// rests. A point that cannot be answered spoils no other, as query.h says; here one that is farther than 1e11 m from the
+/// first good one is bad, too. Its answers are NaN, also in the buffers that shaders see.
 SW_API void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points);
 
 /// The same for a query of the water below: places with a height, above or below the surface.
@@ -243,7 +275,7 @@ typedef struct swGpuDepth
 /// Of one ray.
 typedef struct swGpuHit
 {
-    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit
+    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit, NaN of a bad ray
     float side;     ///< 1: it came from above, -1: from below, 0: no hit
 } swGpuHit;
 
@@ -285,11 +317,13 @@ SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swS
                                      swQueryStats* stats);
 
 /// The same for a query of the water below: results where swWorld_QueryVolume() would write them.
-SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples);
+SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples,
+                                           swQueryStats* stats);
 
 /// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swWorld_CastRays() would write them. `rays` are those that
 /// had been set then.
-SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits);
+SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits,
+                                         swQueryStats* stats);
 
 /// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any descriptor:
 /// vec2 heights[] (height, residual), vec2 depths[] (depth, pressure head), vec2 hits[] (distance, side), vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4

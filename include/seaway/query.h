@@ -8,9 +8,20 @@
 /// Ask for the water: its surface, the motion below it, what a ray meets. Answers come from the same waves that are drawn
 /// and never depend on a view. All queries are thread-safe on a `const swWorld*`, take no lock and allocate nothing.
 /// docs/queries.md says what each costs and how exact it is.
+///
+/// A point that cannot be answered spoils no other. It is one with a coordinate that is NaN, infinite, or beyond
+/// SW_FARTHEST_POINT; a ray that is out of range is such a one, too. Each of its answers is NaN, it is counted in
+/// swQueryStats::badCount, and the others are, to the bit, as without it.
+///
+/// While one thread steps, sets or destroys, no other may ask the same world. Put a barrier between them, or let two worlds
+/// take turns: one is asked while the other steps to the next time. docs/queries.md has more on it.
 
 /// For swQueryDef::time: the time of the last step.
 #define SW_QUERY_NOW (-1e300)
+
+/// Farthest that a point may be from the host's origin along an axis, m: doubles there are 0.1 mm apart, and cells of the
+/// finest tiles can just be counted.
+#define SW_FARTHEST_POINT 1e12
 
 /// How the motion below is stretched between trough and crest.
 typedef enum swStretching
@@ -75,24 +86,27 @@ typedef struct swSurfaceSamples
     swVec3* acceleration;
 } swSurfaceSamples;
 
+/// Of a batch; every query takes one, or NULL.
 typedef struct swQueryStats
 {
-    int convergedCount;  ///< points whose residual is within the tolerance
-    int iterationCount;  ///< surface evaluations, all points together
-    float worstResidual; ///< m
+    int convergedCount; ///< points whose residual is within the tolerance; rays that met the water or came to their end
+    int iterationCount; ///< surface evaluations, all points together
+    float worstResidual; ///< m; 0 of particles and rays
+    int badCount;        ///< points, places or rays that could not be answered: their answers are NaN
 } swQueryStats;
 
 /// Sample the surface above `count` points of the horizontal plane. `stats` may be NULL.
+/// With a bad `def` every point is bad.
 SW_API void swWorld_QuerySurface(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
                                  const swSurfaceSamples* samples, swQueryStats* stats);
 
-/// Height above one point, m.
+/// Height above one point, m. NaN for a point that cannot be answered.
 SW_API double swWorld_GetHeight(const swWorld* world, double x, double z);
 
 /// Sample the particles that rest at `count` points: no search, residual 0. What a moored buoy feels.
-/// `slopes` (d height / d x, d height / d z per rest metre) may be NULL, as may any array of `samples`.
+/// `slopes` (d height / d x, d height / d z per rest metre) may be NULL, as may any array of `samples` and `stats`.
 SW_API void swWorld_QueryParticles(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
-                                   const swSurfaceSamples* samples, swVec2* slopes);
+                                   const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats);
 
 /// A grid of heights for engines that want one, such as a physics engine's height field. Point (i, j) is at
 /// (originX + i * spacing, originZ + j * spacing).
@@ -123,19 +137,20 @@ typedef struct swVolumeSamples
 } swVolumeSamples;
 
 /// Sample the motion of the water at `count` places by linear theory [Dean and Dalrymple 1991], each wave with its own
-/// fading with depth. Waves are summed one by one; those too short to reach a place are skipped.
+/// fading with depth. Waves are summed one by one; those too short to reach a place are skipped. `stats`, of the search for
+/// the surface above, may be NULL.
 SW_API void swWorld_QueryVolume(const swWorld* world, const swQueryDef* def, int count, const swPos* points,
-                                const swVolumeSamples* samples);
+                                const swVolumeSamples* samples, swQueryStats* stats);
 
 /// Mean drift of the water at a depth below still water (m, at least 0) by all waves together: Stokes drift in deep and
-/// finite water [Kenyon 1969], m/s along x and z.
+/// finite water [Kenyon 1969], m/s along x and z. NaN of a depth that is NaN or below 0.
 SW_API swVec2 swWorld_GetStokesDrift(const swWorld* world, double depthBelow);
 
 /// A ray, or a sphere that sweeps along one. Must be initialized with swDefaultRay().
 typedef struct swRay
 {
     swPos origin;      ///< m
-    swVec3 direction;  ///< need not be of length one, but not 0
+    swVec3 direction;  ///< of any length but 0; finite
     float maxDistance; ///< m. Range [0, 1e5]. Default 1000
     float radius;      ///< of the sphere, m. Range [0, 100]. Default 0: a ray
 
@@ -152,7 +167,8 @@ SW_API swRay swDefaultRay(swPos origin, swVec3 direction);
 typedef struct swRayHit
 {
     bool isHit;
-    float distance; ///< along the ray to the sphere's centre, m; maxDistance without a hit
+    float
+        distance; ///< along the ray to the sphere's centre, m; without a hit, how far it was looked along: maxDistance
     swPos position; ///< of the sphere's centre then
     swPos point;    ///< of the water that it touches
     swVec3 normal;  ///< of the surface there
@@ -163,4 +179,7 @@ typedef struct swRayHit
 /// half the shortest wavelength that counts, so that whole crests are not missed; def.minWavelength makes long rays fast.
 /// Hits are good to 2 def.tolerance along the ray. A sphere touches where its lowest point seen along the surface's normal
 /// does: exact on flat water, and good to radius^2 times the surface's curvature / 2 on waves.
-SW_API void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits);
+/// A ray looks at the surface at most 100,000 times; one that needs more (a long way just above the water) ends without a hit
+/// at the distance that it has come to, and is not among stats' convergedCount. `stats` may be NULL.
+SW_API void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,
+                             swQueryStats* stats);

@@ -70,6 +70,11 @@ typedef struct swWaveSystemDef
     /// spreads. Range [0, pi]. Default 0: as the spectrum spreads.
     float directionVariance;
 
+    /// Gerstner: what the Jacobian of the waves' horizontal displacement (1 flat, 0 a fold) stays above at all but one place
+    /// in ten thousand. Where chop would fold more, horizontal displacement is held back, of all waves alike; heights stay.
+    /// Of each system by itself, at weight 1. Range [-10, 0.9]. Default 0.1; -10 takes chop as it is. Not of given components.
+    float leastJacobian;
+
     /// Gerstner: the waves themselves, instead of a spectrum's. Copied by the call that takes the def. Default NULL, 0;
     /// at most SW_MAX_FREE_WAVES.
     const swWaveComponent* components;

@@ -9,7 +9,11 @@ Place readPlace(uint point)
     uint at = params.source.firstWord + point * params.source.pointWords;
     if (params.source.isFloatPoint != 0)
     {
-        return placeOf(uintBitsToFloat(uvec2(points[at], points[at + params.source.pointWords - 1])));
+        Place place = placeOfBits(uvec2(points[at], points[at + params.source.pointWords - 1]));
+        place.isBad =
+            place.isBad || !isNumber(points[at + params.source.pointWords - 2], SW_QUERY_HIGHEST); // y of three
+        return place;
     }
-    return Place(ivec2(points[at + 2], points[at + 3]), uintBitsToFloat(uvec2(points[at], points[at + 1])));
+    ivec2 cell = ivec2(points[at + 2], points[at + 3]);
+    return Place(cell, uintBitsToFloat(uvec2(points[at], points[at + 1])), cell.x == SW_QUERY_NOWHERE);
 }

@@ -82,21 +82,41 @@ struct March
     uint looks, refinements;
 };
 
+// Of the bits of a float: a number from 0 to `most`; -0 is one.
+bool isLength(uint bits, float most)
+{
+    return bits <= floatBitsToUint(most) || bits == 0x80000000u;
+}
+
+// The direction, of length one; 0 of one that is none. The largest part is made 1 first, so that no square overflows.
+vec3 unitOfBits(uvec3 bits)
+{
+    const float most = 3.4e38;
+    bool isGood = isNumber(bits.x, most) && isNumber(bits.y, most) && isNumber(bits.z, most);
+    vec3 way = isGood ? uintBitsToFloat(bits) : vec3(0.0);
+    float largest = max(max(abs(way.x), abs(way.y)), abs(way.z));
+    return largest > 1.2e-38 ? normalize(way / largest) : vec3(0.0);
+}
+
 Ray readRay(uint point)
 {
     uint at = params.source.firstWord + point * params.source.pointWords;
     Ray ray;
     if (params.source.isFloatPoint != 0)
     {
-        ray.place = placeOf(uintBitsToFloat(uvec2(points[at], points[at + 2])));
+        ray.place = placeOfBits(uvec2(points[at], points[at + 2]));
         ray.y = uintBitsToFloat(points[at + 1]);
         ray.longest = uintBitsToFloat(points[at + 3]);
-        ray.way = normalize(uintBitsToFloat(uvec3(points[at + 4], points[at + 5], points[at + 6])));
+        ray.way = unitOfBits(uvec3(points[at + 4], points[at + 5], points[at + 6]));
         ray.radius = uintBitsToFloat(points[at + 7]);
+        bool isGood = isNumber(points[at + 1], SW_QUERY_HIGHEST) && isLength(points[at + 3], 1e5) &&
+                      isLength(points[at + 7], 100.0) && ray.way != vec3(0.0);
+        ray.place.isBad = ray.place.isBad || !isGood;
     }
     else
     {
-        ray.place = Place(ivec2(points[at + 2], points[at + 3]), uintBitsToFloat(uvec2(points[at], points[at + 1])));
+        ivec2 cell = ivec2(points[at + 2], points[at + 3]);
+        ray.place = Place(cell, uintBitsToFloat(uvec2(points[at], points[at + 1])), cell.x == SW_QUERY_NOWHERE);
         ray.y = uintBitsToFloat(points[at + 4]);
         ray.way = uintBitsToFloat(uvec3(points[at + 5], points[at + 6], points[at + 7]));
         ray.longest = uintBitsToFloat(points[at + 8]);
@@ -232,10 +252,31 @@ Search searchAgain(Ray ray, March march, float from, Search last)
 
 // ---- answers ----
 
+void storeBad(uint point, uint lane)
+{
+    float none = noNumber();
+    if (lane == 0)
+    {
+        heights[point] = vec2(none);
+    }
+    else if (lane == 1)
+    {
+        hits[point] = vec2(none);
+    }
+    else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
+    {
+        normals[point] = vec4(none);
+    }
+}
+
 // One lane for each output. Without a hit the distance is the whole way, or how far it was looked along.
 void store(uint point, Ray ray, March march, Search search, uint lane)
 {
-    if (lane == 0)
+    if (ray.place.isBad)
+    {
+        storeBad(point, lane);
+    }
+    else if (lane == 0)
     {
         heights[point] = march.isHit ? vec2(search.best.value.y, sqrt(search.bestSquare)) : vec2(0.0);
     }
@@ -258,7 +299,7 @@ void main()
     uint point = group * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
     Ray ray = readRay(min(point, params.source.count - 1));
     March march;
-    bool isMarching = beginMarch(ray, march) && point < params.source.count;
+    bool isMarching = beginMarch(ray, march) && !ray.place.isBad && point < params.source.count;
     Search search = beginSearch(placeAt(ray, march.at));
     if (gl_LocalInvocationIndex == 0)
     {

@@ -132,8 +132,26 @@ void store(uint point, Search search, uint lane)
     }
 }
 
+// A point that cannot be answered.
+void storeBad(uint point, uint lane)
+{
+    float none = noNumber();
+    if (lane == 0)
+    {
+        heights[point] = vec2(none);
+    }
+    else if (lane == 1 && (params.outputs & SW_QUERY_WANTS_SIDEWAYS) != 0)
+    {
+        sideways[point] = vec2(none);
+    }
+    else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
+    {
+        normals[point] = vec4(none);
+    }
+}
+
 // How the particle that was found moves. All threads of the workgroup call it together.
-void storeMotion(uint point, Search search, uint lane)
+void storeMotion(uint point, bool isBad, Search search, uint lane)
 {
     Motion motion = addMotion(search.cell, search.place + search.bestOffset, lane);
     shares[0][gl_LocalInvocationIndex] = motion.velocity;
@@ -141,11 +159,11 @@ void storeMotion(uint point, Search search, uint lane)
     barrier();
     if (point < params.source.count && lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
     {
-        velocities[point] = vec4(gather(0), 0.0);
+        velocities[point] = isBad ? vec4(noNumber()) : vec4(gather(0), 0.0);
     }
     else if (point < params.source.count && lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
     {
-        accelerations[point] = vec4(gather(1), 0.0);
+        accelerations[point] = isBad ? vec4(noNumber()) : vec4(gather(1), 0.0);
     }
 }
 
@@ -154,8 +172,13 @@ void main()
     uint lane = gl_LocalInvocationIndex % SW_QUERY_LANES;
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint point = group * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
-    bool isSearching = point < params.source.count;
-    Search search = beginSearch(readPlace(min(point, params.source.count - 1)));
+    Place place = readPlace(min(point, params.source.count - 1));
+    bool isSearching = point < params.source.count && !place.isBad;
+    if (point < params.source.count && place.isBad)
+    {
+        storeBad(point, lane);
+    }
+    Search search = beginSearch(place);
     if (gl_LocalInvocationIndex == 0)
     {
         isBusy[0] = 0;
@@ -191,6 +214,6 @@ void main()
     }
     if (WITH_MOTION)
     {
-        storeMotion(point, search, lane);
+        storeMotion(point, place.isBad, search, lane);
     }
 }

@@ -149,6 +149,7 @@ Search beginSearch(Place place)
     search.iteration = 0;
     search.reach = 1.0;
     search.bestSquare = 3e38;
+    search.bestOffset = vec2(0.0);
     return search;
 }
 

@@ -85,8 +85,12 @@ float stretched(float y, float eta)
     return params.bottom < 1e9 ? (column > 0.0 ? params.bottom * below / column : 0.0) : below;
 }
 
-Below findBelow(uint point)
+Below findBelow(uint point, Place place)
 {
+    if (place.isBad)
+    {
+        return Below(0.0, 0.0, false);
+    }
     float y = params.source.isFloatPoint != 0
                   ? uintBitsToFloat(points[params.source.firstWord + point * params.source.pointWords + 1])
                   : levels[point];
@@ -142,7 +146,7 @@ void addChunk(uint count, uvec2 turns, float height, float depth, uint lane, ino
 }
 
 // All threads of the workgroup call it together.
-void addTile(swVolumeTile tile, Place place, Below below, uint lane, inout Sum sum)
+void addTile(swVolumeTile tile, Place place, Below below, bool isReached, uint lane, inout Sum sum)
 {
     uvec2 turns = uvec2(tile.turnsX, tile.turnsZ) + uvec2(place.cell) * tile.cellTurns +
                   uvec2(toTurns(place.rest.x * tile.turnsPerMetre), toTurns(place.rest.y * tile.turnsPerMetre));
@@ -156,7 +160,7 @@ void addTile(swVolumeTile tile, Place place, Below below, uint lane, inout Sum s
             chunk[i] = waves[3 * (tile.firstWave + first) + i];
         }
         barrier();
-        if (below.isWet)
+        if (isReached)
         {
             addChunk(count, turns, height, tile.depth, lane, sum);
         }
@@ -175,7 +179,7 @@ void addFreeWave(swQueryWave wave, Place place, Below below, inout Sum sum)
     addMotion(swing, rate, wave.rate * wave.rate, vec2(wave.turnsX, wave.turnsZ) / size, fading, sum);
 }
 
-// Of tiles whose waves reach the highest place of the workgroup, and of free waves.
+// Of tiles whose waves reach the place, and of free waves. Waves that reach no place of the workgroup are not even read.
 Sum addWaves(Place place, Below below, uint lane)
 {
     Sum sum = Sum(vec4(0.0), vec3(0.0));
@@ -185,7 +189,8 @@ Sum addWaves(Place place, Below below, uint lane)
     {
         if (tiles[i].maxWavelength > shortest)
         {
-            addTile(tiles[i], place, below, lane, sum);
+            bool isReached = below.isWet && tiles[i].maxWavelength > abs(below.height) * LENGTHS;
+            addTile(tiles[i], place, below, isReached, lane, sum);
         }
     }
     for (uint i = lane; i < params.waveCount && below.isWet; i += SW_QUERY_LANES)
@@ -202,19 +207,20 @@ vec4 gather(uint part)
 }
 
 // One lane for each output.
-void store(uint point, float depth, uint lane)
+void store(uint point, float depth, bool isBad, uint lane)
 {
+    float none = noNumber();
     if (lane == 0)
     {
-        depths[point] = vec2(depth, gather(0).w);
+        depths[point] = isBad ? vec2(none) : vec2(depth, gather(0).w);
     }
     else if (lane == 1 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
     {
-        velocities[point] = vec4(gather(0).xyz, 0.0);
+        velocities[point] = isBad ? vec4(none) : vec4(gather(0).xyz, 0.0);
     }
     else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
     {
-        accelerations[point] = gather(1);
+        accelerations[point] = isBad ? vec4(none) : gather(1);
     }
 }
 
@@ -225,7 +231,7 @@ void main()
     uint point = group * SW_VOLUME_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
     uint known = min(point, params.source.count - 1);
     Place place = readPlace(known);
-    Below below = findBelow(known);
+    Below below = findBelow(known, place);
     if (gl_LocalInvocationIndex == 0)
     {
         highest = 0x7f7fffffu;
@@ -242,6 +248,6 @@ void main()
     barrier();
     if (point < params.source.count)
     {
-        store(point, below.depth, lane);
+        store(point, below.depth, place.isBad, lane);
     }
 }

@@ -72,7 +72,8 @@ SW_PARAMS(swPictureParams)
 
     float slopeVariance; // of each axis, all waves
     float foamAtRest;    // beyond the slices
-    float unused0, unused1;
+    sw_uint waveCount;   // free waves
+    float unused0;
 };
 SW_PARAMS_SIZE(swPictureParams, 320);
 
@@ -87,6 +88,19 @@ SW_PARAMS(swDetailParams)
     float weight;
 };
 SW_PARAMS_SIZE(swDetailParams, 32);
+
+// A free wave as the fragment shader reads it, longest first: slopes by rest position from the mesh's anchor are
+// -amplitude sin(kx x + kz z + phase) (kx, kz).
+SW_PARAMS(swDetailWave)
+{
+    float kx, kz; // rad/m
+    float phase;
+    float amplitude;    // m
+    float wavelength;   // m
+    float restX, restZ; // slope variance of this wave and all that are shorter
+    float unused;
+};
+SW_PARAMS_SIZE(swDetailWave, 32);
 
 // Light at sea level, pre-exposed. Written by sky_light.comp.
 SW_PARAMS(swSkyLight)

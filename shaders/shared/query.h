@@ -61,6 +61,12 @@ SW_PARAMS(swQueryPoint)
 };
 SW_PARAMS_SIZE(swQueryPoint, 16);
 
+// In cellX, of a point that cannot be answered: its answers are NaN.
+#define SW_QUERY_NOWHERE (-2147483647)
+
+// Farthest that a point may be from the query's origin, m: cells must fit 32 bits.
+#define SW_QUERY_FARTHEST 1e11f
+
 // A tile as seen from the origin; the longest come first. Turns are fractions of 2^32.
 SW_PARAMS(swQueryTile)
 {
@@ -94,6 +100,9 @@ SW_PARAMS_SIZE(swQueryWave, 40);
 #define SW_VOLUME_CHUNK 256
 // Modes that a workgroup makes waves of.
 #define SW_VOLUME_MODES 64
+
+// Highest and lowest level of a place, m.
+#define SW_QUERY_HIGHEST 1e12f
 
 // Waves fade with depth as exp(-k y); they are left out where that is below exp(-20).
 #define SW_VOLUME_FADED 20.0f

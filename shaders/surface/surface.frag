@@ -37,6 +37,10 @@ layout(binding = 8) uniform sampler2DArray detail;
 layout(binding = 9) uniform sampler2D skyMap;
 layout(binding = 10) uniform sampler2DArray air;
 layout(binding = 11) uniform sampler2D foamTexture;
+layout(std430, binding = 12) readonly buffer Waves
+{
+    swDetailWave waves[];
+};
 
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
@@ -102,6 +106,53 @@ void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprin
     }
 }
 
+// The first free wave that is shorter than this.
+uint firstShorter(float wavelength)
+{
+    uint low = 0, high = picture.waveCount;
+    while (low < high)
+    {
+        uint middle = (low + high) / 2;
+        bool isLong = waves[middle].wavelength >= wavelength;
+        low = isLong ? middle + 1 : low;
+        high = isLong ? high : middle;
+    }
+    return low;
+}
+
+// What a pixel leaves of a wave's slope: a Gaussian over the footprint, of 0.4 of its width along either axis.
+float leftOverFootprint(vec2 k, Footprint footprint)
+{
+    float along = 0.4 * footprint.longest * dot(k, footprint.axis);
+    float across = 0.4 * footprint.shortest * (k.y * footprint.axis.x - k.x * footprint.axis.y);
+    return exp(-0.5 * (along * along + across * across));
+}
+
+// Each free wave that the slices leave out, with its own slope as far as the pixel resolves it. All that are shorter than a
+// pixel are roughness at once.
+void addFreeWaves(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprint)
+{
+    float cut = picture.finestWavelength * 0.999;
+    bool isWhole = pair.firstWeight + pair.secondWeight > 0.999;
+    float longest = cut * slices[pair.secondWeight > 0.0 ? pair.second : pair.first].scale;
+    float shortest = min(footprint.shortest, cut * slices[pair.first].scale);
+    for (uint i = isWhole ? firstShorter(longest) : 0; i < picture.waveCount; ++i)
+    {
+        swDetailWave wave = waves[i];
+        if (wave.wavelength < shortest)
+        {
+            slopes.variance += vec2(wave.restX, wave.restZ);
+            return;
+        }
+        vec2 k = vec2(wave.kx, wave.kz);
+        float missing = 1.0 - carriedBy(pair, wave.wavelength);
+        float left = leftOverFootprint(k, footprint);
+        vec2 steepness = wave.amplitude * k;
+        slopes.mean -= (missing * left * sin(dot(k, rest) + wave.phase)) * steepness;
+        slopes.variance += (0.5 * missing * (1.0 - left * left)) * steepness * steepness;
+    }
+}
+
 Slopes slopesAt(vec2 rest, Footprint footprint, out SlicePair pair)
 {
     Slopes slopes;
@@ -126,6 +177,7 @@ Slopes slopesAt(vec2 rest, Footprint footprint, out SlicePair pair)
     slopes.mean *= min(1.0, 1.4 * inversesqrt(max(dot(slopes.mean, slopes.mean), 1e-8)));
     slopes.variance = vec2(picture.rippleVariance);
     addBands(slopes, pair, rest, footprint);
+    addFreeWaves(slopes, pair, rest, footprint);
     return slopes;
 }
 

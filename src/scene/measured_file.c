@@ -13,7 +13,6 @@
 #include "scene/scene_file.h"
 #include "seaway/scene.h"
 
-#define MAX_PATH_LENGTH 1024
 #define START_SIZE 8                      // of a netCDF file, enough to know it
 #define MAX_FILE_SIZE ((size_t)512 << 20) // a year of hourly records has 5 MB as moments, 180 MB by direction
 
@@ -29,7 +28,7 @@ enum
 
 typedef struct FileSet
 {
-    char paths[FILE_COUNT][MAX_PATH_LENGTH]; // empty: there is none
+    char paths[FILE_COUNT][SW_MAX_PATH]; // empty: there is none
     swText texts[FILE_COUNT];
 } FileSet;
 
@@ -45,12 +44,12 @@ static bool isDigit(char c)
 }
 
 // Tries stem + ending, and that with .gz.
-static void tryPath(char path[MAX_PATH_LENGTH], const char* stem, size_t stemLength, const char* ending)
+static void tryPath(char path[SW_MAX_PATH], const char* stem, size_t stemLength, const char* ending)
 {
-    snprintf(path, MAX_PATH_LENGTH, "%.*s%s", (int)stemLength, stem, ending);
+    snprintf(path, SW_MAX_PATH, "%.*s%s", (int)stemLength, stem, ending);
     if (!swHasFile(path))
     {
-        snprintf(path, MAX_PATH_LENGTH, "%.*s%s.gz", (int)stemLength, stem, ending);
+        snprintf(path, SW_MAX_PATH, "%.*s%s.gz", (int)stemLength, stem, ending);
         if (!swHasFile(path))
         {
             path[0] = '\0';
@@ -253,10 +252,10 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
     *sea = NULL;
     FileSet set;
     memset(&set, 0, sizeof(set));
-    if (strlen(path) >= MAX_PATH_LENGTH - 8)
+    if (strlen(path) >= SW_MAX_PATH - 8)
     {
         return swFail(host, SW_ERROR_FILE, "The path of a spectrum file has %zu characters; at most %d are read.",
-                      strlen(path), MAX_PATH_LENGTH - 9);
+                      strlen(path), SW_MAX_PATH - 9);
     }
     memcpy(set.paths[ENERGY], path, strlen(path));
     swResult result = readStart(host, &set);

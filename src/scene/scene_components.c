@@ -5,8 +5,6 @@
 
 #include <string.h>
 
-#define COUNT(fields) ((int)(sizeof(fields) / sizeof((fields)[0])))
-
 enum
 {
     WAVELENGTH,
@@ -41,13 +39,13 @@ static const swYamlField componentFields[] = {
 static swResult readComponent(swYaml* yaml, yaml_node_t* node, swWaveComponent* component)
 {
     swYamlNodes nodes;
-    swResult result =
-        swReadYamlMapping(yaml, node, "a component", componentFields, COUNT(componentFields), component, &nodes);
-    for (int i = WAVELENGTH; i <= DIRECTION && result == SW_SUCCESS; ++i)
+    swResult result = swReadYamlMapping(yaml, node, "a component", componentFields, SW_YAML_COUNT(componentFields),
+                                        component, &nodes);
+    for (int i = WAVELENGTH; i <= DIRECTION && node->type == YAML_MAPPING_NODE; ++i)
     {
         if (nodes.nodes[i] == NULL)
         {
-            result = swFailYaml(yaml, node,
+            result = swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
                                 "the component has no %s; it needs wavelength_m, amplitude_m and direction_from_deg.",
                                 componentFields[i].key);
         }
@@ -61,9 +59,9 @@ swResult swReadComponents(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
     swResult result = swReadYamlList(yaml, node, "components", SW_MAX_FREE_WAVES, &count);
     if (result == SW_SUCCESS && count == 0)
     {
-        result = swFailYaml(yaml, node, "components is empty; give it a wave, or remove it.");
+        return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "components is empty; give it a wave, or remove it.");
     }
-    if (result != SW_SUCCESS)
+    if (count == 0)
     {
         return result;
     }
@@ -73,9 +71,9 @@ swResult swReadComponents(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
         return swFail(yaml->host, SW_ERROR_NO_MEMORY, "No memory for %d waves of %s.", count, yaml->name);
     }
     waves->componentCount = count;
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
-        result = readComponent(yaml, swGetYamlItem(yaml, node, i), &waves->components[i]);
+        result = swKeepFailure(result, readComponent(yaml, swGetYamlItem(yaml, node, i), &waves->components[i]));
     }
     return result;
 }

@@ -7,6 +7,8 @@
 
 #include "seaway/base.h"
 
+#define SW_MAX_PATH 4096 // bytes, with its zero
+
 typedef struct swText
 {
     char* data;

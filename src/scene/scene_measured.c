@@ -11,9 +11,7 @@
 
 #include "scene/scene_file.h"
 
-#define COUNT(fields) ((int)(sizeof(fields) / sizeof((fields)[0])))
 #define MAX_FILES 1024
-#define MAX_PATH_LENGTH 1024
 
 enum
 {
@@ -27,8 +25,8 @@ static const swYamlField replayFields[] = {
     [TIME] = {.key = "time_s",
               .type = SW_YAML_DOUBLE,
               .offset = offsetof(swMeasuredText, replayTime),
-              .low = -1e9,
-              .high = 1e9},
+              .low = -SW_YAML_LARGEST_TIME,
+              .high = SW_YAML_LARGEST_TIME},
     [SPEED] = {.key = "speed",
                .type = SW_YAML_DOUBLE,
                .offset = offsetof(swMeasuredText, replaySpeed),
@@ -40,7 +38,7 @@ swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text)
 {
     text->replaySpeed = 1.0;
     swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "replay", replayFields, COUNT(replayFields), text, &nodes);
+    swResult result = swReadYamlMapping(yaml, node, "replay", replayFields, SW_YAML_COUNT(replayFields), text, &nodes);
     text->fromNode = nodes.nodes[FROM];
     return result;
 }
@@ -56,21 +54,26 @@ int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text)
 
 // ---- one file ----
 
-static void joinPath(char* path, size_t size, const char* folder, const char* file)
+// False if there is no room for it.
+static bool joinPath(char* path, size_t size, const char* folder, const char* file)
 {
     bool isAlone = file[0] == '/' || folder == NULL || folder[0] == '\0';
-    snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file);
+    return (size_t)snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file) < size;
 }
 
 static swResult readFile(swYaml* yaml, const swMeasuredText* text, const yaml_node_t* node, const char* file,
                          swMeasuredSea** sea)
 {
-    char path[MAX_PATH_LENGTH];
-    joinPath(path, sizeof(path), text->folder, file);
+    char path[SW_MAX_PATH];
+    if (!joinPath(path, sizeof(path), text->folder, file))
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE,
+                          "the path of %s has more than %d bytes; move the scene or the file.", file, SW_MAX_PATH - 1);
+    }
     swResult result = swReadMeasuredSea(yaml->host, path, sea);
     if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
     {
-        swFailYaml(yaml, node, "the spectrum file %s cannot be used.", path);
+        swFailYaml(yaml, node, SW_MISTAKE_BAD_FILE, "the spectrum file %s cannot be used.", path);
     }
     return result;
 }
@@ -97,7 +100,7 @@ static swResult choosePlace(swYaml* yaml, const swMeasuredText* text, const yaml
     *location = text->locationNode != NULL ? swFindMeasuredPlace(sea, text->location) : -1;
     if (text->locationNode != NULL && *location < 0)
     {
-        return swFailYaml(yaml, text->locationNode,
+        return swFailYaml(yaml, text->locationNode, SW_MISTAKE_UNKNOWN_WORD,
                           "location is '%s'; it must be the name or number of a place of the file, which has: %s.",
                           text->location, places);
     }
@@ -106,8 +109,8 @@ static swResult choosePlace(swYaml* yaml, const swMeasuredText* text, const yaml
         int count = swMeasuredSea_GetLocationCount(sea);
         if (count > 1)
         {
-            return swFailYaml(yaml, fileNode, "the file has %d places; choose one of them with location: %s.", count,
-                              places);
+            return swFailYaml(yaml, fileNode, SW_MISTAKE_MISSING_KEY,
+                              "the file has %d places; choose one of them with location: %s.", count, places);
         }
         *location = 0;
     }
@@ -243,15 +246,17 @@ static swResult addFiles(swYaml* yaml, const swMeasuredText* text, swSceneWaves*
     swResult result = swReadYamlList(yaml, text->listNode, "files", MAX_FILES, &count);
     if (result == SW_SUCCESS && count == 0)
     {
-        result = swFailYaml(yaml, text->listNode, "files is empty; name the files of the series.");
+        result =
+            swFailYaml(yaml, text->listNode, SW_MISTAKE_MISSING_KEY, "files is empty; name the files of the series.");
     }
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
         char name[sizeof(waves->file)];
         yaml_node_t* item = swGetYamlItem(yaml, text->listNode, i);
-        result = swReadYamlText(yaml, item, &itemField, name);
-        result = result == SW_SUCCESS ? addFile(yaml, text, item, name, &waves->measured) : result;
-        if (i == 0 && result == SW_SUCCESS)
+        swResult own = swReadYamlText(yaml, item, &itemField, name);
+        own = own == SW_SUCCESS ? addFile(yaml, text, item, name, &waves->measured) : own;
+        result = swKeepFailure(result, own);
+        if (i == 0 && own == SW_SUCCESS)
         {
             memcpy(waves->file, name, sizeof(waves->file));
         }
@@ -268,7 +273,7 @@ static swResult readSeries(swYaml* yaml, const swMeasuredText* text, swSceneWave
         result = swMeasuredSea_Finish(waves->measured);
         if (result == SW_ERROR_FORMAT)
         {
-            swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode,
+            swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode, SW_MISTAKE_NO_RECORD,
                        "no record is left of which a sea could be made.");
         }
     }
@@ -282,14 +287,16 @@ static swResult chooseRecord(swYaml* yaml, const swMeasuredText* text, int locat
     waves->record = swMeasuredSea_FindRecord(waves->measured, location, NULL);
     if (waves->record < 0)
     {
-        return swFailYaml(yaml, text->locationNode, "location '%s' has no record; choose another.", text->location);
+        return swFailYaml(yaml, text->locationNode, SW_MISTAKE_NO_RECORD,
+                          "location '%s' has no record; choose another.", text->location);
     }
     if (text->atNode != NULL)
     {
         waves->record = swMeasuredSea_FindRecord(waves->measured, location, text->at);
         if (waves->record < 0)
         {
-            return swFailYaml(yaml, text->atNode, "at is '%s'; it must be a time such as 2022-05-10 10:50.", text->at);
+            return swFailYaml(yaml, text->atNode, SW_MISTAKE_WRONG_FORM,
+                              "at is '%s'; it must be a time such as 2022-05-10 10:50.", text->at);
         }
     }
     return SW_SUCCESS;
@@ -301,7 +308,8 @@ static swResult chooseRecords(swYaml* yaml, const swMeasuredText* text, int loca
     swMeasuredRecord first = swMeasuredSea_GetRecord(waves->measured, place.firstRecord);
     if (place.recordCount < 2 || first.time[0] == '\0')
     {
-        return swFailYaml(yaml, text->replayNode, "a replay needs records of at least two times; there %s.",
+        return swFailYaml(yaml, text->replayNode, SW_MISTAKE_NO_RECORD,
+                          "a replay needs records of at least two times; there %s.",
                           place.recordCount > 1 ? "are no times" : "is one");
     }
     waves->isReplay = true;
@@ -314,8 +322,8 @@ static swResult chooseRecords(swYaml* yaml, const swMeasuredText* text, int loca
     waves->replay.speed = text->replaySpeed;
     if (text->fromNode != NULL && !swParseMeasuredTime(text->from, &waves->replay.startSeconds))
     {
-        return swFailYaml(yaml, text->fromNode, "from is '%s'; it must be a time such as 2022-05-10 10:50.",
-                          text->from);
+        return swFailYaml(yaml, text->fromNode, SW_MISTAKE_WRONG_FORM,
+                          "from is '%s'; it must be a time such as 2022-05-10 10:50.", text->from);
     }
     return SW_SUCCESS;
 }
@@ -323,26 +331,29 @@ static swResult chooseRecords(swYaml* yaml, const swMeasuredText* text, int loca
 // Keys that do not go together.
 static swResult checkText(swYaml* yaml, const swMeasuredText* text, const swSceneWaves* waves)
 {
+    swResult result = SW_SUCCESS;
     if (text->fileNode == NULL && text->listNode == NULL)
     {
-        return swFailYaml(yaml, text->system,
-                          "a spectrum 'file' needs the key file with the name of an NDBC energy file or summary, or of "
-                          "any other measured sea, or a list of files.");
+        result =
+            swFailYaml(yaml, text->system, SW_MISTAKE_MISSING_KEY,
+                       "a spectrum 'file' needs the key file with the name of an NDBC energy file or summary, or of "
+                       "any other measured sea, or a list of files.");
     }
     if (text->fileNode != NULL && text->listNode != NULL)
     {
-        return swFailYaml(yaml, text->listNode, "file and files both name what to read; keep one of them.");
+        result = swFailYaml(yaml, text->listNode, SW_MISTAKE_CONFLICT,
+                            "file and files both name what to read; keep one of them.");
     }
     if (text->replayNode != NULL && text->atNode != NULL)
     {
-        return swFailYaml(yaml, text->atNode, "at chooses one record, but all are replayed; say replay: {from: %s}.",
-                          text->at);
+        result = swFailYaml(yaml, text->atNode, SW_MISTAKE_CONFLICT,
+                            "at chooses one record, but all are replayed; say replay: {from: %s}.", text->at);
     }
     if (text->replayNode != NULL && waves->def.method != SW_WAVES_FFT)
     {
-        return swFailYaml(yaml, text->methodNode, "a replay needs 'method: fft'; remove this.");
+        result = swFailYaml(yaml, text->methodNode, SW_MISTAKE_CONFLICT, "a replay needs 'method: fft'; remove this.");
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves* waves)
@@ -353,7 +364,7 @@ static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves
     swSeaState seaState;
     if (swSpectrum_GetSeaState(&waves->def.spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
     {
-        return swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode,
+        return swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode, SW_MISTAKE_NO_ENERGY,
                           "the record of %s in %s has no energy; choose another with at.", record.time, waves->file);
     }
     return SW_SUCCESS;

@@ -6,8 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#define COUNT(fields) ((int)(sizeof(fields) / sizeof((fields)[0])))
-
 const char* const swOctaveStartWords[] = {"default", "swell", "pierson_moskowitz", "jonswap", NULL};
 
 enum
@@ -72,8 +70,9 @@ static swResult readOctave(swYaml* yaml, yaml_node_t* node, swOctavesText* text)
     OctaveText read;
     memset(&read, 0, sizeof(read));
     swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "an octave", octaveFields, COUNT(octaveFields), &read, &nodes);
-    if (result != SW_SUCCESS)
+    swResult result =
+        swReadYamlMapping(yaml, node, "an octave", octaveFields, SW_YAML_COUNT(octaveFields), &read, &nodes);
+    if (node->type != YAML_MAPPING_NODE || nodes.isWrong[WAVELENGTH])
     {
         return result;
     }
@@ -81,28 +80,29 @@ static swResult readOctave(swYaml* yaml, yaml_node_t* node, swOctavesText* text)
     if (index < 0)
     {
         return swFailYaml(
-            yaml, nodes.nodes[WAVELENGTH] != NULL ? nodes.nodes[WAVELENGTH] : node,
+            yaml, nodes.nodes[WAVELENGTH] != NULL ? nodes.nodes[WAVELENGTH] : node, SW_MISTAKE_OUT_OF_RANGE,
             "an octave needs a wavelength_m that is a power of two from 0.0625 to 512, its shortest wave.");
     }
     if (text->hasPower[index] || text->hasEnabled[index] || text->hasChop[index] || text->hasGravity[index])
     {
-        return swFailYaml(yaml, node, "the octave of %g m stands twice; remove one.", (double)ldexpf(1.0f, index - 4));
+        return swFailYaml(yaml, node, SW_MISTAKE_REPEATED, "the octave of %g m stands twice; remove one.",
+                          (double)ldexpf(1.0f, index - 4));
     }
     text->octaves[index] = read.octave;
     text->hasPower[index] = nodes.nodes[POWER] != NULL;
     text->hasEnabled[index] = nodes.nodes[ENABLED] != NULL;
     text->hasChop[index] = nodes.nodes[CHOP] != NULL;
     text->hasGravity[index] = nodes.nodes[GRAVITY_SCALE] != NULL;
-    return SW_SUCCESS;
+    return result;
 }
 
 swResult swReadOctaves(swYaml* yaml, yaml_node_t* node, swOctavesText* text)
 {
     int count = 0;
     swResult result = swReadYamlList(yaml, node, "octaves", SW_OCTAVE_COUNT, &count);
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
-        result = readOctave(yaml, swGetYamlItem(yaml, node, i), text);
+        result = swKeepFailure(result, readOctave(yaml, swGetYamlItem(yaml, node, i), text));
     }
     return result;
 }

@@ -15,7 +15,7 @@
 #include "seaway/scene.h"
 
 #define MAX_SCENE_SIZE ((size_t)1 << 20)
-#define COUNT(fields) ((int)(sizeof(fields) / sizeof((fields)[0])))
+#define COUNT(rows) ((int)(sizeof(rows) / sizeof((rows)[0])))
 
 // Beyond any sea, yet far from where doubles lose millimetres.
 #define FAR 1e9
@@ -40,7 +40,7 @@ static const swYamlField worldFields[] = {
      .offset = offsetof(swWorldDef, surfaceTension),
      .low = 0.0,
      .high = 1e-3},
-    {.key = "sea_level_m", .type = SW_YAML_DOUBLE, .offset = offsetof(swWorldDef, seaLevel), .low = -1e5, .high = 1e5},
+    {.key = "sea_level_m", .type = SW_YAML_DOUBLE, .offset = offsetof(swWorldDef, seaLevel), .low = -1e6, .high = 1e6},
 };
 
 static const swYamlField foamFields[] = {
@@ -122,26 +122,27 @@ static const swYamlField waterFields[] = {
 static swResult readWorld(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
-    return swReadYamlMapping(yaml, node, "world", worldFields, COUNT(worldFields), &scene->world, NULL);
+    return swReadYamlMapping(yaml, node, "world", worldFields, SW_YAML_COUNT(worldFields), &scene->world, NULL);
 }
 
 static swResult readFoam(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
-    return swReadYamlMapping(yaml, node, "foam", foamFields, COUNT(foamFields), &scene->world.foam, NULL);
+    return swReadYamlMapping(yaml, node, "foam", foamFields, SW_YAML_COUNT(foamFields), &scene->world.foam, NULL);
 }
 
 static swResult readView(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
     swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "view", viewFields, COUNT(viewFields), &scene->view, &nodes);
-    if (result == SW_SUCCESS && scene->view.resolution % 64 != 0)
+    swResult result =
+        swReadYamlMapping(yaml, node, "view", viewFields, SW_YAML_COUNT(viewFields), &scene->view, &nodes);
+    if (scene->view.resolution % 64 != 0)
     {
-        result =
-            swFailYaml(yaml, nodes.nodes[1], "resolution is %d; it must be a multiple of 64.", scene->view.resolution);
+        result = swFailYaml(yaml, nodes.nodes[1], SW_MISTAKE_OUT_OF_RANGE,
+                            "resolution is %d; it must be a multiple of 64.", scene->view.resolution);
     }
-    if (result == SW_SUCCESS && nodes.nodes[2] != NULL)
+    if (nodes.nodes[2] != NULL && !nodes.isWrong[2])
     {
         float power = 16.0f;
         while (power > scene->view.finestTexel)
@@ -150,7 +151,8 @@ static swResult readView(swYaml* yaml, yaml_node_t* node, void* target)
         }
         if (power != scene->view.finestTexel)
         {
-            result = swFailYaml(yaml, nodes.nodes[2], "finest_texel_m is %g; it must be a power of two, such as %g.",
+            result = swFailYaml(yaml, nodes.nodes[2], SW_MISTAKE_OUT_OF_RANGE,
+                                "finest_texel_m is %g; it must be a power of two, such as %g.",
                                 (double)scene->view.finestTexel, (double)power);
         }
     }
@@ -160,19 +162,19 @@ static swResult readView(swYaml* yaml, yaml_node_t* node, void* target)
 static swResult readSun(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
-    return swReadYamlMapping(yaml, node, "sun", sunFields, COUNT(sunFields), &scene->sky, NULL);
+    return swReadYamlMapping(yaml, node, "sun", sunFields, SW_YAML_COUNT(sunFields), &scene->sky, NULL);
 }
 
 static swResult readSky(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
-    return swReadYamlMapping(yaml, node, "sky", skyFields, COUNT(skyFields), &scene->sky, NULL);
+    return swReadYamlMapping(yaml, node, "sky", skyFields, SW_YAML_COUNT(skyFields), &scene->sky, NULL);
 }
 
 static swResult readWater(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
-    return swReadYamlMapping(yaml, node, "water", waterFields, COUNT(waterFields), &scene->water, NULL);
+    return swReadYamlMapping(yaml, node, "water", waterFields, SW_YAML_COUNT(waterFields), &scene->water, NULL);
 }
 
 // ---- wave systems ----
@@ -263,6 +265,7 @@ enum
     COMPONENTS_PER_OCTAVE,
     REVERSE_WEIGHT,
     DIRECTION_VARIANCE,
+    LEAST_JACOBIAN,
     WAVES_FIELD_COUNT
 };
 
@@ -346,15 +349,24 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [EXTEND_TAIL] = {.key = "extend_tail", .type = SW_YAML_BOOL, .offset = SPECTRUM(extendTail)},
     [RESOLUTION] = {.key = "resolution", .type = SW_YAML_INT, .offset = SYSTEM(resolution), .low = 16.0, .high = 512.0},
     [TILE_WAVES] = {.key = "tile_waves", .type = SW_YAML_INT, .offset = SYSTEM(tileWaves), .low = 4.0, .high = 128.0},
-    [MIN_WAVELENGTH] =
-        {.key = "min_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(minWavelength), .low = 0.0, .high = 1e5},
-    [MAX_WAVELENGTH] =
-        {.key = "max_wavelength_m", .type = SW_YAML_FLOAT, .offset = SYSTEM(maxWavelength), .low = 0.0, .high = 1e5},
+    [MIN_WAVELENGTH] = {.key = "min_wavelength_m",
+                        .type = SW_YAML_FLOAT,
+                        .offset = SYSTEM(minWavelength),
+                        .low = 0.0625,
+                        .high = 4096.0},
+    [MAX_WAVELENGTH] = {.key = "max_wavelength_m",
+                        .type = SW_YAML_FLOAT,
+                        .offset = SYSTEM(maxWavelength),
+                        .low = 0.0625,
+                        .high = 4096.0},
     [CHOP] = {.key = "chop", .type = SW_YAML_FLOAT, .offset = SYSTEM(chop), .low = 0.0, .high = 2.0},
     [WEIGHT] = {.key = "weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(weight), .low = 0.0, .high = 10.0},
-    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(depth), .low = 0.01, .high = 1e5},
-    [LOOP_PERIOD] =
-        {.key = "loop_period_s", .type = SW_YAML_FLOAT, .offset = SYSTEM(loopPeriod), .low = 0.0, .high = 86400.0},
+    [DEPTH] = {.key = "depth_m", .type = SW_YAML_FLOAT, .offset = SPECTRUM(depth), .low = 0.001, .high = 1e9},
+    [LOOP_PERIOD] = {.key = "loop_period_s",
+                     .type = SW_YAML_FLOAT,
+                     .offset = SYSTEM(loopPeriod),
+                     .low = 0.0,
+                     .high = SW_YAML_LARGEST_TIME},
     [SEED] = {.key = "seed", .type = SW_YAML_UINT, .offset = SYSTEM(seed), .low = 0.0, .high = 4294967295.0},
     [METHOD] = {.key = "method", .type = SW_YAML_CHOICE, .offset = SYSTEM(method), .words = methodWords},
     [COMPONENTS_PER_OCTAVE] = {.key = "components_per_octave",
@@ -364,6 +376,8 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
                                .high = 32.0},
     [REVERSE_WEIGHT] =
         {.key = "reverse_weight", .type = SW_YAML_FLOAT, .offset = SYSTEM(reverseWeight), .low = 0.0, .high = 1.0},
+    [LEAST_JACOBIAN] =
+        {.key = "least_jacobian", .type = SW_YAML_FLOAT, .offset = SYSTEM(leastJacobian), .low = -10.0, .high = 0.9},
     [DIRECTION_VARIANCE] = {.key = "direction_variance_deg",
                             .type = SW_YAML_DEGREES,
                             .offset = SYSTEM(directionVariance),
@@ -384,19 +398,25 @@ static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesText* text, con
     int count = 0;
     for (int i = 0; i < COUNT(fields); ++i)
     {
-        second = nodes->nodes[fields[i]] != NULL ? nodes->nodes[fields[i]] : second;
-        count += nodes->nodes[fields[i]] != NULL;
+        const yaml_node_t* given = nodes->nodes[fields[i]];
+        bool isLater = given != NULL && (second == NULL || given->start_mark.index > second->start_mark.index);
+        second = isLater ? given : second;
+        count += given != NULL;
+    }
+    if (nodes->isWrong[KIND])
+    {
+        return SW_ERROR_FORMAT; // has been told
     }
     if (count == 0)
     {
         return swFailYaml(
-            yaml, node,
+            yaml, node, SW_MISTAKE_MISSING_KEY,
             "the key spectrum is missing; it is jonswap, pierson_moskowitz, tma, elfouhaily, phillips, "
             "octaves, file, wind_sea or swell. Or give a number of beaufort or sea_state, or a list of components.");
     }
     if (count > 1)
     {
-        return swFailYaml(yaml, second,
+        return swFailYaml(yaml, second, SW_MISTAKE_CONFLICT,
                           "spectrum, beaufort, sea_state and components each make the waves; keep one of them.");
     }
     text->kind = nodes->nodes[BEAUFORT] != NULL     ? BEAUFORT_KIND
@@ -423,29 +443,33 @@ static swResult checkMethodKeys(swYaml* yaml, WavesText* text, const swYamlNodes
     {
         int field;
         swWaveMethod method;
+        unsigned kinds; // of others the field has been told of
     } rules[] = {
-        {RESOLUTION, SW_WAVES_FFT},
-        {TILE_WAVES, SW_WAVES_FFT},
-        {COMPONENTS_PER_OCTAVE, SW_WAVES_GERSTNER},
-        {REVERSE_WEIGHT, SW_WAVES_GERSTNER},
-        {DIRECTION_VARIANCE, SW_WAVES_GERSTNER},
+        {RESOLUTION, SW_WAVES_FFT, ~0u},
+        {TILE_WAVES, SW_WAVES_FFT, ~0u},
+        {COMPONENTS_PER_OCTAVE, SW_WAVES_GERSTNER, SPECTRA},
+        {REVERSE_WEIGHT, SW_WAVES_GERSTNER, SPECTRA},
+        {DIRECTION_VARIANCE, SW_WAVES_GERSTNER, SPECTRA},
+        {LEAST_JACOBIAN, SW_WAVES_GERSTNER, SPECTRA},
     };
     if (text->kind == COMPONENTS_KIND && nodes->nodes[METHOD] != NULL && text->def.method != SW_WAVES_GERSTNER)
     {
-        return swFailYaml(yaml, nodes->nodes[METHOD], "components are made with 'method: gerstner' only; remove this.");
+        return swFailYaml(yaml, nodes->nodes[METHOD], SW_MISTAKE_CONFLICT,
+                          "components are made with 'method: gerstner' only; remove this.");
     }
     text->def.method = text->kind == COMPONENTS_KIND ? SW_WAVES_GERSTNER : text->def.method;
-    for (int i = 0; i < COUNT(rules); ++i)
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < COUNT(rules) && !nodes->isWrong[METHOD]; ++i)
     {
         const yaml_node_t* node = nodes->nodes[rules[i].field];
-        if (node != NULL && rules[i].method != text->def.method)
+        if (node != NULL && rules[i].method != text->def.method && (rules[i].kinds & ONE(text->kind)) != 0)
         {
-            return swFailYaml(yaml, node, "%s has an effect with 'method: %s' only; %s.",
-                              wavesFields[rules[i].field].key, methodWords[rules[i].method],
-                              rules[i].method == SW_WAVES_GERSTNER ? "add that or remove it" : "remove it");
+            result = swFailYaml(yaml, node, SW_MISTAKE_NO_EFFECT, "%s has an effect with 'method: %s' only; %s.",
+                                wavesFields[rules[i].field].key, methodWords[rules[i].method],
+                                rules[i].method == SW_WAVES_GERSTNER ? "add that or remove it" : "remove it");
         }
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 // Keys that do not go with a kind of spectrum would have no effect: refused, so that nobody turns a dead knob.
@@ -487,37 +511,36 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {COMPONENTS_PER_OCTAVE, SPECTRA},
         {REVERSE_WEIGHT, SPECTRA},
         {DIRECTION_VARIANCE, SPECTRA},
+        {LEAST_JACOBIAN, SPECTRA},
     };
+    swResult result = SW_SUCCESS;
     for (int i = 0; i < COUNT(rules); ++i)
     {
         const yaml_node_t* node = nodes->nodes[rules[i].field];
         if (node != NULL && (rules[i].kinds & ONE(text->kind)) == 0)
         {
             bool isTurned = rules[i].field == DIRECTION && text->kind == SW_SPECTRUM_TABLE;
-            return swFailYaml(yaml, node, "%s has no effect on %s'%s'; remove it%s.", wavesFields[rules[i].field].key,
-                              text->kind == COMPONENTS_KIND ? "" : "the spectrum ", getKindWord(text->kind),
-                              isTurned ? ", or turn the measured sea with turn_deg" : "");
+            result = swFailYaml(yaml, node, SW_MISTAKE_NO_EFFECT, "%s has no effect on %s'%s'; remove it%s.",
+                                wavesFields[rules[i].field].key, text->kind == COMPONENTS_KIND ? "" : "the spectrum ",
+                                getKindWord(text->kind), isTurned ? ", or turn the measured sea with turn_deg" : "");
         }
     }
-    swResult result = checkMethodKeys(yaml, text, nodes);
-    if (result != SW_SUCCESS)
+    result = swKeepFailure(result, checkMethodKeys(yaml, text, nodes));
+    if (nodes->nodes[GROWTH] != NULL && text->def.spectrum.peakPeriod > 0.0f && (GROWING & ONE(text->kind)) != 0)
     {
-        return result;
-    }
-    if (nodes->nodes[GROWTH] != NULL && text->def.spectrum.peakPeriod > 0.0f)
-    {
-        return swFailYaml(yaml, nodes->nodes[GROWTH],
-                          "growth has no effect where peak_period_s is given; remove one of them.");
+        result = swFailYaml(yaml, nodes->nodes[GROWTH], SW_MISTAKE_NO_EFFECT,
+                            "growth has no effect where peak_period_s is given; remove one of them.");
     }
     // Wind seas by one knob have a spreading of their own.
     bool isCosine = nodes->nodes[SPREADING] != NULL ? text->spreading == SW_SPREADING_COSINE_2S
                                                     : (WIND_SEAS & ONE(text->kind)) == 0;
-    if (nodes->nodes[SPREAD_EXPONENT] != NULL && !isCosine)
+    bool hasSpreading = ((FORMULAS | WIND_SEAS) & ONE(text->kind)) != 0 && !nodes->isWrong[SPREADING];
+    if (nodes->nodes[SPREAD_EXPONENT] != NULL && hasSpreading && !isCosine)
     {
-        return swFailYaml(yaml, nodes->nodes[SPREAD_EXPONENT],
-                          "spread_exponent has an effect with spreading: cosine only; remove it, or say so.");
+        result = swFailYaml(yaml, nodes->nodes[SPREAD_EXPONENT], SW_MISTAKE_NO_EFFECT,
+                            "spread_exponent has an effect with spreading: cosine only; remove it, or say so.");
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 // What the one-knob functions make of these keys.
@@ -539,13 +562,18 @@ static swSpectrumDef makeKnobSpectrum(const WavesText* text, const swYamlNodes* 
     }
 }
 
+static swResult checkSwell(swYaml* yaml, yaml_node_t* node, const WavesText* text, const swYamlNodes* nodes)
+{
+    if (text->kind == SWELL_KIND && (nodes->nodes[HEIGHT] == NULL || nodes->nodes[PEAK_PERIOD] == NULL))
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "a swell needs significant_height_m and peak_period_s.");
+    }
+    return SW_SUCCESS;
+}
+
 static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
 {
     swSpectrumDef* spectrum = &text->def.spectrum;
-    if (text->kind == SWELL_KIND && (nodes->nodes[HEIGHT] == NULL || nodes->nodes[PEAK_PERIOD] == NULL))
-    {
-        return swFailYaml(yaml, node, "a swell needs significant_height_m and peak_period_s.");
-    }
     if (text->kind < SW_SPECTRUM_KIND_COUNT)
     {
         spectrum->kind = (swSpectrumKind)text->kind;
@@ -569,7 +597,7 @@ static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, 
         swSeaState seaState;
         if (swSpectrum_GetSeaState(spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
         {
-            return swFailYaml(yaml, nodes->nodes[OCTAVES] != NULL ? nodes->nodes[OCTAVES] : node,
+            return swFailYaml(yaml, nodes->nodes[OCTAVES] != NULL ? nodes->nodes[OCTAVES] : node, SW_MISTAKE_NO_ENERGY,
                               "the octaves have no energy; enable one, or raise its power.");
         }
     }
@@ -583,28 +611,39 @@ static bool isPowerOfTwo(int value)
 
 static swResult checkSystem(swYaml* yaml, yaml_node_t* node, const swWaveSystemDef* def, const swYamlNodes* nodes)
 {
+    swResult result = SW_SUCCESS;
     if (!isPowerOfTwo(def->resolution))
     {
-        return swFailYaml(yaml, nodes->nodes[RESOLUTION], "resolution is %d; it must be a power of two.",
-                          def->resolution);
+        result = swFailYaml(yaml, nodes->nodes[RESOLUTION], SW_MISTAKE_OUT_OF_RANGE,
+                            "resolution is %d; it must be a power of two.", def->resolution);
     }
-    if (def->tileWaves > def->resolution / 4)
+    else if (def->tileWaves > def->resolution / 4 && !nodes->isWrong[RESOLUTION] && !nodes->isWrong[TILE_WAVES])
     {
-        return swFailYaml(yaml, nodes->nodes[TILE_WAVES] != NULL ? nodes->nodes[TILE_WAVES] : node,
-                          "tile_waves is %d; it must be at most a quarter of the resolution, %d.", def->tileWaves,
-                          def->resolution / 4);
+        result =
+            swFailYaml(yaml, nodes->nodes[TILE_WAVES] != NULL ? nodes->nodes[TILE_WAVES] : node,
+                       SW_MISTAKE_OUT_OF_RANGE, "tile_waves is %d; it must be at most a quarter of the resolution, %d.",
+                       def->tileWaves, def->resolution / 4);
     }
-    if (def->minWavelength >= def->maxWavelength)
+    if (def->minWavelength >= def->maxWavelength && !nodes->isWrong[MIN_WAVELENGTH] && !nodes->isWrong[MAX_WAVELENGTH])
     {
-        return swFailYaml(yaml, nodes->nodes[MIN_WAVELENGTH] != NULL ? nodes->nodes[MIN_WAVELENGTH] : node,
-                          "min_wavelength_m is %g and max_wavelength_m is %g; the first must be smaller.",
-                          (double)def->minWavelength, (double)def->maxWavelength);
+        result = swFailYaml(yaml, nodes->nodes[MIN_WAVELENGTH] != NULL ? nodes->nodes[MIN_WAVELENGTH] : node,
+                            SW_MISTAKE_CONFLICT,
+                            "min_wavelength_m is %g and max_wavelength_m is %g; the first must be smaller.",
+                            (double)def->minWavelength, (double)def->maxWavelength);
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 static swResult readMeasured(swYaml* yaml, yaml_node_t* node, WavesText* text, const swYamlNodes* nodes)
 {
+    static const int needed[] = {FILE_NAME, FILE_LIST, PLACE, AT, REPLAY, METHOD};
+    for (int i = 0; i < COUNT(needed); ++i)
+    {
+        if (nodes->isWrong[needed[i]])
+        {
+            return SW_ERROR_FORMAT; // has been told
+        }
+    }
     swMeasuredText* measured = &text->measured;
     measured->system = node;
     measured->fileNode = nodes->nodes[FILE_NAME];
@@ -627,19 +666,26 @@ static swResult readSystem(swYaml* yaml, yaml_node_t* node, swSceneWaves* waves)
     text.octaves.multiplier = 1.0f;
     text.octaves.gravityScale = 1.0f;
     swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "waves", wavesFields, WAVES_FIELD_COUNT, &text, &nodes);
-    result = result == SW_SUCCESS ? chooseKind(yaml, node, &text, &nodes) : result;
-    result = result == SW_SUCCESS ? checkKeys(yaml, &text, &nodes) : result;
-    result = result == SW_SUCCESS ? checkSystem(yaml, node, &text.def, &nodes) : result;
-    result = result == SW_SUCCESS ? buildSpectrum(yaml, node, &text, &nodes) : result;
-    if (result != SW_SUCCESS)
+    swResult result = swReadYamlMapping(yaml, node, "waves", wavesFields, SW_YAML_COUNT(wavesFields), &text, &nodes);
+    if (swIsYamlOver(yaml, result) || node->type != YAML_MAPPING_NODE)
     {
         return result;
     }
+    swResult kind = chooseKind(yaml, node, &text, &nodes);
+    result = swKeepFailure(result, kind);
+    result = swKeepFailure(result, checkSystem(yaml, node, &text.def, &nodes));
+    if (kind == SW_SUCCESS)
+    {
+        result = swKeepFailure(result, checkKeys(yaml, &text, &nodes));
+        result = swKeepFailure(result, checkSwell(yaml, node, &text, &nodes));
+    }
+    result = result == SW_SUCCESS ? buildSpectrum(yaml, node, &text, &nodes) : result;
     waves->def = text.def;
     waves->def.components = waves->components;
     waves->def.componentCount = waves->componentCount;
-    return text.kind == SW_SPECTRUM_TABLE ? readMeasured(yaml, node, &text, &nodes) : SW_SUCCESS;
+    bool isFile = kind == SW_SUCCESS && text.kind == SW_SPECTRUM_TABLE;
+    waves->def.spectrum.kind = isFile ? SW_SPECTRUM_TABLE : waves->def.spectrum.kind;
+    return isFile ? swKeepFailure(result, readMeasured(yaml, node, &text, &nodes)) : result;
 }
 
 static swResult readWaves(swYaml* yaml, yaml_node_t* node, void* target)
@@ -647,11 +693,11 @@ static swResult readWaves(swYaml* yaml, yaml_node_t* node, void* target)
     swScene* scene = target;
     int count = 0;
     swResult result = swReadYamlList(yaml, node, "waves", SW_MAX_WAVE_SYSTEMS, &count);
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
         // Counted first, so that what a failed one has read is freed.
         scene->wavesCount = i + 1;
-        result = readSystem(yaml, swGetYamlItem(yaml, node, i), &scene->waves[i]);
+        result = swKeepFailure(result, readSystem(yaml, swGetYamlItem(yaml, node, i), &scene->waves[i]));
     }
     return result;
 }
@@ -710,47 +756,54 @@ static const swYamlField sceneViewFields[VIEW_FIELD_COUNT] = {
                             .high = 90.0},
 };
 
+static swResult checkSceneView(swYaml* yaml, yaml_node_t* node, const swScene* scene, int index,
+                               const swYamlNodes* nodes)
+{
+    const swSceneView* view = &scene->views[index];
+    swResult result = SW_SUCCESS;
+    if (nodes->nodes[VIEW_NAME] == NULL)
+    {
+        result = swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "the view has no name; give it one to ask for.");
+    }
+    for (int i = 0; i < index && view->name[0] != '\0'; ++i)
+    {
+        if (strcmp(scene->views[i].name, view->name) == 0)
+        {
+            result = swFailYaml(yaml, nodes->nodes[VIEW_NAME], SW_MISTAKE_REPEATED,
+                                "a view named '%s' stands above; names must differ.", view->name);
+            break;
+        }
+    }
+    const yaml_node_t* azimuth = nodes->nodes[VIEW_SUN_AZIMUTH];
+    const yaml_node_t* elevation = nodes->nodes[VIEW_SUN_ELEVATION];
+    if ((azimuth == NULL) != (elevation == NULL))
+    {
+        result = swFailYaml(yaml, azimuth != NULL ? azimuth : elevation, SW_MISTAKE_MISSING_KEY,
+                            "a view's own sun needs both sun_azimuth_deg and sun_elevation_deg.");
+    }
+    return result;
+}
+
 static swResult readSceneView(swYaml* yaml, yaml_node_t* node, swScene* scene, int index)
 {
     swSceneView* view = &scene->views[index];
     view->position.y = 20.0;
     view->verticalFov = (float)(50.0 * (SW_PI / 180.0));
     swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "views", sceneViewFields, VIEW_FIELD_COUNT, view, &nodes);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    if (nodes.nodes[VIEW_NAME] == NULL)
-    {
-        return swFailYaml(yaml, node, "the view has no name; give it one to ask for.");
-    }
-    for (int i = 0; i < index; ++i)
-    {
-        if (strcmp(scene->views[i].name, view->name) == 0)
-        {
-            return swFailYaml(yaml, nodes.nodes[VIEW_NAME], "a view named '%s' stands above; names must differ.",
-                              view->name);
-        }
-    }
-    const yaml_node_t* azimuth = nodes.nodes[VIEW_SUN_AZIMUTH];
-    const yaml_node_t* elevation = nodes.nodes[VIEW_SUN_ELEVATION];
-    if ((azimuth == NULL) != (elevation == NULL))
-    {
-        return swFailYaml(yaml, azimuth != NULL ? azimuth : elevation,
-                          "a view's own sun needs both sun_azimuth_deg and sun_elevation_deg.");
-    }
-    view->hasSun = azimuth != NULL;
-    return SW_SUCCESS;
+    swResult result =
+        swReadYamlMapping(yaml, node, "views", sceneViewFields, SW_YAML_COUNT(sceneViewFields), view, &nodes);
+    view->hasSun = nodes.nodes[VIEW_SUN_AZIMUTH] != NULL;
+    return node->type == YAML_MAPPING_NODE ? swKeepFailure(result, checkSceneView(yaml, node, scene, index, &nodes))
+                                           : result;
 }
 
 static swResult readViews(swYaml* yaml, yaml_node_t* node, void* target)
 {
     swScene* scene = target;
     swResult result = swReadYamlList(yaml, node, "views", SW_MAX_SCENE_VIEWS, &scene->viewCount);
-    for (int i = 0; i < scene->viewCount && result == SW_SUCCESS; ++i)
+    for (int i = 0; i < scene->viewCount && !swIsYamlOver(yaml, result); ++i)
     {
-        result = readSceneView(yaml, swGetYamlItem(yaml, node, i), scene, i);
+        result = swKeepFailure(result, readSceneView(yaml, swGetYamlItem(yaml, node, i), scene, i));
     }
     return result;
 }
@@ -759,7 +812,11 @@ static swResult readViews(swYaml* yaml, yaml_node_t* node, void* target)
 
 static const swYamlField sceneFields[] = {
     {.key = "name", .type = SW_YAML_TEXT, .offset = offsetof(swScene, name), .size = 128},
-    {.key = "time_s", .type = SW_YAML_DOUBLE, .offset = offsetof(swScene, time), .low = -FAR, .high = FAR},
+    {.key = "time_s",
+     .type = SW_YAML_DOUBLE,
+     .offset = offsetof(swScene, time),
+     .low = -SW_YAML_LARGEST_TIME,
+     .high = SW_YAML_LARGEST_TIME},
     {.key = "exposure_ev", .type = SW_YAML_FLOAT, .offset = offsetof(swScene, exposureEv), .low = -20.0, .high = 20.0},
     {.key = "world", .type = SW_YAML_CUSTOM, .read = readWorld},
     {.key = "foam", .type = SW_YAML_CUSTOM, .read = readFoam},
@@ -783,12 +840,13 @@ static swResult readRoot(const swHost* host, const char* text, size_t size, cons
     yaml.context = reader;
     if (root == NULL)
     {
-        result =
-            swFail(host, SW_ERROR_FORMAT, "%s:1: the scene file is empty; it needs at least a list of waves.", name);
+        result = swFail(host, SW_ERROR_FORMAT,
+                        "%s:1: the scene file is empty; it needs at least a list of waves. [missing_key]", name);
     }
     else
     {
-        result = swReadYamlMapping(&yaml, root, "a scene", sceneFields, COUNT(sceneFields), getScene(&yaml), NULL);
+        result =
+            swReadYamlMapping(&yaml, root, "a scene", sceneFields, SW_YAML_COUNT(sceneFields), getScene(&yaml), NULL);
     }
     if (result == SW_SUCCESS)
     {
@@ -805,8 +863,8 @@ swResult swReadSceneText(const swHost* host, const char* text, size_t size, cons
     name = name != NULL ? name : "scene";
     if (size > MAX_SCENE_SIZE)
     {
-        return swFail(host, SW_ERROR_FORMAT, "%s:1: the scene file has %zu bytes; at most %zu are read.", name, size,
-                      MAX_SCENE_SIZE);
+        return swFail(host, SW_ERROR_FORMAT, "%s:1: the scene file has %zu bytes; at most %zu are read. [too_large]",
+                      name, size, MAX_SCENE_SIZE);
     }
     swScene* made = swAllocateZero(host, sizeof(*made));
     if (made == NULL)
@@ -832,8 +890,13 @@ swResult swReadSceneText(const swHost* host, const char* text, size_t size, cons
 swResult swReadScene(const swHost* host, const char* path, swScene** scene)
 {
     *scene = NULL;
-    char folder[1024] = "";
+    char folder[SW_MAX_PATH] = "";
     const char* slash = strrchr(path, '/');
+    if (strlen(path) >= sizeof(folder))
+    {
+        return swFail(host, SW_ERROR_FILE, "The path of a scene has %zu bytes; at most %zu are read.", strlen(path),
+                      sizeof(folder) - 1);
+    }
     if (slash != NULL)
     {
         // The root folder keeps its slash.

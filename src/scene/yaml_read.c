@@ -11,16 +11,45 @@
 #include <string.h>
 
 #include "core/base/number.h"
+#include "scene/scene_file.h"
 #include "seaway/math.h"
 
-swResult swFailYaml(const swYaml* yaml, const yaml_node_t* node, const char* format, ...)
+static const char* const mistakeCodes[] = {
+#define SW_MISTAKE(name, code) code,
+#include "scene/mistakes.inl"
+#undef SW_MISTAKE
+};
+
+swResult swFailYaml(swYaml* yaml, const yaml_node_t* node, swMistake mistake, const char* format, ...)
 {
-    char text[512];
+    char text[SW_MAX_PATH + 512];
+    int line = (int)node->start_mark.line + 1;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof(text), format, arguments);
     va_end(arguments);
-    return swFail(yaml->host, SW_ERROR_FORMAT, "%s:%d: %s", yaml->name, (int)node->start_mark.line + 1, text);
+    yaml->mistakeCount += 1;
+    if (yaml->mistakeCount < SW_YAML_MAX_MISTAKES)
+    {
+        swFail(yaml->host, SW_ERROR_FORMAT, "%s:%d: %s [%s]", yaml->name, line, text, mistakeCodes[mistake]);
+    }
+    else if (yaml->mistakeCount == SW_YAML_MAX_MISTAKES)
+    {
+        swFail(yaml->host, SW_ERROR_FORMAT,
+               "%s:%d: here is mistake %d, and more are not looked for; mend those above. [%s]", yaml->name, line,
+               yaml->mistakeCount, mistakeCodes[SW_MISTAKE_TOO_LARGE]);
+    }
+    return SW_ERROR_FORMAT;
+}
+
+swResult swKeepFailure(swResult first, swResult next)
+{
+    return first == SW_SUCCESS || next == SW_ERROR_NO_MEMORY ? next : first;
+}
+
+bool swIsYamlOver(const swYaml* yaml, swResult result)
+{
+    return result == SW_ERROR_NO_MEMORY || yaml->mistakeCount >= SW_YAML_MAX_MISTAKES;
 }
 
 // ---- documents ----
@@ -42,12 +71,49 @@ static swResult failSyntax(const swHost* host, const yaml_parser_t* parser, cons
             line += text[i] == '\n' ? 1 : 0;
         }
     }
-    return swFail(host, SW_ERROR_FORMAT, "%s:%d: this is not YAML: %s; check indentation, colons and quotes.", name,
-                  (int)line, parser->problem != NULL ? parser->problem : "unknown problem");
+    return swFail(host, SW_ERROR_FORMAT, "%s:%d: this is not YAML: %s; check indentation, colons and quotes. [%s]",
+                  name, (int)line, parser->problem != NULL ? parser->problem : "unknown problem",
+                  mistakeCodes[SW_MISTAKE_SYNTAX]);
+}
+
+// How an event changes the depth of lists and mappings.
+static int getDepthStep(yaml_event_type_t type)
+{
+    return type == YAML_SEQUENCE_START_EVENT || type == YAML_MAPPING_START_EVENT ? 1
+           : type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT   ? -1
+                                                                                 : 0;
+}
+
+// Go through the events of a text without keeping them, so that what is too deep or too large is never built.
+static swResult checkShape(const swHost* host, yaml_parser_t* parser, const char* text, size_t size, const char* name)
+{
+    int depth = 0, nodeCount = 0;
+    for (bool isOver = false; !isOver;)
+    {
+        yaml_event_t event;
+        if (yaml_parser_parse(parser, &event) == 0)
+        {
+            return failSyntax(host, parser, text, size, name);
+        }
+        int line = (int)event.start_mark.line + 1, step = getDepthStep(event.type);
+        depth += step;
+        nodeCount += step > 0 || event.type == YAML_SCALAR_EVENT || event.type == YAML_ALIAS_EVENT;
+        isOver = event.type == YAML_STREAM_END_EVENT;
+        yaml_event_delete(&event);
+        if (depth > SW_YAML_MAX_DEPTH || nodeCount > SW_YAML_MAX_NODES)
+        {
+            bool isDeep = depth > SW_YAML_MAX_DEPTH;
+            return swFail(host, SW_ERROR_FORMAT, "%s:%d: %s %d %s; remove what is no scene. [%s]", name, line,
+                          isDeep ? "lists and mappings are nested more than" : "there are more than",
+                          isDeep ? SW_YAML_MAX_DEPTH : SW_YAML_MAX_NODES, isDeep ? "deep" : "values",
+                          mistakeCodes[SW_MISTAKE_TOO_LARGE]);
+        }
+    }
+    return SW_SUCCESS;
 }
 
 // A second document would be ignored without a word.
-static swResult checkEnd(yaml_parser_t* parser, const char* text, size_t size, const swYaml* yaml)
+static swResult checkEnd(yaml_parser_t* parser, const char* text, size_t size, swYaml* yaml)
 {
     yaml_document_t second;
     if (yaml_parser_load(parser, &second) == 0)
@@ -58,9 +124,25 @@ static swResult checkEnd(yaml_parser_t* parser, const char* text, size_t size, c
     swResult result = SW_SUCCESS;
     if (root != NULL)
     {
-        result = swFailYaml(yaml, root, "a second document begins; a scene file has one, so remove the line '---'.");
+        result = swFailYaml(yaml, root, SW_MISTAKE_SYNTAX,
+                            "a second document begins; a scene file has one, so remove the line '---'.");
     }
     yaml_document_delete(&second);
+    return result;
+}
+
+static swResult loadDocument(swYaml* yaml, yaml_parser_t* parser, const char* text, size_t size, yaml_node_t** root)
+{
+    if (yaml_parser_load(parser, &yaml->document) == 0)
+    {
+        return failSyntax(yaml->host, parser, text, size, yaml->name);
+    }
+    *root = yaml_document_get_root_node(&yaml->document);
+    swResult result = checkEnd(parser, text, size, yaml);
+    if (result != SW_SUCCESS)
+    {
+        yaml_document_delete(&yaml->document);
+    }
     return result;
 }
 
@@ -69,27 +151,19 @@ swResult swOpenYaml(const swHost* host, const char* text, size_t size, const cha
 {
     *yaml = (swYaml){.host = host, .name = name};
     *root = NULL;
-    yaml_parser_t parser;
-    if (yaml_parser_initialize(&parser) == 0)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", name);
-    }
-    yaml_parser_set_input_string(&parser, (const unsigned char*)text, size);
     swResult result = SW_SUCCESS;
-    if (yaml_parser_load(&parser, &yaml->document) == 0)
+    for (int pass = 0; pass < 2 && result == SW_SUCCESS; ++pass)
     {
-        result = failSyntax(host, &parser, text, size, name);
-    }
-    else
-    {
-        *root = yaml_document_get_root_node(&yaml->document);
-        result = checkEnd(&parser, text, size, yaml);
-        if (result != SW_SUCCESS)
+        yaml_parser_t parser;
+        if (yaml_parser_initialize(&parser) == 0)
         {
-            yaml_document_delete(&yaml->document);
+            return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", name);
         }
+        yaml_parser_set_input_string(&parser, (const unsigned char*)text, size);
+        result =
+            pass == 0 ? checkShape(host, &parser, text, size, name) : loadDocument(yaml, &parser, text, size, root);
+        yaml_parser_delete(&parser);
     }
-    yaml_parser_delete(&parser);
     return result;
 }
 
@@ -116,12 +190,14 @@ static swResult readNumber(swYaml* yaml, yaml_node_t* node, const swYamlField* f
     const char* text = getScalar(node, &size);
     if (text == NULL || !swParseNumber(text, size, value))
     {
-        return swFailYaml(yaml, node, "%s is '%.*s'; it must be a number from %g to %g.", field->key,
-                          text != NULL && size < 60 ? size : 0, text != NULL ? text : "", field->low, field->high);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s is '%.*s'; it must be a number from %g to %g.",
+                          field->key, text != NULL && size < 60 ? size : 0, text != NULL ? text : "", field->low,
+                          field->high);
     }
     if (!(*value >= field->low && *value <= field->high))
     {
-        return swFailYaml(yaml, node, "%s is %g; its range is %g to %g.", field->key, *value, field->low, field->high);
+        return swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE, "%s is %g; its range is %g to %g.", field->key, *value,
+                          field->low, field->high);
     }
     return SW_SUCCESS;
 }
@@ -131,7 +207,8 @@ static swResult readInteger(swYaml* yaml, yaml_node_t* node, const swYamlField* 
     swResult result = readNumber(yaml, node, field, value);
     if (result == SW_SUCCESS && *value != floor(*value))
     {
-        result = swFailYaml(yaml, node, "%s is %g; it must be a whole number.", field->key, *value);
+        result =
+            swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE, "%s is %g; it must be a whole number.", field->key, *value);
     }
     return result;
 }
@@ -142,11 +219,12 @@ static swResult readTriple(swYaml* yaml, yaml_node_t* node, const swYamlField* f
     swResult result = swReadYamlList(yaml, node, field->key, 3, &count);
     if (result == SW_SUCCESS && count != 3)
     {
-        result = swFailYaml(yaml, node, "%s has %d numbers; it must have three, as in [0, 2, 0].", field->key, count);
+        result = swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM,
+                            "%s has %d numbers; it must have three, as in [0, 2, 0].", field->key, count);
     }
-    for (int i = 0; i < 3 && result == SW_SUCCESS; ++i)
+    for (int i = 0; i < count && i < 3; ++i)
     {
-        result = readNumber(yaml, swGetYamlItem(yaml, node, i), field, &values[i]);
+        result = swKeepFailure(result, readNumber(yaml, swGetYamlItem(yaml, node, i), field, &values[i]));
     }
     return result;
 }
@@ -157,15 +235,16 @@ swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const swYamlField* fiel
     const char* text = getScalar(node, &size);
     if (text == NULL || size == 0)
     {
-        return swFailYaml(yaml, node, "%s must be a text.", field->key);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must be a text.", field->key);
     }
     if ((size_t)size >= field->size)
     {
-        return swFailYaml(yaml, node, "%s has %d bytes; at most %zu are kept.", field->key, size, field->size - 1);
+        return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE, "%s has %d bytes; at most %zu are kept.", field->key, size,
+                          field->size - 1);
     }
     if (memchr(text, '\0', (size_t)size) != NULL)
     {
-        return swFailYaml(yaml, node, "%s holds a zero byte; remove it.", field->key);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s holds a zero byte; remove it.", field->key);
     }
     memset(target, 0, field->size);
     memcpy(target, text, (size_t)size);
@@ -186,7 +265,7 @@ static swResult readBool(swYaml* yaml, yaml_node_t* node, const swYamlField* fie
         *target = text[0] == 't';
         return SW_SUCCESS;
     }
-    return swFailYaml(yaml, node, "%s must be true or false.", field->key);
+    return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must be true or false.", field->key);
 }
 
 // "a, b, c" for messages, cut off where the room ends.
@@ -210,8 +289,8 @@ static swResult readChoice(swYaml* yaml, yaml_node_t* node, const swYamlField* f
         }
         listWord(known, sizeof(known), field->words[i]);
     }
-    return swFailYaml(yaml, node, "%s is '%.*s'; it must be one of: %s.", field->key, size < 60 ? size : 60,
-                      text != NULL ? text : "", known);
+    return swFailYaml(yaml, node, SW_MISTAKE_UNKNOWN_WORD, "%s is '%.*s'; it must be one of: %s.", field->key,
+                      size < 60 ? size : 60, text != NULL ? text : "", known);
 }
 
 static swResult readValue(swYaml* yaml, yaml_node_t* node, const swYamlField* field, void* target)
@@ -293,7 +372,7 @@ static int findField(const swYamlField* fields, int fieldCount, const char* key,
     return -1;
 }
 
-static swResult failKey(const swYaml* yaml, const yaml_node_t* key, const char* what, const swYamlField* fields,
+static swResult failKey(swYaml* yaml, const yaml_node_t* key, const char* what, const swYamlField* fields,
                         int fieldCount)
 {
     int size = 0;
@@ -303,8 +382,8 @@ static swResult failKey(const swYaml* yaml, const yaml_node_t* key, const char* 
     {
         listWord(known, sizeof(known), fields[i].key);
     }
-    return swFailYaml(yaml, key, "'%.*s' is no key of %s; it has: %s.", size < 60 ? size : 60, text != NULL ? text : "",
-                      what, known);
+    return swFailYaml(yaml, key, SW_MISTAKE_UNKNOWN_KEY, "'%.*s' is no key of %s; it has: %s.", size < 60 ? size : 60,
+                      text != NULL ? text : "", what, known);
 }
 
 swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, const swYamlField* fields, int fieldCount,
@@ -315,32 +394,37 @@ swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, co
     memset(nodes, 0, sizeof(*nodes));
     if (node->type != YAML_MAPPING_NODE)
     {
-        return swFailYaml(yaml, node, "%s must hold lines of the form 'key: value', indented.", what);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must hold lines of the form 'key: value', indented.",
+                          what);
     }
-    for (yaml_node_pair_t* pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; ++pair)
+    swResult result = SW_SUCCESS;
+    yaml_node_pair_t* pair = node->data.mapping.pairs.start;
+    for (; pair < node->data.mapping.pairs.top && !swIsYamlOver(yaml, result); ++pair)
     {
         yaml_node_t* key = yaml_document_get_node(&yaml->document, pair->key);
         yaml_node_t* value = yaml_document_get_node(&yaml->document, pair->value);
         int size = 0;
         const char* text = getScalar(key, &size);
         int index = text != NULL ? findField(fields, fieldCount, text, size) : -1;
+        swResult own = SW_SUCCESS;
         if (index < 0)
         {
-            return failKey(yaml, key, what, fields, fieldCount);
+            own = failKey(yaml, key, what, fields, fieldCount);
         }
-        if (nodes->nodes[index] != NULL)
+        else if (nodes->nodes[index] != NULL)
         {
-            return swFailYaml(yaml, key, "%s stands twice in %s, first on line %d; remove one.", fields[index].key,
-                              what, (int)nodes->nodes[index]->start_mark.line + 1);
+            own = swFailYaml(yaml, key, SW_MISTAKE_REPEATED, "%s stands twice in %s, first on line %d; remove one.",
+                             fields[index].key, what, (int)nodes->nodes[index]->start_mark.line + 1);
         }
-        nodes->nodes[index] = value;
-        swResult result = readValue(yaml, value, &fields[index], target);
-        if (result != SW_SUCCESS)
+        else
         {
-            return result;
+            nodes->nodes[index] = value;
+            own = readValue(yaml, value, &fields[index], target);
+            nodes->isWrong[index] = own != SW_SUCCESS;
         }
+        result = swKeepFailure(result, own);
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 swResult swReadYamlList(swYaml* yaml, yaml_node_t* node, const char* what, int limit, int* count)
@@ -348,14 +432,16 @@ swResult swReadYamlList(swYaml* yaml, yaml_node_t* node, const char* what, int l
     *count = 0;
     if (node->type != YAML_SEQUENCE_NODE)
     {
-        return swFailYaml(yaml, node, "%s must be a list: lines that begin with '- ', or [a, b].", what);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM,
+                          "%s must be a list: lines that begin with '- ', or [a, b].", what);
     }
     ptrdiff_t items = node->data.sequence.items.top - node->data.sequence.items.start;
+    *count = items > limit ? limit : (int)items;
     if (items > limit)
     {
-        return swFailYaml(yaml, node, "%s has %d items; at most %d are allowed.", what, (int)items, limit);
+        return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE, "%s has %d items; at most %d are allowed.", what,
+                          (int)items, limit);
     }
-    *count = (int)items;
     return SW_SUCCESS;
 }
 

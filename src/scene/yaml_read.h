@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mappings of a YAML document into structs by tables of fields. Every complaint is one sentence with file and line, and
-// says what would be right.
+// Mappings of a YAML document into structs by tables of fields. Every complaint is one sentence with file and line, says
+// what would be right, and ends with its code in brackets. Reading goes on after a mistake, so that all are told at once:
+// functions return the first failure of what they read, and what could not be read keeps its value.
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -10,13 +11,31 @@
 
 #include "core/base/host.h"
 
+typedef enum swMistake
+{
+#define SW_MISTAKE(name, code) SW_MISTAKE_##name,
+#include "scene/mistakes.inl"
+#undef SW_MISTAKE
+} swMistake;
+
+// Mistakes that are told; a file with more is no scene.
+#define SW_YAML_MAX_MISTAKES 64
+
+// What a document may have, or it is refused before it is read: the parser's time grows with the square of the depth.
+#define SW_YAML_MAX_DEPTH 16
+#define SW_YAML_MAX_NODES 100000
+
 typedef struct swYaml
 {
     const swHost* host;
     const char* name; // of the file, for messages
     yaml_document_t document;
     void* context; // what custom fields are read into
+    int mistakeCount;
 } swYaml;
+
+// Of a world, s; see swWorld_SetTime().
+#define SW_YAML_LARGEST_TIME 2.7e11
 
 typedef enum swYamlType
 {
@@ -47,10 +66,16 @@ typedef struct swYamlField
 
 #define SW_YAML_MAX_FIELDS 64
 
-// Which node set each field; NULL where the file says nothing.
+// How many fields a table has. A table with more than there is room for does not compile.
+#define SW_YAML_COUNT(fields)                                                                                          \
+    ((int)(sizeof(fields) / sizeof((fields)[0])) +                                                                     \
+     0 * (int)sizeof(char[sizeof(fields) / sizeof((fields)[0]) <= SW_YAML_MAX_FIELDS ? 1 : -1]))
+
+// Which node set each field, NULL where the file says nothing, and whether it holds a mistake, which has been told.
 typedef struct swYamlNodes
 {
     yaml_node_t* nodes[SW_YAML_MAX_FIELDS];
+    bool isWrong[SW_YAML_MAX_FIELDS];
 } swYamlNodes;
 
 // Parse a text. Needs swCloseYaml() if it succeeds. `root` is NULL for an empty document.
@@ -62,12 +87,18 @@ void swCloseYaml(swYaml* yaml);
 swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, const swYamlField* fields, int fieldCount,
                            void* target, swYamlNodes* nodes);
 
-// The items of a list, at most `limit`.
+// The items of a list, at most `limit`; the first ones also if there are more, which fails.
 swResult swReadYamlList(swYaml* yaml, yaml_node_t* node, const char* what, int limit, int* count);
 yaml_node_t* swGetYamlItem(swYaml* yaml, yaml_node_t* node, int index);
 
 // A text of at most field->size bytes, its zero included.
 swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const swYamlField* field, char* target);
 
-// Log "file:line: sentence" and return SW_ERROR_FORMAT.
-swResult swFailYaml(const swYaml* yaml, const yaml_node_t* node, const char* format, ...) SW_PRINTF(3, 4);
+// Log "file:line: sentence [code]" and return SW_ERROR_FORMAT.
+swResult swFailYaml(swYaml* yaml, const yaml_node_t* node, swMistake mistake, const char* format, ...) SW_PRINTF(4, 5);
+
+// The first failure of two, but want of memory before all.
+swResult swKeepFailure(swResult first, swResult next);
+
+// Nothing more is to be read: there is no memory, or there are too many mistakes.
+bool swIsYamlOver(const swYaml* yaml, swResult result);

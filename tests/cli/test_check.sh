@@ -14,8 +14,59 @@ out 'bad.yaml:3'
 run 1 check bad.yaml --json
 is_json out
 out '"line": 3'
-out '"code": "SW_ERROR_FORMAT"'
+out '"code": "unknown_word"'
 run 1 check nosuch.yaml
 out 'SW_ERROR_FILE'
+! grep -q ': fine' out || fail "$what: says fine"
+# Every mistake, each with its line and code.
+printf 'name: Bad\nwaves:\n  - spectrum: jonswap\n    chop: 9\n    fetsh_m: 4\n    duration_h: 3\nsky: {haze: -1}\n' >three.yaml
+run 1 check three.yaml
+out '^error: three.yaml:4: chop is 9; its range is 0 to 2. \[out_of_range\]$'
+out "^error: three.yaml:5: 'fetsh_m' is no key of waves"
+out '^error: three.yaml:6: duration_h has no effect.*; remove it. \[no_effect\]$'
+out '^error: three.yaml:7: haze is -1'
+out '^three.yaml: not usable, 4 errors, 0 warnings$'
+run 1 check three.yaml --json
+is_json out
+[ "$(grep -c '"code":' out)" -eq 4 ] || fail "$what: not four codes"
+out '"line": 6'
+out '"error_count": 4'
+# Seas that are flat, and scenes that nobody can draw, are usable and not fine.
+views='views: [{name: a}]'
+for flat in 'waves: []' 'waves: [{components: [{wavelength_m: 60, amplitude_m: 0, direction_from_deg: 0}]}]' \
+    'waves: [{spectrum: jonswap, weight: 0}]' \
+    'waves: [{spectrum: jonswap, wind_speed_mps: 2, fetch_m: 1000, min_wavelength_m: 2000, max_wavelength_m: 4000}]'; do
+    printf '%s\n%s\n' "$flat" "$views" >flat.yaml
+    run 1 check flat.yaml
+    out 'flat; .*\[no_energy\]$'
+    out '^flat.yaml: usable, 0 errors, 1 warning$'
+    run 0 stats flat.yaml
+    out '^Hs  *0.000  *0.000'
+    out 'The sea has no energy'
+    run 0 stats flat.yaml --json
+    is_json out
+    out '"hs_m": 0,'
+    out '"tp_s": null'
+    run 1 stats flat.yaml --plot flat.svg
+    err 'has no waves to plot'
+    hasnot flat.svg
+done
+printf 'waves: [{beaufort: 4}]\n' >blind.yaml
+run 1 check blind.yaml
+out '^warning: blind.yaml: the scene has no views.*\[no_views\]$'
+out '^blind.yaml: usable, 0 errors, 1 warning$'
+run 1 check blind.yaml --json
+out '"code": "no_views"'
+# A flat system beside others.
+printf 'waves:\n  - {spectrum: jonswap, weight: 0}\n  - components: [{wavelength_m: 60, amplitude_m: 0.4, direction_from_deg: 0}]\n' >both.yaml
+run 0 stats both.yaml --seeds 1 --duration 60
+out '^Hs  *1\.131'
+# Depth costs time by its square: refused before it does.
+awk 'BEGIN { for (i = 0; i < 100000; ++i) printf "["; print "" }' >deep.yaml
+count=$((count + 1))
+what='seaway check of 100,000 brackets'
+(ulimit -t 10 && "$seaway" check deep.yaml >out 2>err)
+[ $? -eq 1 ] || fail "$what: not exit code 1 within 10 s of the processor"
+out 'deep.yaml:1: lists and mappings are nested more than 16 deep.*\[too_large\]$'
 
 finish

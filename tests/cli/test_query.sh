@@ -139,16 +139,48 @@ run 1 query "$sea" --points farther.csv
 err 'farther.csv:1: z 2e12 is outside its range'
 run 1 query nosuch.yaml --points points.csv
 err 'nosuch.yaml'
+run 1 query missing.yaml # before anything is read from standard input
+err 'missing.yaml'
+mkfifo endless
+count=$((count + 1))
+what='seaway query of a missing scene, with nobody who types points'
+(exec 3<>endless && timeout 20 "$seaway" query missing.yaml <&3 >out 2>err)
+[ $? -eq 1 ] || fail "$what: does not leave with exit code 1"
 run 2 query "$sea" --time 1:0:1
+run 2 query "$sea" --time 1e12
+err 'goes beyond 2.7e+11 s, the largest time'
+run 2 query "$sea" --time 0:1e12:1e12
+err 'goes beyond'
+run 2 query "$sea" --time=-1e12:0:1e12
+err 'goes beyond'
+run 2 query "$sea" --time 1e11:1.0000000001e11:1e-6
+err 'lost in times so large'
+run 0 query "$sea" --points points.csv --time 1700000000:1700000000.05:0.01
+[ "$(cut -d, -f1 out | sort -u | wc -l)" -eq 7 ] || fail "Unix times 0.01 s apart look equal"
+out '^1700000000.05,'
+run 0 query "$sea" --points points.csv --time 0:0.5:0.1
+out '^0.3,'
+run 0 query "$sea" --points points.csv --time 12345678901.25
+out '^12345678901.25,10.5,-3,'
+printf '123456789.0123456,-0.1\n' >exact.csv
+run 0 query "$sea" --points exact.csv --time 3
+out '^3,123456789.0123456,-0.1,'
+run 2 query "$sea" --points points.csv --device 0
+err '--device has no effect without --backend gpu'
+run 2 query "$sea" --points points.csv --device 0 --backend cpu
+run 2 query "$sea" --points points.csv --stretching linear
+err '--stretching has no effect without --below'
+run 2 query "$sea" --points points.csv --particles --tolerance 0.1
+err '--tolerance has no effect with --particles'
 run 2 query "$sea" --time soon
 err 'T or A:B:STEP'
 run 0 query "$sea" --points points.csv --time 3 --backend gpu
 paste -d, first out | awk -F, 'NR > 1 { for (i = 4; i <= 7; ++i) { d = $i - $(i + 12); if (d * d > 4e-6) exit 1 } }' ||
     fail "the GPU gives other answers"
 [ "$(wc -l <out)" -eq 3 ] || fail "the GPU gives two points other than three lines"
-run 0 query "$sea" --points points.csv --time 3 --motion
+run 0 query "$sea" --points points.csv --time 3 --motion --tolerance 1e-5
 cp out first
-run 0 query "$sea" --points points.csv --time 3 --motion --backend gpu
+run 0 query "$sea" --points points.csv --time 3 --motion --tolerance 1e-5 --backend gpu
 paste -d, first out | awk -F, 'NR > 1 { for (i = 13; i <= 18; ++i) { d = $i - $(i + 18); if (d * d > 4e-4) exit 1 } }' ||
     fail "the GPU gives other motion"
 run 0 query "$sea" --points deep.csv --time 3 --below

@@ -25,7 +25,26 @@ run 1 render "$sea" --out a.png --view nosuch
 err 'has no view "nosuch"'
 run 1 render nosuch.yaml --out a.png
 hasnot 'a.png*'
-hasnot '.a.png*'
+hasnot '.*.part'
+# What would do nothing is refused.
+run 2 render "$sea" --out a.png --ease
+err '--ease has no effect without --to-view'
+run 2 render "$sea" --out a.png --frame-format exr
+err 'without a folder'
+run 2 render "$sea" --out a.png --exr-float
+err 'without .exr'
+run 2 render "$sea" --out a.exr --exposure 1
+err 'before exposure'
+run 2 render "$sea" --out a.png --exposure 1 --debug height
+err 'no effect with --debug'
+run 2 render "$sea" --out a.png --fps 10
+err 'on a single picture'
+run 2 render "$sea" --out a.png --fps 10 --fps 20
+err 'given twice'
+run 2 render "$sea" --out a.png --time 1e12
+err 'outside its range'
+run 2 render "$sea" --out a.png --time 2.7e11 --warmup 10
+err 'the largest of a sea'
 needs_device
 small='--size 64x48 --warmup 0.1'
 run 1 render "$sea" --out a.png $small --device 63
@@ -37,9 +56,49 @@ has a.exr
 run 0 render "$sea" --out frames $small --frames 2
 has frames/frame_00000.png
 has frames/frame_00001.png
+# Unix times a hundredth of a second apart are two seas.
+run 0 render "$sea" --out a.png --size 64x48 --warmup 0 --time 1700000000.01
+run 0 render "$sea" --out b.png --size 64x48 --warmup 0 --time 1700000000.51
+! cmp -s a.png b.png || fail "$what: half a second changes nothing"
+mkdir there
+ln -s there/real.png link.png
+run 0 render "$sea" --out link.png --size 64x48 --warmup 0
+[ -L link.png ] || fail "$what: the link was replaced"
+has there/real.png
+run 0 render "$sea" --out /dev/null --size 64x48 --warmup 0
+[ -c /dev/null ] || fail "$what: /dev/null is no device any more"
 if command -v ffmpeg >/dev/null; then
     run 0 render "$sea" --out a.mp4 $small --frames 2 --fps 10 --ride
     has a.mp4
+    # Full at any place: in the frames, in the index at the end, while the index moves to the front.
+    size=$(($(wc -c <a.mp4) / 512))
+    for blocks in 1 $((size / 2)) $((size - 1)) "$size"; do
+        count=$((count + 1))
+        what="seaway render of a video to a disk of $blocks blocks"
+        (
+            ulimit -f "$blocks"
+            "$seaway" render "$sea" --out full.mp4 $small --frames 2 --fps 10 --ride >out 2>err
+        )
+        [ $? -eq 1 ] || fail "$what: not exit code 1"
+        err 'cannot write full.mp4: ffmpeg failed'
+        hasnot full.mp4
+        hasnot '.*.part'
+    done
+    what='seaway render of a video, interrupted'
+    count=$((count + 1))
+    "$seaway" render "$sea" --out cut.mp4 --size 64x48 --frames 100000 --warmup 0 >out 2>err &
+    process=$!
+    tries=0
+    while [ ! -e ".seaway.$process.part" ] && [ "$tries" -lt 100 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
+    sleep 1
+    kill -s HUP "$process"
+    wait "$process" 2>/dev/null
+    sleep 0.5
+    hasnot cut.mp4
+    hasnot '.*.part'
 fi
 mkdir bin
 count=$((count + 1))
@@ -51,11 +110,11 @@ hasnot 'b.mp4'
 what='seaway render to a full disk'
 (
     ulimit -f 1
-    "$seaway" render "$sea" --out c.png $small --size 256x192 >out 2>err
+    "$seaway" render "$sea" --out c.png --size 256x192 --warmup 0.1 >out 2>err
 )
 [ $? -eq 1 ] || fail "$what: not exit code 1"
 err 'cannot write c.png'
 hasnot 'c.png'
-hasnot '.c.png*'
+hasnot '.*.part'
 
 finish

@@ -68,5 +68,9 @@ run 2 spectrum swan.spec --location 3
 err 'number from 1 to 2'
 run 1 spectrum "$buoy" --plot nosuch/plot.svg
 err 'its folder does not exist'
+run 2 spectrum "$buoy" --list --at 2024-11-16T06:50Z
+err '--list has no effect with --at'
+run 2 spectrum "$buoy" --list --plot plot.svg
+err '--list has no effect with --plot'
 
 finish

@@ -326,7 +326,7 @@ static void SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea(void** state)
         swQueryDef def = swDefaultQueryDef();
         def.minWavelength = shortest[s];
         swSurfaceSamples samples = {.jacobian = jacobians};
-        swWorld_QueryParticles(sea.world, &def, COUNT, points, &samples, NULL);
+        swWorld_QueryParticles(sea.world, &def, COUNT, points, &samples, NULL, NULL);
         float deviation = swGetFoamDeviation(swGetWorldFrame(sea.world), shortest[s]);
         double fold = 0.0;
         for (int i = 0; i < COUNT; ++i)

@@ -45,7 +45,7 @@ static void Ask(swWorld* world, swView* view, swPosXZ origin, swPosXZ centre, An
     swSurfaceSamples surface = {.height = answers->heights, .normal = answers->normals};
     swWorld_QuerySurface(world, &def, POINTS, points, &surface, NULL);
     swVolumeSamples volume = {.velocity = answers->below};
-    swWorld_QueryVolume(world, &def, POINTS, places, &volume);
+    swWorld_QueryVolume(world, &def, POINTS, places, &volume, NULL);
     for (int s = 0; s < SLICES; ++s)
     {
         memcpy(answers->displacement[s], swView_GetDisplacement(view, s), sizeof answers->displacement[s]);

@@ -22,6 +22,9 @@ static swWorld* MakeSea(swView** view)
     def.tileWaves = 8;
     swWaveSystemId id;
     assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    def.method = SW_WAVES_GERSTNER;
+    def.componentsPerOctave = 2;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
     swViewDef viewDef = swDefaultViewDef();
     assert_int_equal(swCreateView(world, &viewDef, view), SW_SUCCESS);
     return world;
@@ -61,6 +64,7 @@ static void AShiftOfTheOriginChangesNoNumber(void** state)
         assert_memory_equal(&got.params, &wanted.params, sizeof(got.params));
         assert_memory_equal(&got.rings, &wanted.rings, sizeof(got.rings));
         assert_memory_equal(got.bands, wanted.bands, sizeof(got.bands));
+        assert_memory_equal(got.waves, wanted.waves, sizeof(got.waves));
     }
     swDestroyWorld(world);
 }

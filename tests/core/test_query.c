@@ -57,7 +57,7 @@ static void ResidualIsWhatItSaysAndWithinTheTolerance(void** state)
             swPosXZ rest = {points[i].x - (double)moved[i].x, points[i].z - (double)moved[i].z};
             swVec3 there;
             swSurfaceSamples particle = {.displacement = &there};
-            swWorld_QueryParticles(sea.world, &def, 1, &rest, &particle, NULL);
+            swWorld_QueryParticles(sea.world, &def, 1, &rest, &particle, NULL, NULL);
             double error = hypot(rest.x + (double)there.x - points[i].x, rest.z + (double)there.z - points[i].z);
             worst = error > worst ? error : worst;
             assert_true(residuals[i] <= def.tolerance);
@@ -90,7 +90,7 @@ static double SearchDensely(const swWorld* world, double x, double z)
             rest[i].z = centreZ + reach * ((i / SIDE) * 2.0 / (SIDE - 1) - 1.0);
         }
         swSurfaceSamples samples = {.displacement = moved};
-        swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL);
+        swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL, NULL);
         double nearest = 1e30;
         int best = 0;
         for (int i = 0; i < SIDE * SIDE; ++i)
@@ -182,7 +182,7 @@ static void ParticlesAndSurfaceAgree(void** state)
     float residuals[500];
     swSurfaceSamples particles = {
         .displacement = again, .normal = againNormals, .jacobian = againJacobians, .residual = residuals};
-    swWorld_QueryParticles(sea.world, &def, 500, points, &particles, slopes);
+    swWorld_QueryParticles(sea.world, &def, 500, points, &particles, slopes, NULL);
     for (int i = 0; i < 500; ++i)
     {
         assert_float_equal(moved[i].y, again[i].y, 1e-3);
@@ -327,6 +327,69 @@ static void ManyThreadsReadAtOnce(void** state)
     DestroyScenario(&sea);
 }
 
+// ---- while another thread steps ----
+
+static swWorld* MakeTwin(void)
+{
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.resolution = 64;
+    def.tileWaves = 16;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(world, 0.0), SW_SUCCESS);
+    return world;
+}
+
+typedef struct Stepper
+{
+    swWorld* world;
+    double time;
+} Stepper;
+
+static void* StepOther(void* argument)
+{
+    Stepper* stepper = argument;
+    swWorld_StepTo(stepper->world, stepper->time);
+    return NULL;
+}
+
+// Two worlds take turns: one is asked while the other steps. Each makes every other step, and the answers have the bits of
+// one world that makes them all.
+static void TwoWorldsTakeTurns(void** state)
+{
+    (void)state;
+    enum
+    {
+        FRAMES = 20
+    };
+    swWorld* alone = MakeTwin();
+    swWorld* twins[2] = {MakeTwin(), MakeTwin()};
+    static swPosXZ points[POINT_COUNT];
+    static Reader reader, expected;
+    MakePoints(points, POINT_COUNT, 0.0, 0.0, 500.0);
+    for (int frame = 0; frame < FRAMES; ++frame)
+    {
+        Stepper stepper = {twins[(frame + 1) % 2], (frame + 1) / 30.0};
+        pthread_t stepping, reading;
+        reader = (Reader){.world = twins[frame % 2], .points = points};
+        assert_int_equal(pthread_create(&stepping, NULL, StepOther, &stepper), 0);
+        assert_int_equal(pthread_create(&reading, NULL, ReadHeights, &reader), 0);
+        pthread_join(stepping, NULL);
+        pthread_join(reading, NULL);
+        assert_int_equal(swWorld_StepTo(alone, frame / 30.0), SW_SUCCESS);
+        expected = (Reader){.world = alone, .points = points};
+        ReadHeights(&expected);
+        assert_memory_equal(reader.heights, expected.heights, sizeof reader.heights);
+    }
+    swDestroyWorld(alone);
+    swDestroyWorld(twins[0]);
+    swDestroyWorld(twins[1]);
+}
+
 static void AViewChangesNothing(void** state)
 {
     (void)state;
@@ -375,7 +438,7 @@ static void ShortWavesCanBeLeftOut(void** state)
     {
         def.minWavelength = shortest[i];
         swSurfaceSamples samples = {0};
-        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, slopes);
+        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, slopes, NULL);
         steepness[i] = 0.0;
         for (int p = 0; p < POINT_COUNT; ++p)
         {
@@ -399,6 +462,7 @@ int main(void)
         cmocka_unit_test(ASeaThatNearlyFoldsConvergesEverywhere),
         cmocka_unit_test(TheBatchDoesNotMatter),
         cmocka_unit_test(ManyThreadsReadAtOnce),
+        cmocka_unit_test(TwoWorldsTakeTurns),
         cmocka_unit_test(AViewChangesNothing),
         cmocka_unit_test(CalmWaterIsFlat),
         cmocka_unit_test(ShortWavesCanBeLeftOut),

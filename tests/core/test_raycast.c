@@ -43,7 +43,7 @@ static void FlatWaterIsHitWhereGeometrySays(void** state)
     rays[3] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){1.0f, 0.0f, 0.0f}); // past it
     rays[4] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){0.0f, -1.0f, 0.0f});
     rays[4].radius = 2.0f;
-    swWorld_CastRays(world, &query, 5, rays, hits);
+    swWorld_CastRays(world, &query, 5, rays, hits, NULL);
     assert_true(hits[0].isHit && fabsf(hits[0].distance - 30.0f) < 0.001f);
     assert_true(hits[1].isHit && fabsf(hits[1].distance - 42.4264f) < 0.002f);
     assert_float_equal(hits[1].position.x, 30.0, 0.002);
@@ -81,7 +81,7 @@ static void HitsAreTheFirstCrossing(void** state)
         rays[i].maxDistance = 200.0f;
     }
     swQueryDef query = swDefaultQueryDef();
-    swWorld_CastRays(world, &query, RAYS, rays, hits);
+    swWorld_CastRays(world, &query, RAYS, rays, hits, NULL);
     int hitCount = 0;
     double worst = 0.0;
     for (int i = 0; i < RAYS; ++i)
@@ -122,7 +122,7 @@ static void ASphereStopsItsRadiusBeforeTheSurface(void** state)
         swRay ray = swDefaultRay((swPos){13.0 * i, 30.0, 7.0 * i}, (swVec3){0.5f, -1.0f, 0.1f});
         ray.radius = 1.5f;
         swRayHit hit;
-        swWorld_CastRays(world, &query, 1, &ray, &hit);
+        swWorld_CastRays(world, &query, 1, &ray, &hit, NULL);
         assert_true(hit.isHit);
         // The nearest water of a dense patch below.
         double nearest = 1e9;
@@ -150,7 +150,7 @@ static void ASlowBallMeetsTheWaterOfItsMoment(void** state)
     ray.maxDistance = 40.0f;
     ray.duration = 20.0f;
     swRayHit hit;
-    swWorld_CastRays(world, &query, 1, &ray, &hit);
+    swWorld_CastRays(world, &query, 1, &ray, &hit, NULL);
     assert_true(hit.isHit);
     query.time = 5.0 + 20.0 * (double)hit.distance / 40.0;
     swPosXZ point = {hit.position.x, hit.position.z};

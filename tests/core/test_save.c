@@ -48,6 +48,7 @@ static swWorld* MakeWorld(const swHost* host)
     def = MakeDef();
     def.method = SW_WAVES_GERSTNER;
     def.componentsPerOctave = 3;
+    def.leastJacobian = 0.8f;
     assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
     const swWaveComponent wave = {60.0f, 1.0f, 0.3f, 0.2f};
     def.components = &wave;

@@ -246,7 +246,7 @@ static void TheUnifiedSpectrumIsThePublishedOne(void** state)
 {
     (void)state;
     // By wave number at multiples of 0.0628319 rad/m, an age of 0.84, a drag of 0.00144. The values were made with 0.3162
-    // for 1 / sqrt(10), which is worth 6e-5 of them.
+    // for 1 / sqrt(10), which is worth 6e-5 of them, and with the exponent 0.55 for the long waves' level.
     static const double winds[3] = {5.0, 10.0, 15.0};
     static const double densities[3][7] = {
         {2.60276926e-10, 3.85980085e-3, 4.11638703e-2, 6.43908578e-2, 6.17616606e-2, 5.05207166e-2, 3.91055100e-2},
@@ -257,6 +257,8 @@ static void TheUnifiedSpectrumIsThePublishedOne(void** state)
     for (int i = 0; i < 3; ++i)
     {
         swElfouhaily shape = swMakeElfouhaily(9.81, winds[i], 0.84, 0.00144);
+        assert_true(IsWithin(shape.longLevel, 0.006 * sqrt(0.84), 1e-12));
+        shape.longLevel *= pow(0.84, 0.05);
         for (int j = 0; j < 7; ++j)
         {
             double k = 2.0 * SW_PI / 100.0 * (j + 1);

@@ -54,7 +54,7 @@ static void GetHeights(const swWorld* world, float heights[POINTS])
     }
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights};
-    swWorld_QueryParticles(world, &def, POINTS, points, &samples, NULL);
+    swWorld_QueryParticles(world, &def, POINTS, points, &samples, NULL, NULL);
 }
 
 static float GetVariance(const swWorld* world)
@@ -467,6 +467,87 @@ static void AGerstnerSeaHasTheEnergyOfItsSpectrum(void** state)
     }
 }
 
+static int CompareFloats(const void* a, const void* b)
+{
+    float x = *(const float*)a, y = *(const float*)b;
+    return x < y ? -1 : x > y ? 1 : 0;
+}
+
+#define FOLD_POINTS 100000
+
+// The Jacobian that one place in ten thousand is below, over places and times.
+static float FindRareJacobian(const swWaveSystemDef* def, float* height)
+{
+    static swPosXZ points[FOLD_POINTS / 4];
+    static float jacobians[FOLD_POINTS];
+    Sea sea = OpenSea(def);
+    swQueryDef query = swDefaultQueryDef();
+    for (int k = 0; k < 4; ++k)
+    {
+        swWorld_SetTime(sea.world, 100.0 * k);
+        swWorld_Step(sea.world, 0.0);
+        for (int i = 0; i < FOLD_POINTS / 4; ++i)
+        {
+            points[i] = (swPosXZ){fmod(7919.37 * i, 6000.0), fmod(104729.71 * i, 6173.0)};
+        }
+        swSurfaceSamples samples = {.jacobian = jacobians + (size_t)k * (FOLD_POINTS / 4)};
+        swWorld_QueryParticles(sea.world, &query, FOLD_POINTS / 4, points, &samples, NULL, NULL);
+    }
+    *height = 4.0f * sqrtf(GetVariance(sea.world));
+    swDestroyWorld(sea.world);
+    qsort(jacobians, FOLD_POINTS, sizeof(float), CompareFloats);
+    return jacobians[FOLD_POINTS / 10000];
+}
+
+// The fetch of an hour in a storm, an equaliser turned up, more chop than there is, many waves and few, twins, a ready sea.
+static swWaveSystemDef MakeFoldingCase(int i)
+{
+    static const int counts[] = {8, 1, 3, 32, 8, 8, 8};
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.method = SW_WAVES_GERSTNER;
+    def.spectrum.windSpeed = i < 4 ? 30.0f : 15.0f;
+    def.spectrum.fetch = i < 4 ? 3e3f : 300e3f;
+    def.componentsPerOctave = counts[i];
+    def.chop = i == 1 || i == 4 || i == 6 ? 2.0f : 1.0f;
+    if (i == 5)
+    {
+        def.spectrum.kind = SW_SPECTRUM_OCTAVES;
+        def.spectrum.octaves.chop = 2.0f;
+        def.spectrum.octaves.multiplier = 1.5f;
+    }
+    def.reverseWeight = i == 6 ? 1.0f : 0.0f;
+    return def;
+}
+
+static void AGerstnerSeaFoldsNoMoreThanAsked(void** state)
+{
+    (void)state;
+    for (int i = 0; i < 7; ++i)
+    {
+        swWaveSystemDef def = MakeFoldingCase(i);
+        float free = 0.0f, height = 0.0f, other = 0.0f;
+        def.leastJacobian = -10.0f;
+        free = FindRareJacobian(&def, &height);
+        def.leastJacobian = 0.1f;
+        float held = FindRareJacobian(&def, &other);
+        assert_true(other == height);
+        def.leastJacobian = 0.5f;
+        float firm = FindRareJacobian(&def, &other);
+        assert_true(other == height);
+        print_message("case %d, Hs %.2f m: one place in 10,000 is below %.3f, held %.3f, %.3f\n", i, (double)height,
+                      (double)free, (double)held, (double)firm);
+        assert_true(free < 0.1f);
+        assert_true(held > 0.1f && held < 0.4f);
+        assert_true(firm > 0.5f && firm < 0.7f);
+    }
+    // A sea that folds less stays as it is.
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.method = SW_WAVES_GERSTNER;
+    float height = 0.0f, other = 0.0f, asked = FindRareJacobian(&def, &height);
+    def.leastJacobian = -10.0f;
+    assert_true(FindRareJacobian(&def, &other) == asked && other == height && asked > 0.3f);
+}
+
 static void AGivenWaveIsJustThatWave(void** state)
 {
     (void)state;
@@ -493,7 +574,7 @@ static void AGivenWaveIsJustThatWave(void** state)
             swQueryDef query = swDefaultQueryDef();
             swVec3 d;
             swSurfaceSamples samples = {.displacement = &d};
-            swWorld_QueryParticles(sea.world, &query, 1, &point, &samples, NULL);
+            swWorld_QueryParticles(sea.world, &query, 1, &point, &samples, NULL, NULL);
             double theta = k * (cos((double)wave.direction) * point.x + sin((double)wave.direction) * point.z) -
                            omega * time + (double)wave.phase;
             double side = -0.9 * sin(theta) * (shallow ? 1.0 / tanh(k * depth) : 1.0);
@@ -563,7 +644,7 @@ static void InstructionSetsAgreeOnFreeWavesAndOneByOneSums(void** state)
         swSurfaceSamples surface = {.height = got[0], .velocity = velocity};
         swWorld_QuerySurface(world, &query, POINTS, points, &surface, NULL);
         swVolumeSamples volume = {.velocity = below, .pressureHead = got[1]};
-        swWorld_QueryVolume(world, &query, POINTS, places, &volume);
+        swWorld_QueryVolume(world, &query, POINTS, places, &volume, NULL);
         for (int i = 0; i < POINTS; ++i)
         {
             got[2][i] = velocity[i].x;
@@ -596,6 +677,7 @@ int main(void)
         cmocka_unit_test(EveryAllocationOfAChangeMayFail),
         cmocka_unit_test(AStepThatChangesTheSeaAllocatesNothing),
         cmocka_unit_test(AGerstnerSeaHasTheEnergyOfItsSpectrum),
+        cmocka_unit_test(AGerstnerSeaFoldsNoMoreThanAsked),
         cmocka_unit_test(AGivenWaveIsJustThatWave),
         cmocka_unit_test(GerstnerSeasLoopToTheBit),
         cmocka_unit_test(InstructionSetsAgreeOnFreeWavesAndOneByOneSums),

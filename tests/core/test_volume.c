@@ -82,13 +82,13 @@ static void VelocityIsTheRateOfDisplacement(void** state)
         MakePoints(points);
         swQueryDef query = swDefaultQueryDef();
         swSurfaceSamples motion = {.velocity = velocity, .acceleration = acceleration};
-        swWorld_QueryParticles(world, &query, POINTS, points, &motion, NULL);
+        swWorld_QueryParticles(world, &query, POINTS, points, &motion, NULL, NULL);
         for (int k = 0; k < 3; ++k)
         {
             swWorld_SetTime(world, 30.0 + (k - 1) * h);
             swWorld_Step(world, 0.0);
             swSurfaceSamples samples = {.displacement = at[k]};
-            swWorld_QueryParticles(world, &query, POINTS, points, &samples, NULL);
+            swWorld_QueryParticles(world, &query, POINTS, points, &samples, NULL, NULL);
         }
         for (int i = 0; i < POINTS; ++i)
         {
@@ -187,7 +187,7 @@ static void OneWaveMovesTheWaterAsAiryHasIt(void** state)
             float head, below;
             swVolumeSamples samples = {
                 .depth = &below, .velocity = &v, .acceleration = &acceleration, .pressureHead = &head};
-            swWorld_QueryVolume(world, &query, 1, &place, &samples);
+            swWorld_QueryVolume(world, &query, 1, &place, &samples, NULL);
             if (below < 0.0f)
             {
                 continue; // in a trough
@@ -222,7 +222,7 @@ static swVec3 GetVelocity(const swWorld* world, const swQueryDef* query, double 
     swPos place = {x, y, z};
     swVec3 velocity;
     swVolumeSamples samples = {.velocity = &velocity};
-    swWorld_QueryVolume(world, query, 1, &place, &samples);
+    swWorld_QueryVolume(world, query, 1, &place, &samples, NULL);
     return velocity;
 }
 
@@ -272,7 +272,7 @@ static void StretchedMotionMeetsTheSurface(void** state)
         places[i] = (swPos){points[i].x, (double)heights[i] + (i % 2 == 0 ? -0.01 : 0.01), points[i].z};
     }
     swVolumeSamples volume = {.depth = depth, .velocity = velocity};
-    swWorld_QueryVolume(world, &query, POINTS, places, &volume);
+    swWorld_QueryVolume(world, &query, POINTS, places, &volume, NULL);
     for (int i = 0; i < POINTS; ++i)
     {
         bool isMoving = velocity[i].x != 0.0f || velocity[i].y != 0.0f;

@@ -253,18 +253,18 @@ static void WeightScalesTheSurface(void** state)
     swPosXZ point = {30.0, -4.0};
     swVec3 whole, half, none;
     swSurfaceSamples samples = {.displacement = &whole};
-    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL);
+    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL, NULL);
     swWaveSystem_SetWeight(small.world, small.waves, 0.5f);
     assert_true(swWaveSystem_GetWeight(small.world, small.waves) == 0.5f);
     swWorld_Step(small.world, 0.0);
     samples.displacement = &half;
-    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL);
+    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL, NULL);
     assert_true(half.x == 0.5f * whole.x && half.y == 0.5f * whole.y && half.z == 0.5f * whole.z);
     assert_true(swGetWorldFrame(small.world)->tiles[0].weight == 0.5f);
     swWaveSystem_SetWeight(small.world, small.waves, 0.0f);
     swWorld_Step(small.world, 0.0);
     samples.displacement = &none;
-    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL);
+    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL, NULL);
     assert_true(none.x == 0.0f && none.y == 0.0f && none.z == 0.0f);
     swDestroyWorld(small.world);
 }

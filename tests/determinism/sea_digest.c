@@ -116,7 +116,7 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
         places[i] = (swPos){points[i].x, -1.0 - 2.0 * i, points[i].z};
     }
     swVolumeSamples below = {.velocity = motion, .pressureHead = heights};
-    swWorld_QueryVolume(world, &def, FEW, places, &below);
+    swWorld_QueryVolume(world, &def, FEW, places, &below, NULL);
     hash = Hash(hash, heights, FEW * sizeof(float));
     return Hash(hash, motion, sizeof(motion));
 }
@@ -140,7 +140,7 @@ static uint64_t HashRays(uint64_t hash, const swWorld* world)
     }
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = 1.0f;
-    swWorld_CastRays(world, &def, RAYS, rays, hits);
+    swWorld_CastRays(world, &def, RAYS, rays, hits, NULL);
     for (int i = 0; i < RAYS; ++i)
     {
         hash = Hash(hash, &hits[i].distance, sizeof(hits[i].distance));

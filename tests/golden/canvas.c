@@ -118,6 +118,7 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
     swWaveSystemDef waves = swDefaultWaveSystemDef();
     waves.spectrum.windSpeed = shot->windSpeed;
     waves.spectrum.direction = SW_DIRECTION_FROM_BEARING(240.0);
+    waves = shot->waves != NULL ? *shot->waves : waves;
     swWaveSystemDef swell = swDefaultWaveSystemDef();
     swell.spectrum.kind = SW_SPECTRUM_JONSWAP;
     swell.spectrum.significantHeight = shot->swellHeight;

@@ -19,7 +19,8 @@ typedef struct Shot
     double time;
     double x, z;
     swDebugMode debug;
-    int steps; // simulated before the picture, a tenth of a second each, so that foam has a past
+    int steps;                    // simulated before the picture, a tenth of a second each, so that foam has a past
+    const swWaveSystemDef* waves; // instead of a sea of that wind and swell; NULL for none
 } Shot;
 
 typedef struct Canvas Canvas;

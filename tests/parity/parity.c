@@ -9,9 +9,15 @@
 
 int OpenParityGpu(void** state)
 {
+    return OpenParityGpuWith(state, SW_LAYERS_GPU); // the passes are what is tested, also on a software device
+}
+
+int OpenParityGpuWith(void** state, swLayerSource layers)
+{
     swHost host = swDefaultHost();
     swGpuDef def = swDefaultGpuDef();
     def.enableValidation = true;
+    def.layers = layers;
     swGpu* gpu = NULL;
     swResult result = swCreateGpu(&host, &def, &gpu);
     if (result == SW_ERROR_UNSUPPORTED)

@@ -11,6 +11,7 @@
 // One device for all tests of a program, with the validation layers where they are installed.
 // The name of the device is printed.
 int OpenParityGpu(void** state);
+int OpenParityGpuWith(void** state, swLayerSource layers);
 // Fails if the validation layers said anything.
 int CloseParityGpu(void** state);
 

@@ -60,7 +60,7 @@ static void FetchHits(Parity* parity, const swGpuQuery* query, int count)
     swGpuQueryResults results;
     assert_true(swGpuQuery_GetResults(query, &results));
     assert_true(results.frameIndex == parity->gpu->frameIndex && results.count == count);
-    swGpuQueryResults_UnpackHits(&results, rays, gpuHits);
+    swGpuQueryResults_UnpackHits(&results, rays, gpuHits, NULL);
 }
 
 // The largest distance of hits from the core's surface, of a sphere from its touching plane, beyond what is allowed.
@@ -96,7 +96,7 @@ static void CheckHits(Parity* parity, const swGpuQuery* query, const char* what,
     FetchHits(parity, query, count);
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = query->def.minWavelength;
-    swWorld_CastRays(parity->world, &def, count, rays, cpuHits);
+    swWorld_CastRays(parity->world, &def, count, rays, cpuHits, NULL);
     double gap = FindGap(parity, &def, count);
     int different = 0, hitCount = 0;
     double distance = 0.0, point = 0.0;

@@ -90,7 +90,7 @@ static void AskCore(Parity* parity, const swQueryDef* def, int count)
         rests[i].z = points[i].z - (double)gpuAnswers.displacement[i].z;
     }
     samples = SamplesOf(&particles);
-    swWorld_QueryParticles(parity->world, def, count, rests, &samples, NULL);
+    swWorld_QueryParticles(parity->world, def, count, rests, &samples, NULL, NULL);
 }
 
 static double Length(swVec3 a, swVec3 b)
@@ -303,7 +303,7 @@ static void CheckMotion(Parity* parity, const swGpuQuery* query, const char* wha
         rests[i].z = points[i].z - (double)gpuAnswers.displacement[i].z;
     }
     samples = MotionOf(&particles, outputs);
-    swWorld_QueryParticles(parity->world, &def, count, rests, &samples, NULL);
+    swWorld_QueryParticles(parity->world, &def, count, rests, &samples, NULL, NULL);
     double velocity = samples.velocity != NULL ? FindWorst(count, gpuAnswers.velocity, particles.velocity) : 0.0;
     double acceleration =
         samples.acceleration != NULL ? FindWorst(count, gpuAnswers.acceleration, particles.acceleration) : 0.0;

@@ -74,7 +74,7 @@ static void FetchAnswers(Parity* parity, const swGpuQuery* query, int count)
     assert_true(swGpuQuery_GetResults(query, &results));
     assert_true(results.frameIndex == parity->gpu->frameIndex && results.count == count);
     swVolumeSamples samples = SamplesOf(&gpuAnswers);
-    swGpuQueryResults_UnpackVolume(&results, &samples);
+    swGpuQueryResults_UnpackVolume(&results, &samples, NULL);
 }
 
 static double Worse(double worst, double error)
@@ -96,7 +96,7 @@ static void CheckAnswers(Parity* parity, const swGpuQuery* query, const char* wh
     def.minWavelength = query->def.minWavelength;
     def.stretching = query->def.stretching;
     swVolumeSamples samples = SamplesOf(&cpuAnswers);
-    swWorld_QueryVolume(parity->world, &def, count, places, &samples);
+    swWorld_QueryVolume(parity->world, &def, count, places, &samples, NULL);
     double depth = 0.0, velocity = 0.0, acceleration = 0.0, head = 0.0;
     int dry = 0;
     for (int i = 0; i < count; ++i)

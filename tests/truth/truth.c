@@ -209,7 +209,7 @@ static void MeasureHeight(void* context, int seed)
         swWorld_QuerySurface(world, &query, job->isSurface ? HEIGHT_POINTS : 0, points,
                              &(swSurfaceSamples){.height = heights}, NULL);
         swWorld_QueryParticles(world, &query, job->isSurface ? 0 : HEIGHT_POINTS, points,
-                               &(swSurfaceSamples){.displacement = displacement}, NULL);
+                               &(swSurfaceSamples){.displacement = displacement}, NULL, NULL);
         for (int i = 0; i < HEIGHT_POINTS; ++i)
         {
             double h = job->isSurface ? (double)heights[i] : (double)displacement[i].y;

@@ -42,7 +42,7 @@ static Orbit FindOrbit(const swWorld* world, double wavelength, double y)
         points[i] = (swPos){wavelength * i / POINT_COUNT, y, 0.0};
     }
     swWorld_QueryVolume(world, &query, POINT_COUNT, points,
-                        &(swVolumeSamples){.velocity = velocity, .pressureHead = pressure});
+                        &(swVolumeSamples){.velocity = velocity, .pressureHead = pressure}, NULL);
     for (int i = 0; i < POINT_COUNT; ++i)
     {
         orbit.along = fmax(orbit.along, (double)velocity[i].x);
@@ -124,7 +124,7 @@ static void MeasureMotion(void* context, int seed)
     {
         points[i] = (swPos){places[i].x, -DEPTH, places[i].z};
     }
-    swWorld_QueryVolume(world, &query, POINT_COUNT, points, &(swVolumeSamples){.velocity = velocity});
+    swWorld_QueryVolume(world, &query, POINT_COUNT, points, &(swVolumeSamples){.velocity = velocity}, NULL);
     for (int i = 0; i < POINT_COUNT; ++i)
     {
         double x = (double)velocity[i].x, y = (double)velocity[i].y, z = (double)velocity[i].z;
@@ -191,7 +191,7 @@ static void NoWaterIsMadeOrLost(void** state)
             points[j] = (swPos){places[i].x + (j / 4 == 0 ? offset : 0.0), -4.0 + (j / 4 == 1 ? offset : 0.0),
                                 places[i].z + (j / 4 == 2 ? offset : 0.0)};
         }
-        swWorld_QueryVolume(world, &query, 12, points, &(swVolumeSamples){.velocity = velocity});
+        swWorld_QueryVolume(world, &query, 12, points, &(swVolumeSamples){.velocity = velocity}, NULL);
         double x = Differentiate(velocity, 0, step), y = Differentiate(velocity + 4, 1, step),
                z = Differentiate(velocity + 8, 2, step);
         divergence += (x + y + z) * (x + y + z);
@@ -209,7 +209,7 @@ static void QueryAt(swWorld* world, double time, const swPosXZ* points, const sw
     swQueryDef query = swDefaultQueryDef();
     swWorld_SetTime(world, time);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
-    swWorld_QueryParticles(world, &query, POINT_COUNT, points, samples, NULL);
+    swWorld_QueryParticles(world, &query, POINT_COUNT, points, samples, NULL, NULL);
 }
 
 static double Subtract(swVec3 a, swVec3 b)

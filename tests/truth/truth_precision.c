@@ -140,7 +140,7 @@ static void Ask(swWorld* world, swView* view, swPosXZ origin, swPosXZ center, An
     swQueryDef query = swDefaultQueryDef();
     swSurfaceSamples surface = {.height = answers->heights, .normal = answers->normals};
     swWorld_QuerySurface(world, &query, PLACES, points, &surface, NULL);
-    swWorld_QueryVolume(world, &query, PLACES, places, &(swVolumeSamples){.velocity = answers->below});
+    swWorld_QueryVolume(world, &query, PLACES, places, &(swVolumeSamples){.velocity = answers->below}, NULL);
     for (int i = 0; i < SLICES; ++i)
     {
         memcpy(answers->displacement[i], swView_GetDisplacement(view, i), sizeof(answers->displacement[i]));

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "sea.h"
+#include "tuning.h"
 
 static swGpu* s_gpu;
 static swHost s_host;
@@ -117,8 +117,8 @@ static void WavesByHandAreTheirOwn(void** state)
     Sea sea = OpenText(SMALL "waves:\n  - components: [{wavelength_m: 50, amplitude_m: 1, direction_from_deg: 270}]\n");
     StepTo(&sea, 0.0);
     assert_true(IsNear(GetAskedHeight(&sea), 4.0 / sqrt(2.0)) && IsNear(GetCarriedHeight(&sea), 4.0 / sqrt(2.0)));
-    assert_ptr_not_equal(sea.waves[0].components, sea.scene->waves[0].components);
-    sea.waves[0].components[0].amplitude = 2.0f;
+    assert_ptr_not_equal(sea.waves[0].def.components, sea.scene->waves[0].components);
+    sea.waves[0].hand->waves[0].amplitude = 2.0f;
     sea.waves[0].hasChanged = true;
     ApplyChanges(&sea, true);
     StepTo(&sea, 0.0);
@@ -150,6 +150,194 @@ static void ReplaysFollowTheClockAndTheirSpeed(void** state)
     CloseSea(&sea);
 }
 
+// What a frame does with the world, recorded or not: views and their twins on the GPU follow.
+static void SystemsComeAndGoOverTheTransition(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(BREEZE);
+    StepTo(&sea, 0.0);
+    sea.transition = 2.0f;
+    for (NewWaves kind = NEW_WIND_SEA; kind < NEW_WAVES_COUNT; kind++)
+    {
+        float before = GetCarriedHeight(&sea);
+        assert_true(AddWaves(&sea, kind));
+        ApplyChanges(&sea, false);
+        double start = swWorld_GetTime(sea.world);
+        StepTo(&sea, start + 1.0 / 30.0);
+        assert_true(GetCarriedHeight(&sea) < before * 1.2f + 0.1f); // without a jump
+        StepTo(&sea, start + 3.0);
+        ApplyChanges(&sea, false);
+        StepTo(&sea, start + 6.0);
+        assert_true(IsNear(GetCarriedHeight(&sea), (double)GetAskedHeight(&sea)));
+        assert_true(GetCarriedHeight(&sea) > before);
+        assert_int_equal(CountChanges(&sea), (int)kind + 1);
+    }
+    assert_int_equal(sea.wavesCount, 5);
+    assert_int_equal(sea.waves[1].def.resolution, 64); // as the first one
+    int serial = sea.waves[2].serial;
+    RemoveWaves(&sea, 1);
+    assert_int_equal(sea.wavesCount, 4);
+    assert_int_equal(sea.waves[1].serial, serial);
+    ApplyChanges(&sea, false);
+    assert_int_equal(sea.leavingCount, 1);
+    StepTo(&sea, swWorld_GetTime(sea.world) + 2.5);
+    ApplyChanges(&sea, false);
+    assert_int_equal(sea.leavingCount, 0);
+    CloseSea(&sea);
+}
+
+static void ASystemOfTheFileComesBack(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(BREEZE);
+    StepTo(&sea, 0.0);
+    RemoveWaves(&sea, 0);
+    StepTo(&sea, 2.0);
+    ApplyChanges(&sea, false);
+    StepTo(&sea, 2.1);
+    assert_true(GetCarriedHeight(&sea) == 0.0f && GetAskedHeight(&sea) == 0.0f);
+    assert_int_equal(CountChanges(&sea), 1);
+    assert_true(BringBackWaves(&sea, 0));
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 2.2);
+    assert_true(IsNear(GetCarriedHeight(&sea), 2.0));
+    assert_int_equal(CountChanges(&sea), 0);
+    CloseSea(&sea);
+}
+
+static void AWorldThatIsFullSaysSo(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(SMALL "waves:\n  - components: [{wavelength_m: 50, amplitude_m: 1, direction_from_deg: 270}]\n");
+    StepTo(&sea, 0.0);
+    while (sea.wavesCount < SW_MAX_WAVE_SYSTEMS)
+    {
+        assert_true(AddWaves(&sea, NEW_BY_HAND));
+    }
+    assert_false(AddWaves(&sea, NEW_BY_HAND));
+    assert_int_equal(sea.wavesCount, SW_MAX_WAVE_SYSTEMS);
+    RemoveWaves(&sea, 0);
+    sea.transition = 0.0f;
+    ApplyChanges(&sea, true);
+    assert_true(AddWaves(&sea, NEW_BY_HAND));
+    assert_false(BringBackWaves(&sea, 0));
+    assert_true(sea.waves[0].isRemoved);
+    CloseSea(&sea);
+}
+
+#define ROWS                                                                                                           \
+    SMALL "waves:\n  - components: [{wavelength_m: 50, amplitude_m: 1, direction_from_deg: 270}, {wavelength_m: 20, "  \
+          "amplitude_m: 0.3, direction_from_deg: 250}]\n"
+
+static void RowsComeAndGo(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(ROWS);
+    StepTo(&sea, 0.0);
+    SeaWaves* waves = &sea.waves[0];
+    assert_true(AddRow(&sea, 0, 0));
+    assert_int_equal(waves->def.componentCount, 3);
+    assert_true(waves->hand->waves[1].wavelength == 50.0f && waves->hand->waves[2].wavelength == 20.0f);
+    assert_int_equal(CountChanges(&sea), 1);
+    ApplyChanges(&sea, true);
+    assert_int_equal(swWaveSystem_Get(sea.world, waves->id).componentCount, 3);
+    assert_true(RemoveRow(&sea, 0, 0) && RemoveRow(&sea, 0, 1)); // both of the file; the new one stays
+    assert_false(RemoveRow(&sea, 0, 0));
+    assert_int_equal(CountMissingRows(waves), 2);
+    assert_int_equal(CountChanges(&sea), 3);
+    BringBackRows(&sea, 0);
+    assert_int_equal(CountChanges(&sea), 1);
+    ResetWaves(waves);
+    assert_int_equal(CountChanges(&sea), 0);
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 0.1);
+    assert_int_equal(swWaveSystem_Get(sea.world, waves->id).componentCount, 2);
+    CloseSea(&sea);
+}
+
+static void RowsHaveALimit(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(ROWS);
+    StepTo(&sea, 0.0);
+    while (sea.waves[0].def.componentCount < SW_MAX_FREE_WAVES)
+    {
+        assert_true(AddRow(&sea, 0, 1));
+    }
+    assert_false(AddRow(&sea, 0, 1));
+    ApplyChanges(&sea, true);
+    assert_int_equal(swWaveSystem_Get(sea.world, sea.waves[0].id).componentCount, SW_MAX_FREE_WAVES);
+    CloseSea(&sea);
+}
+
+static void RefusedRowsLeaveTheirMarks(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(ROWS);
+    StepTo(&sea, 0.0);
+    assert_true(RemoveRow(&sea, 0, 0));
+    sea.waves[0].hand->waves[0].amplitude = -1.0f; // which no world takes
+    ApplyChanges(&sea, true);
+    assert_int_equal(sea.waves[0].def.componentCount, 2);
+    assert_int_equal(CountChanges(&sea), 0);
+    CloseSea(&sea);
+}
+
+static void EverythingGoesBackToTheFile(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(BREEZE);
+    StepTo(&sea, 0.0);
+    sea.look.sky.haze = 3.0f;
+    sea.look.foam.gain *= 2.0f;
+    sea.waves[0].def.weight = 0.5f;
+    sea.waves[0].hasChanged = true;
+    assert_true(AddWaves(&sea, NEW_SWELL));
+    ApplyChanges(&sea, true);
+    assert_int_equal(CountChanges(&sea), 4);
+    assert_true(ResetChanges(&sea));
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 0.1);
+    assert_int_equal(CountChanges(&sea), 0);
+    assert_int_equal(sea.wavesCount, 1);
+    assert_true(swWaveSystem_Get(sea.world, sea.waves[0].id).weight == 1.0f);
+    CloseSea(&sea);
+}
+
+static void AReplayGoesBackToTheFile(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(SMALL "waves:\n"
+                             "  - spectrum: file\n"
+                             "    file: " SW_SOURCE_DIR "/scenes/data/passing_storm.csv\n"
+                             "    replay: {speed: 3600}\n"
+                             "    resolution: 64\n"
+                             "    tile_waves: 16\n");
+    StepTo(&sea, 0.0);
+    double filed = GetReplaySeconds(&sea, 0);
+    ChangeReplay(&sea, 0, filed + 7200.0, -60.0);
+    assert_int_equal(CountChanges(&sea), 1);
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 1.0);
+    assert_true(GetReplaySeconds(&sea, 0) == filed + 7140.0);
+    assert_true(HasReplayChanged(&sea.waves[0]));
+    ResetWaves(&sea.waves[0]);
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 1.0);
+    assert_true(GetReplaySeconds(&sea, 0) == filed + 3600.0);
+    assert_int_equal(CountChanges(&sea), 0);
+    // Its system may go like any other.
+    RemoveWaves(&sea, 0);
+    StepTo(&sea, 4.0);
+    ApplyChanges(&sea, false);
+    StepTo(&sea, 4.1);
+    assert_true(BringBackWaves(&sea, 0));
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 4.2);
+    assert_true(GetCarriedHeight(&sea) > 0.5f);
+    CloseSea(&sea);
+}
+
 int main(void)
 {
     s_host = swDefaultHost();
@@ -167,6 +355,14 @@ int main(void)
         cmocka_unit_test(RefusedChangesLeaveThePanelAsTheWorldIs),
         cmocka_unit_test(WavesByHandAreTheirOwn),
         cmocka_unit_test(ReplaysFollowTheClockAndTheirSpeed),
+        cmocka_unit_test(SystemsComeAndGoOverTheTransition),
+        cmocka_unit_test(ASystemOfTheFileComesBack),
+        cmocka_unit_test(AWorldThatIsFullSaysSo),
+        cmocka_unit_test(RowsComeAndGo),
+        cmocka_unit_test(RowsHaveALimit),
+        cmocka_unit_test(RefusedRowsLeaveTheirMarks),
+        cmocka_unit_test(EverythingGoesBackToTheFile),
+        cmocka_unit_test(AReplayGoesBackToTheFile),
     };
     int failures = cmocka_run_group_tests(tests, NULL, NULL);
     swDestroyGpu(s_gpu);

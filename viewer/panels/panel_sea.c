@@ -1,184 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Sea state: the wave systems and what each is made of, live: a formula, an equaliser, a record or a replay; foam.
+// Sea state: the wave systems at a glance, systems that come and go, and of each what it is made of.
 
-#include <math.h>
 #include <stdio.h>
 
 #include "panels.h"
 
-static const char* GetKindName(void* context, int index)
+const char* GetKindName(void* context, int index)
 {
     (void)context;
     static const char* const names[] = {"JONSWAP", "Pierson-Moskowitz", "TMA", "Elfouhaily", "Phillips", "octaves"};
     return names[index];
 }
 
-static const char* GetRecordTime(void* context, int index)
-{
-    static char text[20];
-    swMeasuredRecord record = swMeasuredSea_GetRecord(context, index);
-    snprintf(text, sizeof(text), "%s", record.time);
-    return text;
-}
-
-float ToBearing(float direction)
-{
-    float degrees = fmodf(ToDegrees(direction) - 90.0f, 360.0f);
-    return degrees < 0.0f ? degrees + 360.0f : degrees;
-}
-
-static const char* GetSpreadingName(void* context, int index)
-{
-    (void)context;
-    static const char* const names[] = {"cos^2s", "Mitsuyasu", "Hasselmann", "Donelan-Banner", "flat", "Elfouhaily"};
-    return names[index];
-}
-
-static const char* GetGrowthName(void* context, int index)
-{
-    (void)context;
-    static const char* const names[] = {"Hasselmann 1973", "cube root"};
-    return names[index];
-}
-
-static bool DrawGrowth(swSpectrumDef* spectrum)
-{
-    int growth = (int)spectrum->growth;
-    bool hasChanged = UiChoice("growth law", &growth, SW_GROWTH_LAW_COUNT, GetGrowthName, NULL);
-    UiTip(
-        "How the peak follows from wind and fetch: as printed in 1973, or by the rounded law that many programs take");
-    spectrum->growth = (swGrowthLaw)growth;
-    return hasChanged;
-}
-
-static bool DrawSpreading(swSpectrumDef* spectrum)
-{
-    int spreading = (int)spectrum->spreading;
-    bool hasChanged = UiChoice("spreading", &spreading, SW_SPREADING_KIND_COUNT, GetSpreadingName, NULL);
-    spectrum->spreading = (swSpreadingKind)spreading;
-    if (spreading == SW_SPREADING_COSINE_2S)
-    {
-        hasChanged |= UiSlider("spreading s", &spectrum->spreadExponent, 0.0f, 75.0f, "%.0f");
-        UiTip("cos^2s of half the angle: 0 is from all sides, 8 a wind sea, 75 a swell");
-    }
-    hasChanged |= UiSlider("turbulence", &spectrum->turbulence, 0.0f, 1.0f, "%.2f");
-    UiTip("Part of the energy that goes in all directions alike");
-    hasChanged |= UiSlider("swell", &spectrum->swell, 0.0f, 1.0f, "%.2f");
-    UiTip("Draws the longest waves out into parallel crests");
-    return hasChanged;
-}
-
-bool DrawFormula(swSpectrumDef* spectrum)
-{
-    int kind = (int)spectrum->kind;
-    float fetch = spectrum->fetch * 1e-3f;
-    float bearing = ToBearing(spectrum->direction);
-    bool hasChanged = UiChoice("spectrum", &kind, SW_SPECTRUM_TABLE, GetKindName, NULL);
-    if (hasChanged && kind == SW_SPECTRUM_OCTAVES)
-    {
-        *spectrum = swMakeOctaveSpectrum(spectrum); // begins as what was there
-    }
-    hasChanged |= UiSlider("wind", &spectrum->windSpeed, 1.0f, 40.0f, "%.1f m/s");
-    bool hasGamma = kind == SW_SPECTRUM_JONSWAP || kind == SW_SPECTRUM_TMA;
-    if (hasGamma || kind == SW_SPECTRUM_ELFOUHAILY)
-    {
-        hasChanged |= UiLogSlider("fetch", &fetch, 1.0f, 2000.0f, "%.0f km");
-    }
-    if (hasGamma)
-    {
-        hasChanged |= spectrum->peakPeriod <= 0.0f && DrawGrowth(spectrum);
-        hasChanged |= UiSlider("peak enhancement", &spectrum->gamma, 1.0f, 10.0f, "%.2f");
-    }
-    hasChanged |= UiSlider("height Hs", &spectrum->significantHeight, 0.0f, 20.0f,
-                           spectrum->significantHeight > 0.0f ? "%.2f m" : "from the wind");
-    hasChanged |= UiSlider("peak period Tp", &spectrum->peakPeriod, 0.0f, 25.0f,
-                           spectrum->peakPeriod > 0.0f ? "%.1f s" : "from the wind");
-    if (UiSlider("comes from", &bearing, 0.0f, 360.0f, "%.0f deg"))
-    {
-        spectrum->direction = SW_DIRECTION_FROM_BEARING((double)bearing);
-        hasChanged = true;
-    }
-    hasChanged |= BeginUiGroup("Directions", false) && DrawSpreading(spectrum);
-    spectrum->kind = (swSpectrumKind)kind;
-    spectrum->fetch = fetch * 1e3f;
-    if (kind == SW_SPECTRUM_OCTAVES && BeginUiGroup("Octaves", true))
-    {
-        hasChanged |= DrawEqualiser(spectrum);
-    }
-    return hasChanged;
-}
-
-static bool DrawRecord(SeaWaves* waves)
-{
-    int* record = &waves->record;
-    int last = swMeasuredSea_GetCount(waves->measured) - 1;
-    bool hasChanged = UiChoice("record", record, last + 1, GetRecordTime, (void*)(uintptr_t)waves->measured);
-    hasChanged |= last > 0 && UiSliderInt("record number", record, 0, last, "%d");
-    if (UiButton("largest"))
-    {
-        *record = swMeasuredSea_FindLargest(waves->measured);
-        hasChanged = true;
-    }
-    UiTip("The record with the largest significant height");
-    return hasChanged;
-}
-
-// Where a replay is, and how fast it runs.
-static void DrawReplay(Sea* sea, int index)
-{
-    SeaWaves* waves = &sea->waves[index];
-    double seconds = GetReplaySeconds(sea, index), fraction = 0.0;
-    float speed = (float)waves->replayDef.speed;
-    int before = 0, after = 0;
-    char now[20];
-    WriteUtc(seconds, now);
-    UiText("%s UTC", now);
-    swSeaReplay_GetRecords(waves->replay, &before, &after, &fraction);
-    swMeasuredRecord a = swMeasuredSea_GetRecord(waves->measured, before);
-    swMeasuredRecord b = swMeasuredSea_GetRecord(waves->measured, after);
-    char text[64];
-    snprintf(text, sizeof(text), "%.11s %.5s to %.5s", a.time, a.time + 11, b.time + 11);
-    UiBar((float)fraction, text);
-    if (UiLogSlider("replay speed", &speed, -1e5f, 1e5f, "x %.0f"))
-    {
-        ChangeReplay(sea, index, seconds, (double)speed);
-    }
-    UiTip("Seconds of records that pass in one of the sea; the timeline above moves through them");
-}
-
-static bool DrawMeasured(Sea* sea, int index)
-{
-    SeaWaves* waves = &sea->waves[index];
-    swSpectrumDef* spectrum = &waves->def.spectrum;
-    float turn = ToDegrees(spectrum->direction);
-    bool hasChanged = false;
-    UiFaint("%s", waves->file);
-    if (waves->replay != NULL)
-    {
-        DrawReplay(sea, index);
-    }
-    else
-    {
-        hasChanged = DrawRecord(waves);
-    }
-    hasChanged |= UiSlider("height Hs", &spectrum->significantHeight, 0.0f, 20.0f,
-                           spectrum->significantHeight > 0.0f ? "%.2f m" : "as measured");
-    if (UiSlider("turned by", &turn, -180.0f, 180.0f, "%.0f deg"))
-    {
-        spectrum->direction = ToRadians(turn);
-        hasChanged = true;
-    }
-    hasChanged |= UiCheckbox("short waves beyond the record", &spectrum->extendTail);
-    UiTip("Continues the record with an f^-5 tail; a buoy does not feel short waves");
-    return hasChanged;
-}
-
 static const char* NameKind(const SeaWaves* waves)
 {
-    return waves->replay != NULL           ? "replay"
-           : waves->measured != NULL       ? "measured"
-           : waves->def.componentCount > 0 ? "by hand"
-                                           : GetKindName(NULL, (int)waves->def.spectrum.kind);
+    return waves->isRemoved          ? "removed"
+           : waves->replay != NULL   ? "replay"
+           : waves->measured != NULL ? "measured"
+           : waves->hand != NULL     ? "by hand"
+                                     : GetKindName(NULL, (int)waves->def.spectrum.kind);
 }
 
 static int CountModes(const Sea* sea, int index)
@@ -192,78 +32,161 @@ static int CountModes(const Sea* sea, int index)
     return sum;
 }
 
+static void DrawSystemRow(const Sea* sea, int index)
+{
+    const SeaWaves* waves = &sea->waves[index];
+    bool hasShape = waves->asked.peakPeriod > 0.0f;
+    UiCell("%d", index + 1);
+    UiCell("%s", NameKind(waves));
+    UiCell("%.2f", (double)(waves->asked.significantHeight * waves->def.weight));
+    UiCell(hasShape ? "%.1f" : "-", (double)waves->asked.peakPeriod);
+    UiCell(hasShape ? "%.0f" : "-", (double)ToBearing(waves->asked.meanDirection));
+    UiCell("%d", CountModes(sea, index));
+}
+
 // All systems at a glance.
 static void DrawSystems(const Sea* sea)
 {
-    static const char* const titles[] = {"", "kind", "Hs m", "Tp s", "from", "waves"};
-    if (!BeginUiTable("systems", 6, titles))
+    static const UiColumn columns[] = {{"", 2.0f},     {"kind", 0.0f}, {"Hs m", 5.0f},
+                                       {"Tp s", 5.0f}, {"from", 4.0f}, {"waves", 6.0f}};
+    if (!BeginUiTable("systems", 6, columns))
     {
         return;
     }
     for (int i = 0; i < sea->wavesCount; i++)
     {
-        const SeaWaves* waves = &sea->waves[i];
-        bool hasShape = waves->asked.peakPeriod > 0.0f;
-        UiCell("%d", i + 1);
-        UiCell("%s", NameKind(waves));
-        UiCell("%.2f", (double)(waves->asked.significantHeight * waves->def.weight));
-        UiCell(hasShape ? "%.1f" : "-", (double)waves->asked.peakPeriod);
-        UiCell(hasShape ? "%.0f" : "-", (double)ToBearing(waves->asked.meanDirection));
-        UiCell("%d", CountModes(sea, i));
+        if (!sea->waves[i].isRemoved)
+        {
+            DrawSystemRow(sea, i);
+        }
     }
     EndUiTable();
 }
 
-static void DrawWaves(App* app, int index)
+static const char* GetNewName(void* context, int index)
+{
+    (void)context;
+    static const char* const names[] = {"wind sea", "swell", "equaliser", "waves by hand", "choose ..."};
+    return names[index];
+}
+
+static void DrawAdding(App* app)
+{
+    int kind = NEW_WAVES_COUNT;
+    if (UiChoice("add a system", &kind, NEW_WAVES_COUNT, GetNewName, NULL) && !AddWaves(&app->sea, (NewWaves)kind))
+    {
+        ShowNote(app, "no wave system was added; see Messages");
+    }
+    UiTip("Its waves rise over the time below");
+}
+
+static bool DrawContents(App* app, int index)
 {
     SeaWaves* waves = &app->sea.waves[index];
     swWaveSystemDef* def = &waves->def;
-    char label[64];
-    snprintf(label, sizeof(label), "Waves %d: %s###waves", index + 1, NameKind(waves));
-    PushUiScope(index);
-    if (BeginUiSection(label, index == 0))
+    const swWaveSystemDef* filed = waves->isAdded ? NULL : &waves->filedDef;
+    bool hasChanged = false;
+    if (waves->measured != NULL)
     {
-        bool hasChanged = waves->measured           ? DrawMeasured(&app->sea, index)
-                          : def->componentCount > 0 ? DrawComponents(waves)
-                                                    : DrawFormula(&def->spectrum);
-        hasChanged |= waves->replay == NULL && def->componentCount == 0 &&
-                      BeginUiGroup("Method", def->method == SW_WAVES_GERSTNER) && DrawMethod(def);
-        hasChanged |= UiSlider("weight", &def->weight, 0.0f, 2.0f, "%.2f");
-        hasChanged |= UiSlider("chop", &def->chop, 0.0f, 2.0f, "%.2f");
-        UiTip("Horizontal motion; 1 is that of a trochoidal wave");
-        waves->hasChanged |= hasChanged;
+        hasChanged = DrawMeasured(&app->sea, index);
     }
-    PopUiScope();
+    else if (waves->hand != NULL)
+    {
+        hasChanged = DrawHandWaves(app, index);
+    }
+    else
+    {
+        hasChanged = DrawFormula(&def->spectrum, filed != NULL ? &filed->spectrum : NULL);
+    }
+    if (waves->replay == NULL && waves->hand == NULL && BeginUiGroup("Method", def->method == SW_WAVES_GERSTNER))
+    {
+        hasChanged |= DrawMethod(def, filed);
+    }
+    hasChanged |= TurnKnob(&(Knob){.label = "weight", .high = 2.0f, .format = "%.2f"}, &def->weight,
+                           filed != NULL ? &filed->weight : NULL);
+    hasChanged |= TurnKnob(&(Knob){.label = "chop",
+                                   .high = 2.0f,
+                                   .format = "%.2f",
+                                   .tip = "Horizontal motion; 1 is that of a trochoidal wave"},
+                           &def->chop, filed != NULL ? &filed->chop : NULL);
+    return hasChanged;
 }
 
-static void DrawFoam(App* app)
+// Reset and remove. Returns whether the system has left the list.
+static bool DrawSystemButtons(App* app, int index, int changes)
 {
-    swFoamDef* foam = &app->sea.worldDef.foam;
-    if (!BeginUiSection("Foam", false))
+    SeaWaves* waves = &app->sea.waves[index];
+    if (UiButton("remove"))
     {
-        return;
+        RemoveWaves(&app->sea, index);
+        return true;
     }
-    bool hasChanged = UiSlider("threshold", &foam->threshold, 0.0f, 1.0f, "%.2f");
-    UiTip("Folding below which foam is born: 1 is flat water, 0 a fold");
-    hasChanged |= UiLogSlider("gain", &foam->gain, 0.05f, 1000.0f, "%.2f /s");
-    hasChanged |= UiLogSlider("fading", &foam->fadeRate, 0.01f, 10.0f, "%.2f /s");
-    if (hasChanged)
+    UiTip("Its waves run down over the time that changes take");
+    if (changes > 0 && !waves->isAdded)
     {
-        swWorld_SetFoam(app->sea.world, foam);
+        UiSameLine();
+        if (UiButton("as in the file"))
+        {
+            ResetWaves(waves);
+        }
     }
+    return false;
+}
+
+static void DrawRemoved(App* app, int index)
+{
+    UiFaint("Waves %d of the file: removed", index + 1);
+    UiSameLine();
+    if (UiButton("bring back") && !BringBackWaves(&app->sea, index))
+    {
+        ShowNote(app, "they were not brought back; see Messages");
+    }
+}
+
+static bool DrawWaves(App* app, int index)
+{
+    SeaWaves* waves = &app->sea.waves[index];
+    if (waves->isRemoved)
+    {
+        DrawRemoved(app, index);
+        return false;
+    }
+    char label[96], state[32] = "";
+    int changes = CountWavesChanges(waves);
+    if (waves->isAdded || changes > 0)
+    {
+        snprintf(state, sizeof(state), waves->isAdded ? ", new" : ", %d changed", changes);
+    }
+    snprintf(label, sizeof(label), "Waves %d: %s%s###waves", index + 1, NameKind(waves), state);
+    if (!BeginUiSection(label, index == 0 || waves->isAdded))
+    {
+        return false;
+    }
+    if (DrawContents(app, index))
+    {
+        waves->hasChanged = true;
+    }
+    return DrawSystemButtons(app, index, changes);
 }
 
 void DrawSeaPanel(App* app)
 {
+    Sea* sea = &app->sea;
     if (BeginUiSection("Wave systems", true))
     {
-        DrawSystems(&app->sea);
-        UiSlider("changes take", &app->sea.transition, 0.0f, 30.0f, app->sea.transition > 0.0f ? "%.1f s" : "no time");
+        DrawSystems(sea);
+        DrawAdding(app);
+        UiSlider("changes take", &sea->transition, 0.0f, 30.0f, sea->transition > 0.0f ? "%.1f s" : "no time");
         UiTip("How long the sea takes to become what was set, without a jump");
     }
-    for (int i = 0; i < app->sea.wavesCount; i++)
+    for (int i = 0; i < sea->wavesCount; i++)
     {
-        DrawWaves(app, i);
+        PushUiScope(sea->waves[i].serial);
+        bool isGone = DrawWaves(app, i);
+        PopUiScope();
+        if (isGone)
+        {
+            break; // the others are drawn with the next frame
+        }
     }
-    DrawFoam(app);
 }

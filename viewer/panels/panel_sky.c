@@ -1,49 +1,86 @@
 // SPDX-License-Identifier: MIT
-// Sun, air and the look of the water.
+// Sun and air, the look of the water, and foam.
 
 #include "panels.h"
 
-static void DrawSky(swSkyDef* sky, float* exposureEv)
+static void DrawSky(SeaLook* look, const SeaLook* filed)
 {
-    float azimuth = ToDegrees(sky->sunAzimuth);
-    float elevation = ToDegrees(sky->sunElevation);
-    if (UiSlider("sun azimuth", &azimuth, 0.0f, 360.0f, "%.0f deg"))
-    {
-        sky->sunAzimuth = ToRadians(azimuth);
-    }
-    if (UiSlider("sun elevation", &elevation, -10.0f, 90.0f, "%.1f deg"))
-    {
-        sky->sunElevation = ToRadians(elevation);
-    }
-    UiSlider("haze", &sky->haze, 0.0f, 20.0f, "%.2f");
-    UiTip("Dust and salt relative to clear air");
-    UiSlider("clouds", &sky->clouds, 0.0f, 1.0f, "%.2f");
-    UiSlider("exposure", exposureEv, -6.0f, 6.0f, "%+.2f EV");
-    UiTip("Added to what is measured");
+    TurnKnob(&(Knob){.label = "sun azimuth", .high = 360.0f, .format = "%.0f deg", .unit = DEGREE},
+             &look->sky.sunAzimuth, &filed->sky.sunAzimuth);
+    TurnKnob(&(Knob){.label = "sun elevation", .low = -10.0f, .high = 90.0f, .format = "%.1f deg", .unit = DEGREE},
+             &look->sky.sunElevation, &filed->sky.sunElevation);
+    TurnKnob(&(Knob){.label = "haze", .high = 20.0f, .format = "%.2f", .tip = "Dust and salt relative to clear air"},
+             &look->sky.haze, &filed->sky.haze);
+    TurnKnob(&(Knob){.label = "clouds", .high = 1.0f, .format = "%.2f"}, &look->sky.clouds, &filed->sky.clouds);
+    TurnKnob(
+        &(Knob){
+            .label = "exposure", .low = -6.0f, .high = 6.0f, .format = "%+.2f EV", .tip = "Added to what is measured"},
+        &look->exposureEv, &filed->exposureEv);
 }
 
-static void DrawWater(swWaterDef* water)
+static void DrawColors(const char* const labels[3], Knob knob, swVec3* value, const swVec3* filed)
 {
-    UiLogSlider("absorption red", &water->absorption.x, 1e-3f, 5.0f, "%.3f /m");
-    UiLogSlider("absorption green", &water->absorption.y, 1e-3f, 5.0f, "%.3f /m");
-    UiLogSlider("absorption blue", &water->absorption.z, 1e-3f, 5.0f, "%.3f /m");
-    UiLogSlider("scattering red", &water->scattering.x, 1e-4f, 1.0f, "%.4f /m");
-    UiLogSlider("scattering green", &water->scattering.y, 1e-4f, 1.0f, "%.4f /m");
-    UiLogSlider("scattering blue", &water->scattering.z, 1e-4f, 1.0f, "%.4f /m");
-    UiSlider("refractive index", &water->refractiveIndex, 1.30f, 1.40f, "%.3f");
-    UiSlider("wind on ripples", &water->windSpeed, 0.0f, 40.0f, "%.1f m/s");
-    UiTip("Roughness of the ripples that are too short for any band");
-    UiColor("foam colour", &water->foamAlbedo);
+    float* values[3] = {&value->x, &value->y, &value->z};
+    const float* others[3] = {&filed->x, &filed->y, &filed->z};
+    for (int i = 0; i < 3; i++)
+    {
+        knob.label = labels[i];
+        TurnKnob(&knob, values[i], others[i]);
+    }
+}
+
+static void DrawWater(swWaterDef* water, const swWaterDef* filed)
+{
+    static const char* const absorption[3] = {"absorption red", "absorption green", "absorption blue"};
+    static const char* const scattering[3] = {"scattering red", "scattering green", "scattering blue"};
+    DrawColors(absorption, (Knob){.low = 1e-3f, .high = 5.0f, .format = "%.3f /m", .isLogarithmic = true},
+               &water->absorption, &filed->absorption);
+    DrawColors(scattering, (Knob){.low = 1e-4f, .high = 1.0f, .format = "%.4f /m", .isLogarithmic = true},
+               &water->scattering, &filed->scattering);
+    TurnKnob(&(Knob){.label = "refractive index", .low = 1.30f, .high = 1.40f, .format = "%.3f"},
+             &water->refractiveIndex, &filed->refractiveIndex);
+    TurnKnob(&(Knob){.label = "wind on ripples",
+                     .high = 40.0f,
+                     .format = "%.1f m/s",
+                     .tip = "Roughness of the ripples that are too short for any band"},
+             &water->windSpeed, &filed->windSpeed);
+    TurnColor("foam colour", &water->foamAlbedo, &filed->foamAlbedo);
+}
+
+static void DrawFoam(App* app)
+{
+    swFoamDef* foam = &app->sea.look.foam;
+    const swFoamDef* filed = &app->sea.filedLook.foam;
+    bool hasChanged = TurnKnob(&(Knob){.label = "threshold",
+                                       .high = 1.0f,
+                                       .format = "%.2f",
+                                       .tip = "Folding below which foam is born: 1 is flat water, 0 a fold"},
+                               &foam->threshold, &filed->threshold);
+    hasChanged |=
+        TurnKnob(&(Knob){.label = "gain", .low = 0.05f, .high = 1000.0f, .format = "%.2f /s", .isLogarithmic = true},
+                 &foam->gain, &filed->gain);
+    hasChanged |=
+        TurnKnob(&(Knob){.label = "fading", .low = 0.01f, .high = 10.0f, .format = "%.2f /s", .isLogarithmic = true},
+                 &foam->fadeRate, &filed->fadeRate);
+    if (hasChanged)
+    {
+        swWorld_SetFoam(app->sea.world, foam);
+    }
 }
 
 void DrawSkyPanel(App* app)
 {
+    Sea* sea = &app->sea;
+    if (BeginUiSection("Foam", false))
+    {
+        DrawFoam(app);
+    }
     if (BeginUiSection("Sun and air", true))
     {
-        DrawSky(&app->sea.sky, &app->sea.exposureEv);
+        DrawSky(&sea->look, &sea->filedLook);
     }
     if (BeginUiSection("Water", false))
     {
-        DrawWater(&app->sea.water);
+        DrawWater(&sea->look.water, &sea->filedLook.water);
     }
 }

@@ -28,7 +28,7 @@ static void DrawFrameTimes(const FrameTimes* times)
 
 static void DrawPasses(const swGpu* gpu)
 {
-    static const char* const titles[] = {"GPU pass", "ms"};
+    static const UiColumn columns[] = {{"GPU pass", 0.0f}, {"ms", 8.0f}};
     swPassTime times[MAX_PASSES];
     int count = swGpu_GetPassTimes(gpu, times, MAX_PASSES);
     float sum = 0.0f;
@@ -37,7 +37,7 @@ static void DrawPasses(const swGpu* gpu)
         UiFaint("this device has no timestamps, or none yet");
         return;
     }
-    if (!BeginUiTable("passes", 2, titles))
+    if (!BeginUiTable("passes", 2, columns))
     {
         return;
     }

@@ -32,7 +32,7 @@ static void DrawCamera(App* app)
     UiLogSlider("speed", &camera->speed, 0.05f, 50.0f, "x %.2f");
     if (UiSlider("field of view", &fov, 10.0f, 110.0f, "%.0f deg"))
     {
-        camera->verticalFov = ToRadians(fov);
+        camera->verticalFov = fov * DEGREE;
     }
 }
 
@@ -54,8 +54,9 @@ static void DrawNamedViews(App* app)
 
 static void DrawSlices(const swView* view)
 {
-    static const char* const titles[] = {"slice", "texel m", "side m", "waves from m", "fade"};
-    if (!BeginUiTable("slices", 5, titles))
+    static const UiColumn columns[] = {
+        {"slice", 5.0f}, {"texel m", 0.0f}, {"side m", 0.0f}, {"waves m", 0.0f}, {"fade", 4.0f}};
+    if (!BeginUiTable("slices", 5, columns))
     {
         return;
     }

@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: MIT
 #include "panels.h"
 
-#include <math.h>
-
 float ToDegrees(float radians)
 {
     return radians * (float)(180.0 / SW_PI);
 }
 
-float ToRadians(float degrees)
+float ToBearing(float direction)
 {
-    return degrees * (float)(SW_PI / 180.0);
+    return ShowValue(&(Knob){.isBearing = true}, direction);
+}
+
+// How many values differ from the file's, and the way back.
+static void DrawChanges(App* app)
+{
+    if (app->changeCount == 0)
+    {
+        return;
+    }
+    UiWarning("%d value%s from %s.", app->changeCount, app->changeCount == 1 ? " differs" : "s differ",
+              GetSceneName(app));
+    if (UiButton("all as in the file") && !ResetChanges(&app->sea))
+    {
+        ShowNote(app, "not all came back; see Messages");
+    }
+    UiTip("Each changed value has a dot beside its name: click on it to set that one back");
+}
+
+static void DrawPace(const App* app)
+{
+    if (IsSeaSlow(&app->pace))
+    {
+        UiWarning("The sea runs at %.2g x of the clock: frames take %.0f ms.", (double)app->pace.ratio,
+                  (double)app->pace.frameMs);
+    }
 }
 
 static void DrawSummary(App* app)
@@ -26,7 +49,9 @@ void DrawPanels(App* app)
 {
     BeginUiPanel("Seaway (F1)");
     DrawSummary(app);
+    DrawPace(app);
     DrawMessagePanel(app);
+    DrawChanges(app);
     DrawTimePanel(app);
     DrawSeaPanel(app);
     DrawSkyPanel(app);

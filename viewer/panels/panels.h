@@ -4,6 +4,7 @@
 // The parts of the panel, each with the settings of one subject.
 
 #include "app.h"
+#include "tuned.h"
 
 void DrawPanels(App* app);
 
@@ -15,13 +16,14 @@ void DrawTimingPanel(App* app);
 void DrawMessagePanel(App* app);
 void DrawKeyPanel(void);
 
-// What all spectra share, and the equaliser. Return whether something changed.
-bool DrawFormula(swSpectrumDef* spectrum);
-bool DrawEqualiser(swSpectrumDef* spectrum);
+// Of one wave system; each returns whether its def has changed. `filed` is the file's, NULL if the file has none.
+bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed);
+bool DrawEqualiser(swSpectrumDef* spectrum, const swSpectrumDef* filed);
+bool DrawMethod(swWaveSystemDef* def, const swWaveSystemDef* filed);
+bool DrawMeasured(Sea* sea, int index);
+bool DrawHandWaves(App* app, int index);
 
-// How the waves are made, and waves by hand.
-bool DrawMethod(swWaveSystemDef* def);
-bool DrawComponents(SeaWaves* waves);
+const char* GetKindName(void* context, int index);
 
 // Where waves come from, degrees clockwise from north, of a direction they go.
 float ToBearing(float direction);
@@ -29,6 +31,4 @@ float ToBearing(float direction);
 // "YYYY-MM-DD hh:mm" of seconds since 1970, UTC.
 void WriteUtc(double seconds, char text[20]);
 
-// Angles in the panel are whole degrees of a compass.
 float ToDegrees(float radians);
-float ToRadians(float degrees);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+// A query that is refused as a whole answers NaN for every point; so does a point that cannot be answered.
+
 #include <math.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
+#include "core/frame/asked.h"
 #include "core/query/raycast.h"
 #include "core/query/sample.h"
 #include "core/query/volume.h"
@@ -19,31 +21,58 @@ swQueryDef swDefaultQueryDef(void)
     };
 }
 
-// Points beyond this have a spacing of doubles above 0.1 mm.
-#define SW_FARTHEST_POINT 1e12
+static bool refuse(const swWorld* world, const char* call, const char* why)
+{
+    swTellMisuse(swFindHost(world), "%s(): %s", call, why);
+    SW_ASSERT(!"a query is refused; the host's log says why");
+    return false;
+}
 
 // Comparisons are written so that NaN fails them.
-static bool isNear(double x)
+static bool checkDef(const swWorld* world, const char* call, const swQueryDef* def)
 {
-    return fabs(x) <= SW_FARTHEST_POINT;
-}
-
-static bool isDefValid(const swWorld* world, const swQueryDef* def)
-{
-    return world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && def->minWavelength >= 0.0f &&
-           def->tolerance >= 1e-6f && def->maxIterations >= 1 && def->maxIterations <= 64 &&
-           (def->time == SW_QUERY_NOW || fabs(def->time) <= SW_LARGEST_TIME) &&
-           (def->stretching == SW_STRETCHING_WHEELER || def->stretching == SW_STRETCHING_LINEAR);
-}
-
-static bool arePointsValid(int count, const swPosXZ* points)
-{
-    bool isValid = count == 0 || (count > 0 && points != NULL);
-    for (int i = 0; i < count && isValid; ++i)
+    if (world == NULL)
     {
-        isValid = isNear(points[i].x) && isNear(points[i].z);
+        return refuse(world, call, "the world is NULL");
     }
-    return isValid;
+    if (def == NULL || def->internalValue != SW_DEF_COOKIE)
+    {
+        return refuse(world, call, "the def is NULL or was not made by swDefaultQueryDef()");
+    }
+    if (!(def->minWavelength >= 0.0f))
+    {
+        return refuse(world, call, "the def's minWavelength is below 0 or NaN");
+    }
+    if (!(def->tolerance >= 1e-6f))
+    {
+        return refuse(world, call, "the def's tolerance is below 1e-6 m or NaN");
+    }
+    if (def->maxIterations < 1 || def->maxIterations > 64)
+    {
+        return refuse(world, call, "the def's maxIterations is outside of 1 to 64");
+    }
+    if (!(def->time == SW_QUERY_NOW || fabs(def->time) <= SW_LARGEST_TIME))
+    {
+        return refuse(world, call, "the def's time is NaN or beyond 2.7e11 s");
+    }
+    if (def->stretching != SW_STRETCHING_WHEELER && def->stretching != SW_STRETCHING_LINEAR)
+    {
+        return refuse(world, call, "the def's stretching is none that there is");
+    }
+    return true;
+}
+
+static bool checkBatch(const swWorld* world, const char* call, const swQueryDef* def, int count, bool hasArrays)
+{
+    if (!checkDef(world, call, def))
+    {
+        return false;
+    }
+    if (count < 0)
+    {
+        return refuse(world, call, "the count of points is below 0");
+    }
+    return count == 0 || hasArrays || refuse(world, call, "the points, or where their answers go, are NULL");
 }
 
 static void beginQuery(const swWorld* world, const swQueryDef* def, swQuery* query)
@@ -54,80 +83,98 @@ static void beginQuery(const swWorld* world, const swQueryDef* def, swQuery* que
 void swWorld_QuerySurface(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
                           const swSurfaceSamples* samples, swQueryStats* stats)
 {
-    bool isValid = isDefValid(world, def) && samples != NULL && arePointsValid(count, points);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (!checkBatch(world, "swWorld_QuerySurface", def, count, points != NULL && samples != NULL))
     {
-        swQuery query;
-        beginQuery(world, def, &query);
-        swQuerySurface(&query, count, points, samples, stats);
+        swRefuseSurface(count, samples, NULL, stats);
+        return;
     }
+    swQuery query;
+    beginQuery(world, def, &query);
+    swQuerySurface(&query, count, points, samples, stats);
 }
 
 double swWorld_GetHeight(const swWorld* world, double x, double z)
 {
     swQueryDef def = swDefaultQueryDef();
     swPosXZ point = {x, z};
-    swVec3 displacement = {0.0f, 0.0f, 0.0f};
+    swVec3 displacement = SW_NO_VECTOR;
     swSurfaceSamples samples = {.displacement = &displacement};
+    if (!checkDef(world, "swWorld_GetHeight", &def))
+    {
+        return (double)NAN;
+    }
     swWorld_QuerySurface(world, &def, 1, &point, &samples, NULL);
     return world->def.seaLevel + (double)displacement.y;
 }
 
 void swWorld_QueryParticles(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
-                            const swSurfaceSamples* samples, swVec2* slopes)
+                            const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats)
 {
-    bool isValid = isDefValid(world, def) && samples != NULL && arePointsValid(count, points);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (!checkBatch(world, "swWorld_QueryParticles", def, count, points != NULL && samples != NULL))
     {
-        swQuery query;
-        beginQuery(world, def, &query);
-        swQueryParticles(&query, count, points, samples, slopes);
+        swRefuseSurface(count, samples, slopes, stats);
+        return;
     }
+    swQuery query;
+    beginQuery(world, def, &query);
+    swQueryParticles(&query, count, points, samples, slopes, stats);
+}
+
+// Points are bad one by one; a map has a size and a spacing, though.
+static bool checkMap(const swWorld* world, const swHeightMapDef* map, const float* heights)
+{
+    const char* call = "swWorld_QueryHeightMap";
+    if (map == NULL || heights == NULL)
+    {
+        return refuse(world, call, "the map, or where its heights go, is NULL");
+    }
+    if (map->width < 1 || map->height < 1 || map->width > INT32_MAX / map->height)
+    {
+        return refuse(world, call, "the map's width or height is below 1, or it has more than 2^31 points");
+    }
+    return !(map->spacing <= 0.0) || refuse(world, call, "the map's spacing is not above 0");
+}
+
+static void refuseMap(const swHeightMapDef* map, float* heights, swQueryStats* stats)
+{
+    bool hasSize = map != NULL && map->width >= 1 && map->height >= 1 && map->width <= INT32_MAX / map->height;
+    const swSurfaceSamples samples = {.height = heights};
+    swRefuseSurface(hasSize ? map->width * map->height : 0, &samples, NULL, stats);
 }
 
 void swWorld_QueryHeightMap(const swWorld* world, const swQueryDef* def, const swHeightMapDef* map, float* heights,
                             swQueryStats* stats)
 {
-    bool isValid = isDefValid(world, def) && map != NULL && heights != NULL && isNear(map->originX) &&
-                   isNear(map->originZ) && map->spacing > 0.0 && map->width >= 1 && map->height >= 1 &&
-                   isNear(map->spacing * map->width) && isNear(map->spacing * map->height);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (!checkDef(world, "swWorld_QueryHeightMap", def) || !checkMap(world, map, heights))
     {
-        swQuery query;
-        beginQuery(world, def, &query);
-        swQueryHeightMap(&query, map, heights, stats);
+        refuseMap(map, heights, stats);
+        return;
     }
+    swQuery query;
+    beginQuery(world, def, &query);
+    swQueryHeightMap(&query, map, heights, stats);
 }
 
 void swWorld_QueryVolume(const swWorld* world, const swQueryDef* def, int count, const swPos* points,
-                         const swVolumeSamples* samples)
+                         const swVolumeSamples* samples, swQueryStats* stats)
 {
-    bool isValid = isDefValid(world, def) && samples != NULL && (count == 0 || (count > 0 && points != NULL));
-    for (int i = 0; i < count && isValid; ++i)
+    if (!checkBatch(world, "swWorld_QueryVolume", def, count, points != NULL && samples != NULL))
     {
-        isValid = isNear(points[i].x) && isNear(points[i].y) && isNear(points[i].z);
+        swRefuseVolume(count, samples, stats);
+        return;
     }
-    SW_ASSERT(isValid);
-    if (isValid)
-    {
-        swQuery query;
-        beginQuery(world, def, &query);
-        swQueryVolume(&query, count, points, samples);
-    }
+    swQuery query;
+    beginQuery(world, def, &query);
+    swQueryVolume(&query, count, points, samples, stats);
 }
 
 swVec2 swWorld_GetStokesDrift(const swWorld* world, double depthBelow)
 {
-    bool isValid = world != NULL && depthBelow >= 0.0;
-    SW_ASSERT(isValid);
-    if (!isValid)
-    {
-        return (swVec2){0.0f, 0.0f};
-    }
     swQueryDef def = swDefaultQueryDef();
+    if (!checkDef(world, "swWorld_GetStokesDrift", &def) || !(depthBelow >= 0.0))
+    {
+        return (swVec2){SW_NO_NUMBER, SW_NO_NUMBER};
+    }
     swQuery query;
     beginQuery(world, &def, &query);
     return swFindStokesDrift(&query, depthBelow);
@@ -138,28 +185,15 @@ swRay swDefaultRay(swPos origin, swVec3 direction)
     return (swRay){.origin = origin, .direction = direction, .maxDistance = 1000.0f, .internalValue = SW_DEF_COOKIE};
 }
 
-static bool isRayValid(const swRay* ray)
+void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,
+                      swQueryStats* stats)
 {
-    const swVec3* d = &ray->direction;
-    float square = d->x * d->x + d->y * d->y + d->z * d->z;
-    return ray->internalValue == SW_DEF_COOKIE && isNear(ray->origin.x) && isNear(ray->origin.y) &&
-           isNear(ray->origin.z) && square > 0.0f && square < INFINITY && ray->maxDistance >= 0.0f &&
-           ray->maxDistance <= 1e5f && ray->radius >= 0.0f && ray->radius <= 100.0f && ray->duration >= 0.0f &&
-           ray->duration <= 3600.0f;
-}
-
-void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits)
-{
-    bool isValid = isDefValid(world, def) && (count == 0 || (count > 0 && rays != NULL && hits != NULL));
-    for (int i = 0; i < count && isValid; ++i)
+    if (!checkBatch(world, "swWorld_CastRays", def, count, rays != NULL && hits != NULL))
     {
-        isValid = isRayValid(&rays[i]);
+        swRefuseRays(count, hits, stats);
+        return;
     }
-    SW_ASSERT(isValid);
-    if (isValid)
-    {
-        swQuery query;
-        beginQuery(world, def, &query);
-        swCastRays(&query, count, rays, hits);
-    }
+    swQuery query;
+    beginQuery(world, def, &query);
+    swCastRays(&query, count, rays, hits, stats);
 }

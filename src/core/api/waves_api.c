@@ -13,6 +13,7 @@ swWaveSystemDef swDefaultWaveSystemDef(void)
         .resolution = 128,
         .tileWaves = 32,
         .componentsPerOctave = 8,
+        .leastJacobian = 0.1f,
         .minWavelength = 0.0625f,
         .maxWavelength = 4096.0f,
         .chop = 1.0f,
@@ -84,6 +85,11 @@ static swResult checkGerstner(const swHost* host, const swWaveSystemDef* def)
         return swFail(host, SW_ERROR_INVALID,
                       "a wave system's reverseWeight is %g (0 to 1) and its directionVariance %g rad (0 to pi)",
                       (double)def->reverseWeight, (double)def->directionVariance);
+    }
+    if (!isWithin(def->leastJacobian, -10.0, 0.9))
+    {
+        return swFail(host, SW_ERROR_INVALID, "a wave system's leastJacobian is %g; it must be in [-10, 0.9]",
+                      (double)def->leastJacobian);
     }
     return checkComponents(host, def);
 }

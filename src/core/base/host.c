@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/host.h"
+#include "core/base/misuse.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,7 +10,7 @@
 #include "core/base/assert.h"
 
 #define SW_ALIGNMENT 64
-#define SW_LONGEST_MESSAGE 1024
+#define SW_LONGEST_MESSAGE 4608 // a path, and what is wrong with it
 
 static void* allocateFromLibc(void* context, size_t size, size_t alignment)
 {
@@ -111,6 +112,17 @@ swResult swFail(const swHost* host, swResult result, const char* format, ...)
     logList(host, SW_LOG_ERROR, format, arguments);
     va_end(arguments);
     return result;
+}
+
+void swTellMisuse(const swHost* host, const char* format, ...)
+{
+    if (host != NULL && host->internalValue == SW_DEF_COOKIE)
+    {
+        va_list arguments;
+        va_start(arguments, format);
+        logList(host, SW_LOG_ERROR, format, arguments);
+        va_end(arguments);
+    }
 }
 
 void swParallelFor(const swHost* host, swTaskFcn task, void* taskContext, int count, int grain)

@@ -6,6 +6,9 @@
 // Far above or below there is nothing to meet: the march is confined to heights that six standard deviations of the sea
 // can reach. Rays march together, so that each look at the surface is one batch.
 //
+// A ray that cannot be followed (NaN, an infinite or empty direction, a length out of range) is answered with NaN and
+// counted; it has no part in the blocks of others.
+//
 // A sphere's gap is its centre's distance from the plane that touches the surface below it, less the radius.
 
 #include "core/query/raycast.h"
@@ -13,21 +16,23 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/frame/asked.h"
+
 #define MAX_STEPS 100000
 #define MAX_REFINEMENTS 60
 
 typedef struct March
 {
     const swRay* ray;
-    double length;        // of the direction
     double x, y, z;       // unit direction
     double end;           // distance where it leaves the heights that count
     double at;            // distance of the next look
     double before, after; // around the sign change
     float gapBefore, gapAfter;
     float side; // +1: began above, -1: below
-    bool hasLooked, isRefining, isDone, isHit;
+    bool hasLooked, isRefining, isDone;
     int refinements;
+    int index; // of the ray
 } March;
 
 typedef struct Look
@@ -88,15 +93,20 @@ static bool clipRay(const swQuery* query, double reach, March* march)
     return begin <= end;
 }
 
+static bool canCast(const swQuery* query, const swRay* ray)
+{
+    swPosXZ place;
+    return swIsRayGood(ray) && swPlacePoint(query, ray->origin.x, ray->origin.z, &place);
+}
+
 static void beginMarch(const swQuery* query, const swRay* ray, float reach, March* march)
 {
     memset(march, 0, sizeof *march);
     march->ray = ray;
-    double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
-    double length = sqrt(x * x + y * y + z * z);
-    march->x = x / length;
-    march->y = y / length;
-    march->z = z / length;
+    double length = swGetRayLength(ray);
+    march->x = (double)ray->direction.x / length;
+    march->y = (double)ray->direction.y / length;
+    march->z = (double)ray->direction.z / length;
     // A hair more, so that a ray that ends on flat water meets it.
     march->isDone = !clipRay(query, (double)reach + (double)ray->radius + 0.001, march);
 }
@@ -113,8 +123,8 @@ static float makeGap(const swQuery* query, const March* march, const Look* look)
     return (float)((y - look->height) * (double)look->normal.y);
 }
 
-// The surface below each march's next look.
-static void lookAtOnce(const swQuery* query, int count, March* const* marches, Look* looks)
+// The surface below each march's next look. Returns how often it was evaluated.
+static int lookAtOnce(const swQuery* query, int count, March* const* marches, Look* looks)
 {
     swPosXZ places[SW_QUERY_BLOCK] = {{0.0, 0.0}}; // compilers do not see that count is not 0
     bool needsNormals = false;
@@ -131,6 +141,7 @@ static void lookAtOnce(const swQuery* query, int count, March* const* marches, L
         float again[SW_QUERY_BLOCK][4];
         const swEvaluation evaluation = {.displacement = again, .gradients = gradients};
         swEvaluate(query, count, found.rest, &evaluation);
+        found.evaluations += count;
     }
     for (int i = 0; i < count; ++i)
     {
@@ -147,10 +158,11 @@ static void lookAtOnce(const swQuery* query, int count, March* const* marches, L
             looks[i].gap = makeGap(query, marches[i], &looks[i]);
         }
     }
+    return found.evaluations;
 }
 
 // Rays whose way takes time look at different moments, one by one.
-static void look(const swQuery* query, int count, March* const* marches, Look* looks)
+static int look(const swQuery* query, int count, March* const* marches, Look* looks)
 {
     bool isStill = true;
     for (int i = 0; i < count; ++i)
@@ -159,9 +171,9 @@ static void look(const swQuery* query, int count, March* const* marches, Look* l
     }
     if (isStill)
     {
-        lookAtOnce(query, count, marches, looks);
-        return;
+        return lookAtOnce(query, count, marches, looks);
     }
+    int evaluations = 0;
     for (int i = 0; i < count; ++i)
     {
         const swRay* ray = marches[i]->ray;
@@ -169,8 +181,9 @@ static void look(const swQuery* query, int count, March* const* marches, Look* l
         double part = ray->maxDistance > 0.0f ? marches[i]->at / (double)ray->maxDistance : 0.0;
         then.ticks += (int64_t)floor(part * (double)ray->duration * SW_TICKS_PER_SECOND + 0.5);
         then.isNow = query->isNow && then.ticks == query->ticks;
-        lookAtOnce(&then, 1, &marches[i], &looks[i]);
+        evaluations += lookAtOnce(&then, 1, &marches[i], &looks[i]);
     }
+    return evaluations;
 }
 
 static void finishMarch(const swQuery* query, March* march, const Look* look, swRayHit* hit)
@@ -259,14 +272,10 @@ static void advanceMarch(const swQuery* query, double shortest, March* march, co
     march->at = fmin(march->at + step, march->end);
 }
 
-static void castBlock(const swQuery* query, float reach, double shortest, int count, const swRay* rays, swRayHit* hits)
+// Cast rays that have all begun. One that is not at its end when the looks are used up says how far it came.
+static void castBlock(const swQuery* query, double shortest, int count, March* marches, swRayHit* hits,
+                      swQueryStats* stats)
 {
-    March marches[SW_QUERY_BLOCK];
-    for (int i = 0; i < count; ++i)
-    {
-        hits[i] = (swRayHit){.distance = rays[i].maxDistance};
-        beginMarch(query, &rays[i], reach, &marches[i]);
-    }
     for (int step = 0; step < MAX_STEPS; ++step)
     {
         March* active[SW_QUERY_BLOCK];
@@ -278,24 +287,68 @@ static void castBlock(const swQuery* query, float reach, double shortest, int co
         }
         if (activeCount == 0)
         {
-            return;
+            break;
         }
         Look looks[SW_QUERY_BLOCK];
-        look(query, activeCount, active, looks);
+        stats->iterationCount += look(query, activeCount, active, looks);
         for (int i = 0; i < activeCount; ++i)
         {
-            advanceMarch(query, shortest, active[i], &looks[i], &hits[active[i] - marches]);
+            advanceMarch(query, shortest, active[i], &looks[i], &hits[active[i]->index]);
+        }
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        stats->convergedCount += marches[i].isDone ? 1 : 0;
+        if (!marches[i].isDone)
+        {
+            hits[marches[i].index].distance = (float)marches[i].at;
         }
     }
 }
 
-void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hits)
+static swRayHit makeBadHit(void)
 {
+    const swPos nowhere = {(double)NAN, (double)NAN, (double)NAN};
+    return (swRayHit){.distance = SW_NO_NUMBER, .position = nowhere, .point = nowhere, .normal = SW_NO_VECTOR};
+}
+
+void swRefuseRays(int count, swRayHit* hits, swQueryStats* stats)
+{
+    for (int i = 0; i < count && hits != NULL; ++i)
+    {
+        hits[i] = makeBadHit();
+    }
+    swRefuseStats(count, stats);
+}
+
+void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hits, swQueryStats* stats)
+{
+    swQueryStats total = {0};
     float reach = findReach(query);
     double shortest = findShortest(query);
-    for (int first = 0; first < count; first += SW_QUERY_BLOCK)
+    March marches[SW_QUERY_BLOCK];
+    int blockCount = 0;
+    for (int i = 0; i < count; ++i)
     {
-        int blockCount = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK;
-        castBlock(query, reach, shortest, blockCount, rays + first, hits + first);
+        if (!canCast(query, &rays[i]))
+        {
+            hits[i] = makeBadHit();
+            total.badCount += 1;
+        }
+        else
+        {
+            hits[i] = (swRayHit){.distance = rays[i].maxDistance};
+            beginMarch(query, &rays[i], reach, &marches[blockCount]);
+            marches[blockCount++].index = i;
+        }
+        if (blockCount == SW_QUERY_BLOCK || i + 1 == count)
+        {
+            castBlock(query, shortest, blockCount, marches, hits, &total);
+            blockCount = 0;
+        }
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
     }
 }

@@ -5,5 +5,5 @@
 
 #include "core/query/sample.h"
 
-// Rays are checked: directions are not 0. `frame` is the one that the query was begun with.
-void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hits);
+void swRefuseRays(int count, swRayHit* hits, swQueryStats* stats);
+void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hits, swQueryStats* stats);

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/frame/asked.h"
 #include "shared/surface_normal.h"
 
 typedef struct swSearch
@@ -60,6 +61,12 @@ void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* ker
             query->tiles[query->tileCount++] = *tile;
         }
     }
+}
+
+bool swPlacePoint(const swQuery* query, double x, double z, swPosXZ* place)
+{
+    *place = (swPosXZ){x + query->origin.x, z + query->origin.z};
+    return swIsNear(x) && swIsNear(z);
 }
 
 // ---- adding up waves ----
@@ -323,39 +330,117 @@ swVec3 swMakeNormal(const float g[8], float* jacobian)
     return (swVec3){-x * scale, *jacobian * scale, -z * scale};
 }
 
-static void writeVectors(swVec3* to, int first, int count, float (*rows)[4])
+// The next points that can be answered: `at` says which they are.
+typedef struct Block
 {
-    for (int i = 0; i < count && to != NULL; ++i)
+    int count;
+    int at[SW_QUERY_BLOCK];
+    swPosXZ places[SW_QUERY_BLOCK]; // in the sea
+} Block;
+
+static void markBad(const swSurfaceSamples* samples, swVec2* slopes, int point)
+{
+    swVec3* vectors[] = {samples->displacement, samples->normal, samples->velocity, samples->acceleration};
+    float* numbers[] = {samples->height, samples->jacobian, samples->residual};
+    for (int i = 0; i < 4; ++i)
     {
-        to[first + i] = (swVec3){rows[i][0], rows[i][1], rows[i][2]};
+        if (vectors[i] != NULL)
+        {
+            vectors[i][point] = SW_NO_VECTOR;
+        }
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+        if (numbers[i] != NULL)
+        {
+            numbers[i][point] = SW_NO_NUMBER;
+        }
+    }
+    if (slopes != NULL)
+    {
+        slopes[point] = (swVec2){SW_NO_NUMBER, SW_NO_NUMBER};
     }
 }
 
-// Write answers [first, first + count); gradients may be NULL if neither normals nor Jacobians are wanted.
-static void writeSamples(const swSurfaceSamples* samples, double seaLevel, int first, int count,
-                         float (*displacement)[4], float (*gradients)[8])
+void swRefuseSurface(int count, const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats)
 {
-    writeVectors(samples->displacement, first, count, displacement);
-    for (int i = 0; i < count && samples->height != NULL; ++i)
+    const swSurfaceSamples none = {0};
+    for (int i = 0; i < count; ++i)
     {
-        samples->height[first + i] = (float)(seaLevel + (double)displacement[i][1]);
+        markBad(samples != NULL ? samples : &none, slopes, i);
     }
-    for (int i = 0; i < count && gradients != NULL; ++i)
+    swRefuseStats(count, stats);
+}
+
+void swRefuseStats(int count, swQueryStats* stats)
+{
+    if (stats != NULL)
     {
-        float jacobian;
-        swVec3 normal = swMakeNormal(gradients[i], &jacobian);
+        *stats = (swQueryStats){.badCount = count > 0 ? count : 0};
+    }
+}
+
+// Fill a block from point `first` on. Points on the way that cannot be answered are marked and counted.
+// Returns the point to go on with.
+static int fillBlock(const swQuery* query, int first, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                     swVec2* slopes, Block* block, swQueryStats* stats)
+{
+    block->count = 0;
+    int point = first;
+    for (; point < count && block->count < SW_QUERY_BLOCK; ++point)
+    {
+        block->at[block->count] = point;
+        if (swPlacePoint(query, points[point].x, points[point].z, &block->places[block->count]))
+        {
+            block->count += 1;
+        }
+        else
+        {
+            markBad(samples, slopes, point);
+            stats->badCount += 1;
+        }
+    }
+    return point;
+}
+
+static void writeVectors(swVec3* to, const Block* block, float (*rows)[4])
+{
+    for (int i = 0; i < block->count && to != NULL; ++i)
+    {
+        to[block->at[i]] = (swVec3){rows[i][0], rows[i][1], rows[i][2]};
+    }
+}
+
+// Gradients may be NULL if neither normals nor Jacobians are wanted, residuals where nothing was searched.
+static void writeSamples(const swSurfaceSamples* samples, double seaLevel, const Block* block, float (*displacement)[4],
+                         float (*gradients)[8], const float* residuals)
+{
+    writeVectors(samples->displacement, block, displacement);
+    for (int i = 0; i < block->count; ++i)
+    {
+        int point = block->at[i];
+        if (samples->height != NULL)
+        {
+            samples->height[point] = (float)(seaLevel + (double)displacement[i][1]);
+        }
+        if (samples->residual != NULL)
+        {
+            samples->residual[point] = residuals != NULL ? residuals[i] : 0.0f;
+        }
+        float jacobian = 1.0f;
+        swVec3 normal = gradients != NULL ? swMakeNormal(gradients[i], &jacobian) : (swVec3){0.0f, 1.0f, 0.0f};
         if (samples->normal != NULL)
         {
-            samples->normal[first + i] = normal;
+            samples->normal[point] = normal;
         }
         if (samples->jacobian != NULL)
         {
-            samples->jacobian[first + i] = jacobian;
+            samples->jacobian[point] = jacobian;
         }
     }
 }
 
-static void countBlock(swQueryStats* stats, const swFound* found, int count, float tolerance)
+void swCountFound(swQueryStats* stats, const swFound* found, int count, float tolerance)
 {
     stats->iterationCount += found->evaluations;
     for (int i = 0; i < count; ++i)
@@ -366,68 +451,62 @@ static void countBlock(swQueryStats* stats, const swFound* found, int count, flo
     }
 }
 
-static bool wantsMore(const swSurfaceSamples* samples)
-{
-    return samples->normal != NULL || samples->jacobian != NULL || samples->velocity != NULL ||
-           samples->acceleration != NULL;
-}
-
 static bool wantsGradients(const swSurfaceSamples* samples)
 {
     return samples->normal != NULL || samples->jacobian != NULL;
 }
 
-static void sampleParticles(const swQuery* query, const swSurfaceSamples* samples, bool withGradients, int first,
-                            int count, const swPosXZ* rest, float (*displacement)[4], float (*gradients)[8])
+static bool wantsMore(const swSurfaceSamples* samples)
+{
+    return wantsGradients(samples) || samples->velocity != NULL || samples->acceleration != NULL;
+}
+
+static void sampleParticles(const swQuery* query, const swSurfaceSamples* samples, const Block* block,
+                            const swPosXZ* rest, float (*displacement)[4], float (*gradients)[8])
 {
     float velocity[SW_QUERY_BLOCK][4];
     float acceleration[SW_QUERY_BLOCK][4];
     const swEvaluation evaluation = {
         .displacement = displacement,
-        .gradients = withGradients ? gradients : NULL,
+        .gradients = gradients,
         .velocity = samples->velocity != NULL ? velocity : NULL,
         .acceleration = samples->acceleration != NULL ? acceleration : NULL,
     };
-    swEvaluate(query, count, rest, &evaluation);
-    writeVectors(samples->velocity, first, count, velocity);
-    writeVectors(samples->acceleration, first, count, acceleration);
+    swEvaluate(query, block->count, rest, &evaluation);
+    writeVectors(samples->velocity, block, velocity);
+    writeVectors(samples->acceleration, block, acceleration);
 }
 
-static int placeBlock(const swQuery* query, int count, const swPosXZ* points, int first, swPosXZ* block)
+static void querySurfaceBlock(const swQuery* query, const Block* block, const swSurfaceSamples* samples,
+                              swQueryStats* stats)
 {
-    int blockCount = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK;
-    for (int i = 0; i < blockCount; ++i)
+    float gradients[SW_QUERY_BLOCK][8];
+    swFound found;
+    swFindParticles(query, block->count, block->places, &found);
+    bool withGradients = wantsGradients(samples);
+    if (wantsMore(samples))
     {
-        block[i] = (swPosXZ){points[first + i].x + query->origin.x, points[first + i].z + query->origin.z};
+        float again[SW_QUERY_BLOCK][4];
+        sampleParticles(query, samples, block, found.rest, withGradients ? again : NULL,
+                        withGradients ? gradients : NULL);
+        found.evaluations += block->count;
     }
-    return blockCount;
+    writeSamples(samples, query->seaLevel, block, found.displacement, withGradients ? gradients : NULL, found.residual);
+    swCountFound(stats, &found, block->count, query->def->tolerance);
 }
 
 void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
                     swQueryStats* stats)
 {
     swQueryStats total = {0};
-    for (int first = 0; first < count; first += SW_QUERY_BLOCK)
+    Block block;
+    for (int next = 0; next < count;)
     {
-        swPosXZ block[SW_QUERY_BLOCK];
-        float gradients[SW_QUERY_BLOCK][8];
-        int blockCount = placeBlock(query, count, points, first, block);
-        swFound found;
-        swFindParticles(query, blockCount, block, &found);
-        bool withGradients = wantsGradients(samples);
-        if (wantsMore(samples))
+        next = fillBlock(query, next, count, points, samples, NULL, &block, &total);
+        if (block.count > 0)
         {
-            float again[SW_QUERY_BLOCK][4];
-            sampleParticles(query, samples, withGradients, first, blockCount, found.rest, withGradients ? again : NULL,
-                            gradients);
-            found.evaluations += blockCount;
+            querySurfaceBlock(query, &block, samples, &total);
         }
-        writeSamples(samples, query->seaLevel, first, blockCount, found.displacement, withGradients ? gradients : NULL);
-        if (samples->residual != NULL)
-        {
-            memcpy(samples->residual + first, found.residual, (size_t)blockCount * sizeof(float));
-        }
-        countBlock(&total, &found, blockCount, query->def->tolerance);
     }
     if (stats != NULL)
     {
@@ -435,26 +514,38 @@ void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, cons
     }
 }
 
-void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
-                      swVec2* slopes)
+static void queryParticleBlock(const swQuery* query, const Block* block, const swSurfaceSamples* samples,
+                               swVec2* slopes)
 {
+    float displacement[SW_QUERY_BLOCK][4];
+    float gradients[SW_QUERY_BLOCK][8];
     bool withGradients = wantsGradients(samples) || slopes != NULL;
-    for (int first = 0; first < count; first += SW_QUERY_BLOCK)
+    sampleParticles(query, samples, block, block->places, displacement, withGradients ? gradients : NULL);
+    writeSamples(samples, query->seaLevel, block, displacement, withGradients ? gradients : NULL, NULL);
+    for (int i = 0; i < block->count && slopes != NULL; ++i)
     {
-        swPosXZ block[SW_QUERY_BLOCK];
-        float displacement[SW_QUERY_BLOCK][4];
-        float gradients[SW_QUERY_BLOCK][8];
-        int blockCount = placeBlock(query, count, points, first, block);
-        sampleParticles(query, samples, withGradients, first, blockCount, block, displacement, gradients);
-        writeSamples(samples, query->seaLevel, first, blockCount, displacement, withGradients ? gradients : NULL);
-        for (int i = 0; i < blockCount && slopes != NULL; ++i)
+        slopes[block->at[i]] = (swVec2){gradients[i][4], gradients[i][5]};
+    }
+}
+
+void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                      swVec2* slopes, swQueryStats* stats)
+{
+    swQueryStats total = {0};
+    Block block;
+    for (int next = 0; next < count;)
+    {
+        next = fillBlock(query, next, count, points, samples, slopes, &block, &total);
+        if (block.count > 0)
         {
-            slopes[first + i] = (swVec2){gradients[i][4], gradients[i][5]};
+            queryParticleBlock(query, &block, samples, slopes);
         }
-        if (samples->residual != NULL)
-        {
-            memset(samples->residual + first, 0, (size_t)blockCount * sizeof(float));
-        }
+        total.convergedCount += block.count;
+        total.iterationCount += block.count;
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
     }
 }
 
@@ -470,20 +561,20 @@ void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* he
         int count = map->width - column < SW_QUERY_BLOCK ? map->width - column : SW_QUERY_BLOCK;
         for (int row = 0; row < map->height; ++row)
         {
-            swPosXZ block[SW_QUERY_BLOCK];
+            swPosXZ points[SW_QUERY_BLOCK];
             for (int i = 0; i < count; ++i)
             {
-                block[i].x = map->originX + map->spacing * (column + i) + query->origin.x;
-                block[i].z = map->originZ + map->spacing * row + query->origin.z;
+                points[i].x = map->originX + map->spacing * (column + i);
+                points[i].z = map->originZ + map->spacing * row;
             }
-            swFound found;
-            swFindParticles(query, count, block, &found);
-            for (int i = 0; i < count; ++i)
+            float* stretch = heights + (size_t)row * (size_t)map->width + (size_t)column;
+            const swSurfaceSamples samples = {.height = stretch};
+            Block block;
+            fillBlock(query, 0, count, points, &samples, NULL, &block, &total);
+            if (block.count > 0)
             {
-                heights[(size_t)row * (size_t)map->width + (size_t)(column + i)] =
-                    (float)(query->seaLevel + (double)found.displacement[i][1]);
+                querySurfaceBlock(query, &block, &samples, &total);
             }
-            countBlock(&total, &found, count, query->def->tolerance);
         }
     }
     if (stats != NULL)

@@ -3,6 +3,8 @@
 
 // The surface above points of the horizontal plane: find the particle that is there, then say where it is. See sample.c.
 
+#include <math.h>
+
 #include "core/waves/waves_fft.h"
 #include "core/waves/waves_sum.h"
 #include "seaway/query.h"
@@ -52,11 +54,25 @@ typedef struct swFound
 // Find the particles above at most SW_QUERY_BLOCK points in the sea.
 void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swFound* found);
 
+// NaN, for what cannot be answered.
+#define SW_NO_NUMBER ((float)NAN)
+#define SW_NO_VECTOR ((swVec3){SW_NO_NUMBER, SW_NO_NUMBER, SW_NO_NUMBER})
+
+// Where a point of the host's is in the sea. False for one that cannot be answered: NaN, infinite or too far out.
+bool swPlacePoint(const swQuery* query, double x, double z, swPosXZ* place);
+
+// Add a block's search to a batch's.
+void swCountFound(swQueryStats* stats, const swFound* found, int count, float tolerance);
+
 // The upward unit normal of gradients as swEvaluation has them; the underside of a fold is turned over.
 swVec3 swMakeNormal(const float gradients[8], float* jacobian);
+
+// Every point of a query that is refused as a whole is bad.
+void swRefuseSurface(int count, const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats);
+void swRefuseStats(int count, swQueryStats* stats);
 
 void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
                     swQueryStats* stats);
 void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
-                      swVec2* slopes);
+                      swVec2* slopes, swQueryStats* stats);
 void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* heights, swQueryStats* stats);

@@ -5,22 +5,25 @@
 // Between trough and crest linear theory has nothing to say. Wheeler's stretching [Wheeler 1970] lets heights count from
 // the surface: with eta the water's height above a place, y' = d (d + y) / (d + eta) - d, in deep water y - eta, so that
 // the surface moves as linear theory says of still water. It needs eta, which is searched for as for any query.
+//
+// Which waves are too short to reach a place depends on its own height alone (waves_sum.inl), so that its bits do not depend
+// on the batch that it came in.
 
 #include "core/query/volume.h"
 
 #include <math.h>
-#include <string.h>
 
+#include "core/frame/asked.h"
 #include "core/math/scalar.h"
 
-// Waves that have faded to exp(-20) do not count.
-#define FADED 20.0f
-
+// Places that can be answered: `at` says which they are.
 typedef struct Block
 {
     int count;
+    int at[SW_QUERY_BLOCK];
     swPosXZ points[SW_QUERY_BLOCK]; // in the sea
-    float heights[SW_QUERY_BLOCK];  // above still water, stretched
+    float levels[SW_QUERY_BLOCK];   // above still water
+    float heights[SW_QUERY_BLOCK];  // the same, stretched; of a place in the air none that a wave reaches
     bool isWet[SW_QUERY_BLOCK];
     float depth[SW_QUERY_BLOCK]; // below the surface
 } Block;
@@ -51,52 +54,81 @@ static float stretch(float y, float eta, float bottom)
     return column > 0.0f ? bottom * below / column : 0.0f;
 }
 
-static void placeBlock(const swQuery* query, const swPos* points, float bottom, Block* block)
+static void markBad(const swVolumeSamples* samples, int point)
 {
-    for (int i = 0; i < block->count; ++i)
+    float* numbers[] = {samples->depth, samples->pressureHead};
+    swVec3* vectors[] = {samples->velocity, samples->acceleration};
+    for (int i = 0; i < 2; ++i)
     {
-        block->points[i] = (swPosXZ){points[i].x + query->origin.x, points[i].z + query->origin.z};
+        if (numbers[i] != NULL)
+        {
+            numbers[i][point] = SW_NO_NUMBER;
+        }
+        if (vectors[i] != NULL)
+        {
+            vectors[i][point] = SW_NO_VECTOR;
+        }
     }
+}
+
+void swRefuseVolume(int count, const swVolumeSamples* samples, swQueryStats* stats)
+{
+    for (int i = 0; i < count && samples != NULL; ++i)
+    {
+        markBad(samples, i);
+    }
+    swRefuseStats(count, stats);
+}
+
+// Fill a block from place `first` on; those on the way that cannot be answered are marked and counted.
+// Returns the place to go on with.
+static int fillBlock(const swQuery* query, int first, int count, const swPos* points, const swVolumeSamples* samples,
+                     Block* block, swQueryStats* stats)
+{
+    block->count = 0;
+    int point = first;
+    for (; point < count && block->count < SW_QUERY_BLOCK; ++point)
+    {
+        int i = block->count;
+        bool isGood =
+            swPlacePoint(query, points[point].x, points[point].z, &block->points[i]) && swIsNear(points[point].y);
+        if (isGood)
+        {
+            block->at[i] = point;
+            block->levels[i] = (float)(points[point].y - query->seaLevel);
+            block->count += 1;
+        }
+        else
+        {
+            markBad(samples, point);
+            stats->badCount += 1;
+        }
+    }
+    return point;
+}
+
+static void searchBlock(const swQuery* query, float bottom, Block* block, swQueryStats* stats)
+{
     swFound found;
     swFindParticles(query, block->count, block->points, &found);
     for (int i = 0; i < block->count; ++i)
     {
-        float y = (float)(points[i].y - query->seaLevel);
+        float y = block->levels[i];
         float eta = found.displacement[i][1];
         block->depth[i] = eta - y;
         block->isWet[i] = eta >= y;
         float stretched = query->def->stretching == SW_STRETCHING_WHEELER ? stretch(y, eta, bottom) : y;
-        block->heights[i] = fminf(stretched, 0.0f);
+        block->heights[i] = block->isWet[i] ? fminf(stretched, 0.0f) : -INFINITY;
     }
+    swCountFound(stats, &found, block->count, query->def->tolerance);
 }
 
-// Sum of the waves that reach the highest place of the block.
 static void sumBlock(const swQuery* query, const Block* block, const swDepthSums* sums)
 {
-    float highest = -INFINITY;
-    for (int i = 0; i < block->count; ++i)
-    {
-        highest = fmaxf(highest, block->heights[i]);
-    }
-    float shortest = -highest * 6.2831853f / FADED;
-    swTile tiles[SW_MAX_TILES];
-    int tileCount = 0;
-    for (int i = 0; i < query->tileCount; ++i)
-    {
-        if (query->tiles[i].maxWavelength > shortest)
-        {
-            tiles[tileCount++] = query->tiles[i];
-        }
-    }
-    int waveCount = query->waveCount;
-    while (waveCount > 0 && query->waves[waveCount - 1].wavelength < shortest)
-    {
-        waveCount -= 1;
-    }
     const swWaveSumJob job = {
-        .tileCount = tileCount,
-        .tiles = tiles,
-        .waveCount = waveCount,
+        .tileCount = query->tileCount,
+        .tiles = query->tiles,
+        .waveCount = query->waveCount,
         .waves = query->waves,
         .ticks = query->ticks,
         .count = block->count,
@@ -107,46 +139,63 @@ static void sumBlock(const swQuery* query, const Block* block, const swDepthSums
     swSumWaves(query->kernels, &job);
 }
 
-static swVec3 takeVector(const Block* block, int i, float (*rows)[4])
+static void writeBlock(const Block* block, const swDepthSums* sums, const swVolumeSamples* samples)
 {
-    return block->isWet[i] ? (swVec3){rows[i][0], rows[i][1], rows[i][2]} : (swVec3){0.0f, 0.0f, 0.0f};
+    for (int i = 0; i < block->count; ++i)
+    {
+        const float* v = sums->velocity[i];
+        const float* a = sums->acceleration[i];
+        if (samples->depth != NULL)
+        {
+            samples->depth[block->at[i]] = block->depth[i];
+        }
+        if (samples->velocity != NULL)
+        {
+            samples->velocity[block->at[i]] = (swVec3){v[0], v[1], v[2]};
+        }
+        if (samples->acceleration != NULL)
+        {
+            samples->acceleration[block->at[i]] = (swVec3){a[0], a[1], a[2]};
+        }
+        if (samples->pressureHead != NULL)
+        {
+            samples->pressureHead[block->at[i]] = sums->head[i];
+        }
+    }
 }
 
-void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples)
+static void queryBlock(const swQuery* query, float bottom, Block* block, const swVolumeSamples* samples,
+                       swQueryStats* stats)
 {
-    float bottom = findBottom(query);
-    for (int first = 0; first < count; first += SW_QUERY_BLOCK)
+    float velocity[SW_QUERY_BLOCK][4] = {{0.0f}};
+    float acceleration[SW_QUERY_BLOCK][4] = {{0.0f}};
+    float head[SW_QUERY_BLOCK] = {0.0f};
+    const swDepthSums sums = {velocity, acceleration, head};
+    searchBlock(query, bottom, block, stats);
+    if (samples->velocity != NULL || samples->acceleration != NULL || samples->pressureHead != NULL)
     {
-        Block block = {.count = count - first < SW_QUERY_BLOCK ? count - first : SW_QUERY_BLOCK};
-        placeBlock(query, points + first, bottom, &block);
-        float velocity[SW_QUERY_BLOCK][4] = {{0.0f}};
-        float acceleration[SW_QUERY_BLOCK][4] = {{0.0f}};
-        float head[SW_QUERY_BLOCK] = {0.0f};
-        const swDepthSums sums = {velocity, acceleration, head};
-        bool needsSums = samples->velocity != NULL || samples->acceleration != NULL || samples->pressureHead != NULL;
-        if (needsSums)
+        sumBlock(query, block, &sums);
+    }
+    writeBlock(block, &sums, samples);
+}
+
+void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples,
+                   swQueryStats* stats)
+{
+    swQueryStats total = {0};
+    float bottom = findBottom(query);
+    Block block;
+    for (int next = 0; next < count;)
+    {
+        next = fillBlock(query, next, count, points, samples, &block, &total);
+        if (block.count > 0)
         {
-            sumBlock(query, &block, &sums);
+            queryBlock(query, bottom, &block, samples, &total);
         }
-        for (int i = 0; i < block.count; ++i)
-        {
-            if (samples->depth != NULL)
-            {
-                samples->depth[first + i] = block.depth[i];
-            }
-            if (samples->velocity != NULL)
-            {
-                samples->velocity[first + i] = takeVector(&block, i, velocity);
-            }
-            if (samples->acceleration != NULL)
-            {
-                samples->acceleration[first + i] = takeVector(&block, i, acceleration);
-            }
-            if (samples->pressureHead != NULL)
-            {
-                samples->pressureHead[first + i] = block.isWet[i] ? head[i] : 0.0f;
-            }
-        }
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
     }
 }
 

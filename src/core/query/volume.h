@@ -5,7 +5,9 @@
 
 #include "core/query/sample.h"
 
-void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples);
+void swRefuseVolume(int count, const swVolumeSamples* samples, swQueryStats* stats);
+void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples,
+                   swQueryStats* stats);
 
 // Along x and z, at a depth below still water.
 swVec2 swFindStokesDrift(const swQuery* query, double depthBelow);

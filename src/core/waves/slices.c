@@ -6,7 +6,7 @@
 #include "shared/surface_normal.h"
 
 // Texels sampled at once: keeps points and results in the first-level cache.
-#define SW_SLICE_BLOCK 64
+#define SW_SLICE_BLOCK 128
 
 typedef struct swSliceJob
 {
@@ -36,12 +36,17 @@ int swSelectSliceTiles(const swFrame* frame, float minWavelength, swTile* out)
 }
 
 // Free waves, added to what tiles gave.
-static void addFreeWaves(const swSliceJob* job, int count, const swPosXZ* points, float* displacement,
+static void addFreeWaves(const swSliceJob* job, int count, const double* x, double z, float* displacement,
                          float (*gradients)[8])
 {
     if (job->waveCount == 0)
     {
         return;
+    }
+    swPosXZ points[SW_SLICE_BLOCK];
+    for (int i = 0; i < count; ++i)
+    {
+        points[i] = (swPosXZ){x[i], z};
     }
     const swSurfaceSums sums = {.displacement = (float(*)[4])displacement, .gradients = gradients};
     const swWaveSumJob sum = {
@@ -68,16 +73,16 @@ static int countLongWaves(const swFrame* frame, float minWavelength)
 static void sampleBlock(const swSliceJob* job, int row, int column, int count)
 {
     const swSlice* slice = job->slice;
-    swPosXZ points[SW_SLICE_BLOCK];
+    double x[SW_SLICE_BLOCK];
+    double z = (double)(slice->firstZ + row) * slice->texel;
     float gradients[SW_SLICE_BLOCK][8];
     for (int i = 0; i < count; ++i)
     {
-        points[i].x = (double)(slice->firstX + column + i) * slice->texel;
-        points[i].z = (double)(slice->firstZ + row) * slice->texel;
+        x[i] = (double)(slice->firstX + column + i) * slice->texel;
     }
     size_t first = ((size_t)row * (size_t)job->resolution + (size_t)column) * 4;
-    swSampleTiles(job->kernels, job->tileCount, job->tiles, count, points, job->displacement + first, gradients[0]);
-    addFreeWaves(job, count, points, job->displacement + first, gradients);
+    swSampleRow(job->kernels, job->tileCount, job->tiles, count, x, z, job->displacement + first, gradients);
+    addFreeWaves(job, count, x, z, job->displacement + first, gradients);
     float* derivatives = job->derivatives + first;
     for (int i = 0; i < count; ++i)
     {

@@ -490,6 +490,12 @@ void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* ti
     kernels->sampleTiles(tileCount, tiles, count, points, out, gradients);
 }
 
+void swSampleRow(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const double* x, double z,
+                 float* out, float (*gradients)[8])
+{
+    kernels->sampleRow(tileCount, tiles, count, x, z, out, gradients);
+}
+
 void swSumWaves(const swWaveKernels* kernels, const swWaveSumJob* job)
 {
     kernels->sumWaves(job);

@@ -70,3 +70,8 @@ void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texe
 // Order of summation: tiles in the order given, then within a tile as in shaders/shared/spline.h.
 void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,
                    float* out, float* gradients);
+
+// The same bits for a row of points with one z, whose x ascend: what slices are made of, in a third of the
+// time. `gradients` is required.
+void swSampleRow(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const double* x, double z,
+                 float* out, float (*gradients)[8]);

@@ -13,6 +13,10 @@
 // Place and phase are drawn independently of that.
 //
 // reverseWeight gives each wave a twin that runs the other way with that part of its height; the two share the energy.
+//
+// To first order the Jacobian of the horizontal displacement is 1 minus the sum of chop k a cos over all waves: a Gaussian of
+// many waves, and never below 1 minus the sum of chop k a. Where that falls below leastJacobian at more than one place in ten
+// thousand (3.72 deviations), all waves' chop is taken back alike. The second order adds a little, most where waves cross.
 
 #include <math.h>
 #include <string.h>
@@ -34,6 +38,9 @@
 
 // Of the number of a strip: 16 octaves of 32 at most.
 #define STRIP_BITS 9
+
+// Deviations that a Gaussian is below at one place in ten thousand.
+#define RARELY 3.72
 
 // Waves lower than this are left out, m.
 #define LEAST_AMPLITUDE 1e-6
@@ -322,6 +329,27 @@ static swResult addOctaves(Builder* builder, const swHost* host)
     return SW_SUCCESS;
 }
 
+static void holdChopBack(Builder* builder)
+{
+    double variance = 0.0, sum = 0.0;
+    for (int i = 0; i < builder->count; ++i)
+    {
+        double strain = (double)swGetFreeWaveStrain(&builder->waves[i]);
+        variance += strain;
+        sum += sqrt(2.0 * strain);
+    }
+    double deepest = fmin(RARELY * sqrt(variance), sum);
+    double most = 1.0 - (double)builder->def->leastJacobian;
+    if (deepest > most)
+    {
+        for (int i = 0; i < builder->count; ++i)
+        {
+            builder->waves[i].dx *= (float)(most / deepest);
+            builder->waves[i].dz *= (float)(most / deepest);
+        }
+    }
+}
+
 static void addGivenWaves(Builder* builder)
 {
     const swWaveSystemDef* def = builder->def;
@@ -372,6 +400,7 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
     else if (result == SW_SUCCESS)
     {
         result = addOctaves(&builder, host);
+        holdChopBack(&builder);
     }
     if (result == SW_SUCCESS)
     {

@@ -13,6 +13,8 @@ struct swWaveKernels
                            void* scratch);
     void (*sampleTiles)(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
                         float* gradients);
+    void (*sampleRow)(int tileCount, const swTile* tiles, int count, const double* x, double z, float* out,
+                      float (*gradients)[8]);
     void (*sumWaves)(const swWaveSumJob* job);
 };
 

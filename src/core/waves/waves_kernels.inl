@@ -509,6 +509,20 @@ static void addTile(const swTile* tile, int count, const double* u, bool withSlo
     }
 }
 
+// `gradients` may be NULL.
+static inline void storeSums(const PointSums* sums, float* out, float* gradients)
+{
+    swStoreSumQ(out, swLoadQ(sums->value));
+    if (gradients != NULL)
+    {
+        float x[4], z[4];
+        swStoreSumQ(x, swLoadQ(sums->alongX));
+        swStoreSumQ(z, swLoadQ(sums->alongZ));
+        const float gradient[8] = {x[0], z[0], x[2], z[2], x[1], z[1], 0.0f, 0.0f};
+        memcpy(gradients, gradient, sizeof gradient);
+    }
+}
+
 static void sampleTiles(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
                         float* gradients)
 {
@@ -534,15 +548,8 @@ static void sampleTiles(int tileCount, const swTile* tiles, int count, const swP
         }
         for (int i = 0; i < blockCount; ++i)
         {
-            swStoreSumQ(out + (size_t)(first + i) * 4, swLoadQ(sums[i].value));
-            if (gradients != NULL)
-            {
-                float x[4], z[4];
-                swStoreSumQ(x, swLoadQ(sums[i].alongX));
-                swStoreSumQ(z, swLoadQ(sums[i].alongZ));
-                const float gradient[8] = {x[0], z[0], x[2], z[2], x[1], z[1], 0.0f, 0.0f};
-                memcpy(gradients + (size_t)(first + i) * 8, gradient, sizeof gradient);
-            }
+            size_t point = (size_t)(first + i);
+            storeSums(&sums[i], out + point * 4, gradients != NULL ? gradients + point * 8 : NULL);
         }
     }
 }

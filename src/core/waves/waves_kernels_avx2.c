@@ -6,6 +6,7 @@
 #include "core/math/wide.h"
 
 #include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsAvx2 = {SW_ISA_AVX2, transformTiles, sampleTiles, sumWaves};
+const swWaveKernels swWaveKernelsAvx2 = {SW_ISA_AVX2, transformTiles, sampleTiles, sampleRow, sumWaves};

@@ -6,6 +6,7 @@
 #include "core/math/wide.h"
 
 #include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON, transformTiles, sampleTiles, sumWaves};
+const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON, transformTiles, sampleTiles, sampleRow, sumWaves};

@@ -6,6 +6,7 @@
 #include "core/math/wide.h"
 
 #include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles, sumWaves};
+const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles, sampleRow, sumWaves};

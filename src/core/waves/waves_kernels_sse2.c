@@ -6,6 +6,7 @@
 #include "core/math/wide.h"
 
 #include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsSse2 = {SW_ISA_SSE2, transformTiles, sampleTiles, sumWaves};
+const swWaveKernels swWaveKernelsSse2 = {SW_ISA_SSE2, transformTiles, sampleTiles, sampleRow, sumWaves};

@@ -37,7 +37,8 @@ typedef struct swWaveSumJob
     int count;
     const swPosXZ* points; // at rest
 
-    // m above the resting water, for `below`. Above 0 counts as 0, below a wave's bottom as its bottom.
+    // m above the resting water, for `below`. Above 0 counts as 0, below a wave's bottom as its bottom. Waves that are too
+    // short to reach a height are left out of its sums; to minus infinity none reaches.
     const float* heights;
 
     // One of them; the other is NULL.
@@ -47,6 +48,15 @@ typedef struct swWaveSumJob
 
 // Order of summation: waves in order in eight interleaved sums, which are added at the end.
 void swSumWaves(const swWaveKernels* kernels, const swWaveSumJob* job);
+
+// Waves that have faded to exp(-20) do not count.
+#define SW_FADED 20.0f
+
+// Waves of at most this length are too short to reach a height, m.
+static inline float swGetFadedWavelength(float height)
+{
+    return -height * 6.2831853f / SW_FADED;
+}
 
 // Where a height counts for waves over a bottom.
 static inline float swClampHeight(float height, float depth)

@@ -336,9 +336,33 @@ typedef struct BlockPlaces
     uint32_t x[SUM_POINTS], z[SUM_POINTS];
 } BlockPlaces;
 
+// Whether waves of a length reach the height of a point.
+static inline bool reachesPoint(float wavelength, const float* heights, int point)
+{
+    return heights == NULL || wavelength > swGetFadedWavelength(heights[point]);
+}
+
+// The points of a block that waves of a length reach.
+static int listReached(float wavelength, int count, const float* heights, int reached[SUM_POINTS])
+{
+    int reachedCount = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        reached[reachedCount] = i;
+        reachedCount += reachesPoint(wavelength, heights, i) ? 1 : 0;
+    }
+    return reachedCount;
+}
+
 static void addTileToBlock(const swTile* tile, SumKind kind, int64_t ticks, int count, const swPosXZ* points,
                            const float* heights, PointSum* sums)
 {
+    int reached[SUM_POINTS];
+    int reachedCount = listReached(tile->maxWavelength, count, heights, reached);
+    if (reachedCount == 0)
+    {
+        return;
+    }
     BlockPlaces places;
     double perMetre = 1.0 / tile->side;
     for (int i = 0; i < count; ++i)
@@ -354,8 +378,9 @@ static void addTileToBlock(const swTile* tile, SumKind kind, int64_t ticks, int 
         int left = tile->modeCount - first;
         WaveChunk chunk;
         fillTileChunk(tile, tile->modes + first, left < SUM_CHUNK ? left : SUM_CHUNK, tileTicks, &chunk);
-        for (int i = 0; i < count; ++i)
+        for (int r = 0; r < reachedCount; ++r)
         {
+            int i = reached[r];
             uint32_t phases[SUM_CHUNK];
             fillLatticePhases(&chunk, places.x[i], places.z[i], phases);
             float height = heights != NULL ? swClampHeight(heights[i], tile->depth) : 0.0f;
@@ -376,11 +401,17 @@ static void addFreeToBlock(int waveCount, const swFreeWave* waves, SumKind kind,
             end += 1;
         }
         float depth = waves[first].depth;
+        int reached[SUM_POINTS];
+        int reachedCount = listReached(waves[first].wavelength, count, heights, reached); // the chunk's longest
         WaveChunk chunk;
-        fillFreeChunk(waves + first, end - first, ticks, &chunk);
-        SumKind chunkKind = kind == SUM_BELOW && depth < 1e9f ? SUM_BELOW_FINITE : kind;
-        for (int i = 0; i < count; ++i)
+        if (reachedCount > 0)
         {
+            fillFreeChunk(waves + first, end - first, ticks, &chunk);
+        }
+        SumKind chunkKind = kind == SUM_BELOW && depth < 1e9f ? SUM_BELOW_FINITE : kind;
+        for (int r = 0; r < reachedCount; ++r)
+        {
+            int i = reached[r];
             uint32_t phases[SUM_CHUNK];
             fillFreePhases(&chunk, points[i].x, points[i].z, phases);
             float height = heights != NULL ? swClampHeight(heights[i], depth) : 0.0f;

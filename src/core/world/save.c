@@ -151,6 +151,7 @@ static swResult streamSystemDef(swStream* stream, const swHost* host, swWaveSyst
     swStreamI32(stream, &def->componentsPerOctave);
     swStreamF32(stream, &def->reverseWeight);
     swStreamF32(stream, &def->directionVariance);
+    swStreamF32(stream, &def->leastJacobian);
     swStreamF32(stream, &def->minWavelength);
     swStreamF32(stream, &def->maxWavelength);
     swStreamF32(stream, &def->chop);

@@ -84,7 +84,8 @@ static bool isSameDef(const swWaveSystemDef* a, const swWaveSystemDef* b)
         return a->resolution == b->resolution && a->tileWaves == b->tileWaves;
     }
     return a->componentsPerOctave == b->componentsPerOctave && a->reverseWeight == b->reverseWeight &&
-           a->directionVariance == b->directionVariance && a->componentCount == b->componentCount &&
+           a->leastJacobian == b->leastJacobian && a->directionVariance == b->directionVariance &&
+           a->componentCount == b->componentCount &&
            (a->componentCount == 0 ||
             memcmp(a->components, b->components, (size_t)a->componentCount * sizeof(swWaveComponent)) == 0);
 }

@@ -68,6 +68,11 @@ const swHost* swGetWorldHost(const swWorld* world)
     return &world->host;
 }
 
+const swHost* swFindHost(const swWorld* world)
+{
+    return world != NULL ? &world->host : NULL;
+}
+
 swPosXZ swGetWorldOrigin(const swWorld* world)
 {
     return world->origin;

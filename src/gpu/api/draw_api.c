@@ -23,6 +23,7 @@ struct swRenderer
     swSurface surface;
     swTonemap tonemap;
     bool isPrepared;
+    uint32_t discardCount;  // of the world, as far as the renderer knows
     swPictureFrame picture; // of the last swRenderer_Prepare()
     const swGpuView* view;
     float time, exposureEv;
@@ -191,6 +192,21 @@ static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view
     return NULL;
 }
 
+// Frames of the world were thrown away: what their commands were to leave is not there.
+static void forgetDiscarded(swRenderer* renderer)
+{
+    const swGpuWorld* gpuWorld = renderer->gpuWorld;
+    uint32_t missed = gpuWorld->discardCount - renderer->discardCount;
+    if (missed > 0)
+    {
+        uint64_t from = missed == 1 ? gpuWorld->discardedFrom : 0;
+        swForgetSky(&renderer->sky);
+        swForgetSurface(&renderer->surface);
+        swForgetExposure(&renderer->tonemap, from);
+        renderer->discardCount = gpuWorld->discardCount;
+    }
+}
+
 swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
                             uint64_t frameIndex)
 {
@@ -205,22 +221,25 @@ swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, cons
         return swFail(&gpu->host, SW_ERROR_INVALID,
                       "The picture's view was not recorded: step the world and call swGpuWorld_Record() first.");
     }
-    swBeginGpuFrame(gpu, commands, frameIndex);
+    forgetDiscarded(renderer);
+    swBeginGpuFrame(gpu, frameIndex);
     renderer->time = (float)fmod(picture->time, 4096.0);
     renderer->exposureEv = picture->exposureEv;
     renderer->debug = picture->debug;
     swBuildPicture(picture, swGetWorldOrigin(renderer->gpuWorld->world), frame, view, renderer->gpuWorld->detail.width,
                    &renderer->picture);
     swResult result = swUploadPicture(gpu, &renderer->picture);
+    result = result == SW_SUCCESS ? swPrepareSurface(gpu, &renderer->surface, &renderer->picture) : result;
     if (result != SW_SUCCESS)
     {
-        return result;
+        return result; // nothing is recorded yet
     }
+    swStartPassTimer(gpu, commands);
     swClearExposure(gpu, commands, &renderer->tonemap);
     swRecordSkyTables(gpu, commands, &renderer->sky, &renderer->picture);
-    result = swRecordSurface(gpu, commands, &renderer->surface, &renderer->sky.halvePipeline, &renderer->picture);
-    renderer->isPrepared = result == SW_SUCCESS;
-    return result;
+    swRecordSurface(gpu, commands, &renderer->surface, &renderer->sky.halvePipeline, &renderer->picture);
+    renderer->isPrepared = true;
+    return SW_SUCCESS;
 }
 
 void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands)

@@ -9,6 +9,7 @@ swGpuDef swDefaultGpuDef(void)
     return (swGpuDef){
         .choice = SW_DEVICE_AUTO,
         .framesInFlight = 2,
+        .layers = SW_LAYERS_AUTO,
         .internalValue = SW_DEF_COOKIE,
     };
 }
@@ -29,6 +30,11 @@ swResult swCreateGpu(const swHost* host, const swGpuDef* def, swGpu** gpu)
     {
         return swFail(host, SW_ERROR_INVALID, "swGpuDef::framesInFlight is %d; its range is [1, %d]",
                       def->framesInFlight, SW_MAX_FRAMES_IN_FLIGHT);
+    }
+    if (def->layers < SW_LAYERS_AUTO || def->layers > SW_LAYERS_CORE)
+    {
+        return swFail(host, SW_ERROR_INVALID, "swGpuDef::layers is %d; it must be one of swLayerSource",
+                      (int)def->layers);
     }
     return swCreateDevice(host, def, gpu);
 }
@@ -92,6 +98,31 @@ bool swGpu_IsSoftware(const swGpu* gpu)
     return gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
 
+bool swGpu_WantsCpuLayers(const swGpu* gpu)
+{
+    SW_ASSERT(gpu != NULL);
+    return gpu != NULL && gpu->usesCoreLayers;
+}
+
+swViewDef swGpu_FitView(const swGpu* gpu, const swViewDef* def, uint32_t height)
+{
+    SW_ASSERT(gpu != NULL && def != NULL);
+    swViewDef usual = swDefaultViewDef();
+    swViewDef fitted = def != NULL ? *def : usual;
+    if (gpu == NULL || def == NULL || !gpu->usesCoreLayers)
+    {
+        return fitted;
+    }
+    fitted.enableCpuLayers = true;
+    bool isUsual = def->resolution == usual.resolution && def->finestTexel == usual.finestTexel;
+    if (isUsual && swGpu_IsSoftware(gpu) && height < 540)
+    {
+        fitted.resolution = height < 270 ? usual.resolution / 3 : usual.resolution / 2;
+        fitted.finestTexel = height < 270 ? 4.0f * usual.finestTexel : 2.0f * usual.finestTexel;
+    }
+    return fitted;
+}
+
 int swGpu_GetValidationCount(const swGpu* gpu)
 {
     return atomic_load(&gpu->validationCount);
@@ -140,6 +171,15 @@ swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint6
         return SW_ERROR_INVALID;
     }
     return swRecordFrame(gpuWorld, commands, frameIndex);
+}
+
+void swGpuWorld_Discard(swGpuWorld* gpuWorld, uint64_t frameIndex)
+{
+    SW_ASSERT(gpuWorld != NULL);
+    if (gpuWorld != NULL)
+    {
+        swDiscardFrames(gpuWorld, frameIndex);
+    }
 }
 
 size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld)

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
-#include "core/base/assert.h"
+#include "core/base/misuse.h"
+#include "core/frame/asked.h"
 #include "gpu/record/record.h"
 
 #define SW_MAX_QUERY_POINTS (1 << 22)
-
-// As in query_api.c.
-#define SW_FARTHEST_POINT 1e12
 
 swGpuQueryDef swDefaultGpuQueryDef(void)
 {
@@ -40,63 +38,33 @@ static bool isDefValid(const swGpuQueryDef* def)
            def->minWavelength >= 0.0f && def->tolerance >= 1e-5f && def->maxIterations >= 1 && def->maxIterations <= 64;
 }
 
-static bool isPlaceValid(swPosXZ place)
+static const swHost* findQueryHost(const swGpuQuery* query)
 {
-    return fabs(place.x) <= SW_FARTHEST_POINT && fabs(place.z) <= SW_FARTHEST_POINT;
+    return query != NULL ? &query->gpuWorld->gpu->host : NULL;
 }
 
-static bool isCountValid(const swGpuQuery* query, swGpuQueryKind kind, int count)
+static bool refuse(const swGpuQuery* query, const char* call, const char* why)
 {
-    return query != NULL && query->def.kind == kind && count >= 0 && count <= query->def.capacity;
+    swTellMisuse(findQueryHost(query), "%s(): %s", call, why);
+    SW_ASSERT(!"a call is refused; the host's log says why");
+    return false;
 }
 
-// Near enough to the first, too: cells are counted in 32 bits.
-static bool isNearFirst(swPosXZ place, swPosXZ first)
+static bool checkPoints(const swGpuQuery* query, const char* call, swGpuQueryKind kind, int count, const void* points)
 {
-    const double farthest = 1e11;
-    return isPlaceValid(place) && fabs(place.x - first.x) < farthest && fabs(place.z - first.z) < farthest;
-}
-
-static bool arePointsValid(const swGpuQuery* query, int count, const swPosXZ* points)
-{
-    bool isValid = isCountValid(query, SW_GPU_QUERY_KIND_SURFACE, count) && (count == 0 || points != NULL);
-    for (int i = 0; i < count && isValid; ++i)
+    if (query == NULL)
     {
-        isValid = isNearFirst(points[i], points[0]);
+        return refuse(query, call, "the query is NULL");
     }
-    return isValid;
-}
-
-static bool arePlacesValid(const swGpuQuery* query, int count, const swPos* places)
-{
-    bool isValid = isCountValid(query, SW_GPU_QUERY_KIND_VOLUME, count) && (count == 0 || places != NULL);
-    for (int i = 0; i < count && isValid; ++i)
+    if (query->def.kind != kind)
     {
-        isValid = fabs(places[i].y) <= SW_FARTHEST_POINT &&
-                  isNearFirst((swPosXZ){places[i].x, places[i].z}, (swPosXZ){places[0].x, places[0].z});
+        return refuse(query, call, "the query is of another kind");
     }
-    return isValid;
-}
-
-// As isRayValid() in query_api.c, of a surface that stands still.
-static bool isRayValid(const swRay* ray)
-{
-    const swVec3* d = &ray->direction;
-    float square = d->x * d->x + d->y * d->y + d->z * d->z;
-    return ray->internalValue == SW_DEF_COOKIE && fabs(ray->origin.y) <= SW_FARTHEST_POINT && square > 0.0f &&
-           square < INFINITY && ray->maxDistance >= 0.0f && ray->maxDistance <= 1e5f && ray->radius >= 0.0f &&
-           ray->radius <= 100.0f && ray->duration == 0.0f;
-}
-
-static bool areRaysValid(const swGpuQuery* query, int count, const swRay* rays)
-{
-    bool isValid = isCountValid(query, SW_GPU_QUERY_KIND_RAYS, count) && (count == 0 || rays != NULL);
-    for (int i = 0; i < count && isValid; ++i)
+    if (count < 0 || count > query->def.capacity)
     {
-        swPosXZ first = {rays[0].origin.x, rays[0].origin.z};
-        isValid = isRayValid(&rays[i]) && isNearFirst((swPosXZ){rays[i].origin.x, rays[i].origin.z}, first);
+        return refuse(query, call, "the count is below 0 or above the query's capacity");
     }
-    return isValid;
+    return count == 0 || points != NULL || refuse(query, call, "the points are NULL");
 }
 
 swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query)
@@ -120,9 +88,7 @@ void swDestroyGpuQuery(swGpuQuery* query)
 
 void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points)
 {
-    bool isValid = arePointsValid(query, count, points);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (checkPoints(query, "swGpuQuery_SetPoints", SW_GPU_QUERY_KIND_SURFACE, count, points))
     {
         swPlaceQueryPoints(query, count, points);
     }
@@ -130,9 +96,7 @@ void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points)
 
 void swGpuQuery_SetPlaces(swGpuQuery* query, int count, const swPos* places)
 {
-    bool isValid = arePlacesValid(query, count, places);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (checkPoints(query, "swGpuQuery_SetPlaces", SW_GPU_QUERY_KIND_VOLUME, count, places))
     {
         swPlaceVolumePoints(query, count, places);
     }
@@ -140,9 +104,7 @@ void swGpuQuery_SetPlaces(swGpuQuery* query, int count, const swPos* places)
 
 void swGpuQuery_SetRays(swGpuQuery* query, int count, const swRay* rays)
 {
-    bool isValid = areRaysValid(query, count, rays);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (checkPoints(query, "swGpuQuery_SetRays", SW_GPU_QUERY_KIND_RAYS, count, rays))
     {
         swPlaceQueryRays(query, count, rays);
     }
@@ -150,26 +112,57 @@ void swGpuQuery_SetRays(swGpuQuery* query, int count, const swRay* rays)
 
 void swGpuQuery_SetPointBuffer(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin)
 {
-    bool isValid = query != NULL && count >= 0 && count <= query->def.capacity && buffer != VK_NULL_HANDLE &&
-                   offset % (query->def.kind == SW_GPU_QUERY_KIND_SURFACE ? sizeof(swVec2) : sizeof(float)) == 0 &&
-                   isPlaceValid(origin);
-    SW_ASSERT(isValid);
-    if (isValid)
+    const char* call = "swGpuQuery_SetPointBuffer";
+    if (!checkPoints(query, call, query != NULL ? query->def.kind : SW_GPU_QUERY_KIND_SURFACE, count, "any"))
     {
-        swBindQueryPoints(query, count, buffer, offset, origin);
+        return;
     }
+    bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
+    if (buffer == VK_NULL_HANDLE || offset % (isSurface ? sizeof(swVec2) : sizeof(float)) != 0)
+    {
+        refuse(query, call, "the buffer is null, or the offset no multiple of 8 (of 4 unless it is about the surface)");
+        return;
+    }
+    if (!swIsNear(origin.x) || !swIsNear(origin.z))
+    {
+        refuse(query, call, "the origin is NaN or beyond SW_FARTHEST_POINT");
+        return;
+    }
+    swBindQueryPoints(query, count, buffer, offset, origin);
 }
 
 bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results)
 {
-    bool isValid = query != NULL && results != NULL && query->def.readBack;
-    SW_ASSERT(isValid);
-    const swGpuQuerySlot* slot = isValid ? swFindQueryAnswers(query) : NULL;
+    if (results != NULL)
+    {
+        *results = (swGpuQueryResults){0};
+    }
+    const char* call = "swGpuQuery_GetResults";
+    if (query == NULL || results == NULL)
+    {
+        return refuse(query, call, "the query, or where its results go, is NULL");
+    }
+    if (!query->def.readBack)
+    {
+        return refuse(query, call, "the query was made without readBack");
+    }
+    const swGpuQuerySlot* slot = swFindQueryAnswers(query);
     if (slot != NULL)
     {
         swFillQueryResults(query, slot, results);
     }
     return slot != NULL;
+}
+
+// Results know no host that could be told.
+static bool refuseResults(swQueryStats* stats)
+{
+    SW_ASSERT(!"results are NULL, or samples ask for what the query has no output for");
+    if (stats != NULL)
+    {
+        *stats = (swQueryStats){0};
+    }
+    return false;
 }
 
 void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats)
@@ -178,37 +171,36 @@ void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceS
                    ((samples->normal == NULL && samples->jacobian == NULL) || results->normals != NULL) &&
                    (samples->velocity == NULL || results->velocities != NULL) &&
                    (samples->acceleration == NULL || results->accelerations != NULL);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (isValid || refuseResults(stats))
     {
         swUnpackQueryResults(results, samples, stats);
     }
 }
 
-void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples)
+void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples,
+                                    swQueryStats* stats)
 {
     bool isValid = results != NULL && samples != NULL && results->depths != NULL &&
                    (samples->velocity == NULL || results->velocities != NULL) &&
                    (samples->acceleration == NULL || results->accelerations != NULL);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (isValid || refuseResults(stats))
     {
-        swUnpackVolumeResults(results, samples);
+        swUnpackVolumeResults(results, samples, stats);
     }
 }
 
-void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits)
+void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits,
+                                  swQueryStats* stats)
 {
     bool isValid = results != NULL && rays != NULL && hits != NULL && results->hits != NULL && results->normals != NULL;
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (isValid || refuseResults(stats))
     {
-        swUnpackHits(results, rays, hits);
+        swUnpackHits(results, rays, hits, stats);
     }
 }
 
 swGpuQueryBuffer swGpuQuery_GetBuffer(const swGpuQuery* query)
 {
-    SW_ASSERT(query != NULL);
-    return query != NULL ? query->planes : (swGpuQueryBuffer){0};
+    return query != NULL || refuse(query, "swGpuQuery_GetBuffer", "the query is NULL") ? query->planes
+                                                                                       : (swGpuQueryBuffer){0};
 }

@@ -8,6 +8,7 @@
 
 #include "shared/roughness.h"
 
+#define SW_TURN (2.0 * SW_PI)
 #define SW_EARTH_RADIUS 6360e3
 // Colour of a 5800 K black body in linear sRGB, luminance 1.
 #define SW_SUN_RED 1.047f
@@ -151,27 +152,30 @@ static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* 
     }
 }
 
-// What slices leave out of free waves is roughness, an octave at a time: bands that are always below what a pixel resolves.
+static swDetailWave makeDetailWave(const swFreeWave* wave, int64_t ticks, const swMeshRings* rings)
+{
+    uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
+    double turns = wave->turnsX * rings->anchorX + wave->turnsZ * rings->anchorZ + (wave->phase - passed) * 0x1p-32;
+    return (swDetailWave){
+        .kx = (float)(SW_TURN * wave->turnsX),
+        .kz = (float)(SW_TURN * wave->turnsZ),
+        .phase = (float)(SW_TURN * (turns - floor(turns))),
+        .amplitude = wave->amplitude,
+        .wavelength = wave->wavelength,
+    };
+}
+
 static void setFreeWaves(const swFrame* frame, swPictureFrame* built)
 {
-    int octave = -1000;
+    built->params.waveCount = (uint32_t)frame->waveCount;
+    float restX = 0.0f, restZ = 0.0f;
     for (int i = frame->waveCount - 1; i >= 0; --i)
     {
-        const swFreeWave* wave = &frame->waves[i];
-        int exponent;
-        frexpf(wave->wavelength, &exponent);
-        if (exponent != octave)
-        {
-            octave = exponent;
-            built->bands[built->params.bandCount++] =
-                (swDetailParams){.minWavelength = wave->wavelength, .weight = 1.0f};
-        }
-        swDetailParams* band = &built->bands[built->params.bandCount - 1];
-        float square = wave->dx * wave->dx + wave->dz * wave->dz;
-        float slope = swGetFreeWaveSlope(wave);
-        float partX = square > 0.0f ? wave->dx * wave->dx / square : 0.5f;
-        band->slopeVarianceX += partX * slope;
-        band->slopeVarianceZ += (1.0f - partX) * slope;
+        swDetailWave wave = makeDetailWave(&frame->waves[i], frame->ticks, &built->rings);
+        float steepX = wave.amplitude * wave.kx, steepZ = wave.amplitude * wave.kz;
+        wave.restX = restX += 0.5f * steepX * steepX;
+        wave.restZ = restZ += 0.5f * steepZ * steepZ;
+        built->waves[i] = wave;
     }
 }
 
@@ -221,6 +225,11 @@ swResult swUploadPicture(swGpu* gpu, swPictureFrame* built)
     if (result == SW_SUCCESS)
     {
         result = swUploadData(gpu, built->bands, sizeof(built->bands), &built->bandsUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        size_t count = built->params.waveCount > 0 ? built->params.waveCount : 1; // a buffer must hold something
+        result = swUploadData(gpu, built->waves, count * sizeof(swDetailWave), &built->wavesUpload);
     }
     return result;
 }

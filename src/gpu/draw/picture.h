@@ -12,11 +12,13 @@ typedef struct swPictureFrame
 {
     swPictureParams params;
     swMeshRings rings;
-    swDetailParams bands[SW_MAX_TILES + SW_MAX_BANDS]; // of tiles, then octaves of free waves, which have no layer
+    swDetailParams bands[SW_MAX_TILES];
+    swDetailWave waves[SW_MAX_FREE_WAVES];
     swUpload paramsUpload;
     swUpload slicesUpload;
     swUpload tilesUpload;
     swUpload bandsUpload;
+    swUpload wavesUpload;
 } swPictureFrame;
 
 // Fill everything but the uploads. The camera's place is in the host's coordinates, which begin at `origin` in the sea: the

@@ -274,6 +274,16 @@ void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const s
     swEndPass(gpu, commands);
 }
 
+void swForgetSky(swSky* sky)
+{
+    swImage* images[] = {&sky->transmittance, &sky->multiple, &sky->view, &sky->air, &sky->map};
+    for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
+    {
+        images[i]->isInitialized = false;
+    }
+    sky->isValid = false;
+}
+
 void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture)
 {
     const swBinding bindings[] = {

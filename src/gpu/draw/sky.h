@@ -34,6 +34,8 @@ void swDestroySky(swGpu* gpu, swSky* sky);
 
 // Outside of rendering: bring the tables up to date.
 void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const swPictureFrame* picture);
+// What was recorded did not run: make the tables again.
+void swForgetSky(swSky* sky);
 // Inside rendering.
 void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture);
 

@@ -34,9 +34,9 @@ static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swS
     swGraphicsDef draw = {
         .vertex = SW_SHADER(vertexCode),
         .fragment = SW_SHADER(fragmentCode),
-        .bindingCount = 12,
+        .bindingCount = 13,
         .types = {SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED,
-                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED},
+                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_STORAGE},
         .colorFormat = def->colorFormat,
         .depthFormat = def->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -112,23 +112,13 @@ static uint16_t halfOfByte(uint32_t byte)
     return (uint16_t)((exponent << 10) + ((bits & 0x7fffffu) >> 13));
 }
 
-static swResult fillFoamTexture(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve)
+static swResult prepareFoamTexture(swGpu* gpu, swSurface* surface)
 {
-    size_t size = sizeof(foamPixels) * sizeof(uint16_t);
-    uint16_t* pixels = swAllocate(&gpu->host, size);
-    if (!pixels)
-    {
-        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for the foam texture's %zu bytes.", size);
-    }
-    for (size_t i = 0; i < sizeof(foamPixels); ++i)
+    swResult result = swReserveUpload(gpu, sizeof(foamPixels) * sizeof(uint16_t), &surface->foamUpload);
+    uint16_t* pixels = surface->foamUpload.data;
+    for (size_t i = 0; i < sizeof(foamPixels) && result == SW_SUCCESS; ++i)
     {
         pixels[i] = halfOfByte(foamPixels[i]);
-    }
-    swResult result = swUploadImage(gpu, commands, &surface->foamTexture, pixels, size);
-    swFree(&gpu->host, pixels, size);
-    if (result == SW_SUCCESS)
-    {
-        swRecordMips(gpu, commands, halve, &surface->foamTexture);
     }
     return result;
 }
@@ -140,14 +130,15 @@ static swResult fillIndices(swGpu* gpu, swSurface* surface, uint32_t side)
     {
         return SW_SUCCESS;
     }
-    swRetireBuffer(gpu, &surface->indices);
-    surface->indicesSide = 0;
+    swBuffer created;
     swResult result = swCreateBuffer(gpu, 6 * side * side * sizeof(uint16_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                                     SW_MEMORY_UPLOAD, "surface indices", &surface->indices);
+                                     SW_MEMORY_UPLOAD, "surface indices", &created);
     if (result != SW_SUCCESS)
     {
         return result;
     }
+    swRetireBuffer(gpu, &surface->indices);
+    surface->indices = created;
     uint16_t* index = surface->indices.mapped;
     for (uint32_t z = 0; z < side; ++z)
     {
@@ -167,17 +158,24 @@ static swResult fillIndices(swGpu* gpu, swSurface* surface, uint32_t side)
     return SW_SUCCESS;
 }
 
-swResult swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve,
-                         const swPictureFrame* picture)
+swResult swPrepareSurface(swGpu* gpu, swSurface* surface, const swPictureFrame* picture)
 {
     swResult result = fillIndices(gpu, surface, picture->params.tileSide);
-    if (result == SW_SUCCESS && !surface->foamTexture.isInitialized)
+    return result == SW_SUCCESS && !surface->foamTexture.isInitialized ? prepareFoamTexture(gpu, surface) : result;
+}
+
+void swForgetSurface(swSurface* surface)
+{
+    surface->foamTexture.isInitialized = false;
+}
+
+void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve,
+                     const swPictureFrame* picture)
+{
+    if (!surface->foamTexture.isInitialized)
     {
-        result = fillFoamTexture(gpu, commands, surface, halve);
-    }
-    if (result != SW_SUCCESS)
-    {
-        return result;
+        swRecordImageUpload(gpu, commands, &surface->foamUpload, &surface->foamTexture);
+        swRecordMips(gpu, commands, halve, &surface->foamTexture);
     }
     const swBinding bindings[] = {
         swBindUpload(&picture->paramsUpload), swBindUpload(&picture->slicesUpload), swBindUpload(&picture->tilesUpload),
@@ -193,7 +191,6 @@ swResult swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surfac
                   VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
               VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_2_SHADER_READ_BIT);
     swEndPass(gpu, commands);
-    return SW_SUCCESS;
 }
 
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
@@ -212,6 +209,7 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surfac
         swBindImage(gpu, &sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
         swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_LINEAR_REPEAT),
+        swBindUpload(&picture->wavesUpload),
     };
     bool isWire = picture->params.debugMode == SW_DEBUG_WIREFRAME && surface->wirePipeline.handle != VK_NULL_HANDLE;
     swBeginPass(gpu, commands, "surface");

@@ -15,14 +15,19 @@ typedef struct swSurface
     swBuffer visible;        // swMeshTile[SW_MAX_MESH_TILES]
     swBuffer arguments;      // VkDrawIndexedIndirectCommand
     swImage foamTexture;
+    swUpload foamUpload; // of this frame, while the texture has not been filled
 } swSurface;
 
 swResult swCreateSurface(swGpu* gpu, const swRendererDef* def, swSurface* surface);
 void swDestroySurface(swGpu* gpu, swSurface* surface);
 
+// All of it that may fail; records nothing.
+swResult swPrepareSurface(swGpu* gpu, swSurface* surface, const swPictureFrame* picture);
 // Outside of rendering: the tiles that the camera sees. `halve` makes mips.
-swResult swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve,
-                         const swPictureFrame* picture);
+void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve,
+                     const swPictureFrame* picture);
+// What was recorded did not run: fill the texture again.
+void swForgetSurface(swSurface* surface);
 // Inside rendering.
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
                    const swGpuWorld* gpuWorld, const swGpuView* view, const swPictureFrame* picture);

@@ -85,6 +85,12 @@ void swClearExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap)
               VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
               VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
     tonemap->isCleared = true;
+    tonemap->clearedFrame = gpu->frameIndex;
+}
+
+void swForgetExposure(swTonemap* tonemap, uint64_t frameIndex)
+{
+    tonemap->isCleared = tonemap->isCleared && tonemap->clearedFrame < frameIndex;
 }
 
 void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, VkImageView hdr, float dt,

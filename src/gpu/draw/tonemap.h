@@ -10,6 +10,7 @@ typedef struct swTonemap
     swPipeline exposePipeline, tonemapPipeline;
     swBuffer exposure; // swExposure
     bool isCleared;
+    uint64_t clearedFrame; // index of the frame that did
 } swTonemap;
 
 swResult swCreateTonemap(swGpu* gpu, const swRendererDef* def, swTonemap* tonemap);
@@ -19,6 +20,8 @@ void swDestroyTonemap(swGpu* gpu, swTonemap* tonemap);
 void swClearExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap);
 void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, VkImageView hdr, float dt,
                       bool immediate);
+// Frames from `frameIndex` on did not run.
+void swForgetExposure(swTonemap* tonemap, uint64_t frameIndex);
 // Inside rendering. `isRaw` shows the target's colours as they are, for debug modes.
 void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonemap, VkImageView hdr, float time,
                    float stops, bool isRaw);

@@ -17,6 +17,20 @@
 #define SW_DETAIL_MIN 32
 #define SW_DETAIL_MAX 256
 
+// How many foam-making frames back a view can be taken: as many as may be in flight.
+#define SW_FOAM_MARKS SW_MAX_FRAMES_IN_FLIGHT
+
+// Where a view's foam stands after a recorded frame.
+typedef struct swFoamMark
+{
+    bool hasFoam;
+    uint64_t frameIndex;
+    int index;     // of the image that holds it
+    int64_t clock; // of the frame that foam was brought to, see swViewFrame
+    uint32_t resetCount;
+    swSlice slices[SW_MAX_SLICES]; // where the foam lies
+} swFoamMark;
+
 // Layers of one view. Array layer = slice; texel centres are the lattice points, so point (column, row) of a slice is at
 // uv = ((column + 0.5) / R, (row + 0.5) / R).
 typedef struct swGpuView
@@ -25,14 +39,12 @@ typedef struct swGpuView
     bool isUsed;
     const swView* view; // identity only
     int sliceCount, resolution;
-    swImage displacement; // RGBA32F: x, y, z, J; foam grows by J in full precision
-    swImage derivatives;  // RGBA16F: gx, gz, J, 0
-    swImage foam[2];      // R32F, written in turns
-    int foamIndex;        // the one that holds the last recorded frame
-    bool hasFoam;
-    int64_t foamClock; // of the frame that foam was last brought to, see swViewFrame
-    uint32_t foamResetCount;
-    swSlice foamSlices[SW_MAX_SLICES]; // where the foam lies
+    swImage displacement;              // RGBA32F: x, y, z, J; foam grows by J in full precision
+    swImage derivatives;               // RGBA16F: gx, gz, J, 0
+    swImage foam[2];                   // R32F, written in turns
+    uint64_t firstFrame;               // the one that begins the images
+    swFoamMark mark;                   // of the last recorded frame
+    swFoamMark earlier[SW_FOAM_MARKS]; // of those before, newest first
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     swUpload sliceLists;  // swSliceList[sliceCount]
@@ -41,6 +53,9 @@ typedef struct swGpuView
     swUpload foamParams;  // swFoamSliceParams[sliceCount]
     swUpload foamSources; // swFoamSource[sliceCount * SW_FOAM_SOURCES]
     bool foamMoves;       // the foam pass has something to do
+    const swViewFrame* frame;
+    bool isCore; // the core made the layers, they are only copied
+    swUpload layerUploads[SW_LAYER_COUNT];
 } swGpuView;
 
 // What a frame leaves of a query, and the points that it was asked. There is one slot more than frames in flight, so that
@@ -136,14 +151,19 @@ struct swGpuWorld
     swImage detail;
 
     uint64_t frameIndex; // of the last recorded frame
-    bool hasRecorded;
-    bool hasTiles; // tilesVersion and spectrumVersions are of what modes and rows hold
+    bool isRecorded;     // the last swGpuWorld_Record() succeeded, and its commands were not discarded
+    uint32_t discardCount;
+    uint64_t discardedFrom; // frame index of the last discard
+    bool hasTiles;          // tilesVersion and spectrumVersions are of what modes and rows hold
     uint32_t tilesVersion;
     uint32_t spectrumVersions[SW_MAX_TILES];
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     int tileCount;
     swTileFields fields;
+    bool bringsModes;  // modes and rows are uploaded
+    bool hasCoreTiles; // the core made the texels, they are only copied
+    swUpload modesUpload, rowsUpload, texelsUpload;
     const swTile* tiles;                // the frame's tiles; index = element of tileParams = layer of detail
     swTileParams params[SW_MAX_TILES];  // host copy of tileParams
     swUpload tileParams;                // swTileParams[tileCount]
@@ -156,11 +176,11 @@ struct swGpuWorld
     bool hasRays;   // likewise of rays
 };
 
-// The layers of a view, or NULL if it was not recorded.
+// The layers of a view, or NULL if the last frame was not recorded, or without it.
 const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view);
 
 // Foam of the last recorded frame.
 static inline const swImage* swGetFoamImage(const swGpuView* view)
 {
-    return &view->foam[view->foamIndex];
+    return &view->foam[view->mark.index];
 }

@@ -9,6 +9,10 @@ static const uint32_t foamCode[] =
 
 swResult swCreateFoam(swGpu* gpu, swPasses* passes)
 {
+    if (passes->foam.handle != VK_NULL_HANDLE)
+    {
+        return SW_SUCCESS;
+    }
     const swComputeDef def = {
         .shader = SW_SHADER(foamCode),
         .bindingCount = 5,
@@ -27,7 +31,7 @@ void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!view->isUsed || !view->foamMoves)
+        if (!view->isUsed || view->isCore || !view->foamMoves)
         {
             continue;
         }
@@ -35,8 +39,8 @@ void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
             swBindUpload(&view->foamParams),
             swBindUpload(&view->foamSources),
             swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->foam[view->foamIndex ^ 1], SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->foam[view->foamIndex], SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, &view->foam[view->mark.index], SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, &view->foam[view->mark.index ^ 1], SW_SAMPLER_NEAREST_CLAMP),
         };
         int32_t resolution = view->resolution;
         uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;

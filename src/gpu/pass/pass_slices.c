@@ -9,6 +9,10 @@ static const uint32_t slicesCode[] =
 
 swResult swCreateSlices(swGpu* gpu, swPasses* passes)
 {
+    if (passes->slices.handle != VK_NULL_HANDLE)
+    {
+        return SW_SUCCESS;
+    }
     const swComputeDef def = {
         .shader = SW_SHADER(slicesCode),
         .bindingCount = 6,
@@ -27,7 +31,7 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!view->isUsed)
+        if (!view->isUsed || view->isCore)
         {
             continue;
         }

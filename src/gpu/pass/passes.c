@@ -77,7 +77,7 @@ void swDispatchPoints(swGpu* gpu, VkCommandBuffer commands, const swGpuQuery* qu
 
 const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view)
 {
-    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    for (int i = 0; i < SW_MAX_VIEWS && gpuWorld->isRecorded; ++i)
     {
         if (gpuWorld->views[i].isUsed && gpuWorld->views[i].view == view)
         {

@@ -6,7 +6,8 @@
 
 #include "gpu/pass/gpu_world.h"
 
-// Pipelines for tiles of a resolution are created when the first such tile appears; a second call does nothing.
+// Pipelines are created by the first frame that needs them, those of the FFT for each resolution of tiles: a second call does
+// nothing.
 swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes);
 swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes);
 swResult swCreateDetail(swGpu* gpu, swPasses* passes);

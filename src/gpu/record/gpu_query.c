@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/frame/asked.h"
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
 
@@ -184,8 +185,19 @@ static void splitPlace(double metres, float* rest, int32_t* cell)
     *cell = (int32_t)whole;
 }
 
+// Cells are counted in 32 bits: a point must be near the first one, too. Comparisons are written so that NaN fails them.
+static bool canPlace(const swGpuQuery* query, double x, double z)
+{
+    return swIsNear(x) && swIsNear(z) && fabs(x - query->origin.x) <= (double)SW_QUERY_FARTHEST &&
+           fabs(z - query->origin.z) <= (double)SW_QUERY_FARTHEST;
+}
+
 static swQueryPoint placePoint(const swGpuQuery* query, double x, double z)
 {
+    if (!canPlace(query, x, z))
+    {
+        return (swQueryPoint){.cellX = SW_QUERY_NOWHERE};
+    }
     swQueryPoint point;
     splitPlace(x - query->origin.x, &point.x, &point.cellX);
     splitPlace(z - query->origin.z, &point.z, &point.cellZ);
@@ -210,7 +222,11 @@ static uint8_t* beginPoints(swGpuQuery* query, int count, swPosXZ first)
 
 void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
 {
-    swPosXZ first = count > 0 ? points[0] : (swPosXZ){0.0, 0.0};
+    swPosXZ first = {0.0, 0.0};
+    for (int i = count - 1; i >= 0; --i)
+    {
+        first = swIsNear(points[i].x) && swIsNear(points[i].z) ? points[i] : first;
+    }
     swQueryPoint* to = (swQueryPoint*)beginPoints(query, count, first);
     for (int i = 0; i < count; ++i)
     {
@@ -218,25 +234,45 @@ void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points)
     }
 }
 
+static bool isPlaceNear(swPos place)
+{
+    return swIsNear(place.x) && swIsNear(place.y) && swIsNear(place.z);
+}
+
 void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places)
 {
-    swPosXZ first = count > 0 ? (swPosXZ){places[0].x, places[0].z} : (swPosXZ){0.0, 0.0};
-    uint8_t* slot = beginPoints(query, count, first);
+    swPos first = {0.0, 0.0, 0.0};
+    for (int i = count - 1; i >= 0; --i)
+    {
+        first = isPlaceNear(places[i]) ? places[i] : first;
+    }
+    uint8_t* slot = beginPoints(query, count, (swPosXZ){first.x, first.z});
     swQueryPoint* points = (swQueryPoint*)slot;
     float* levels = (float*)(slot + query->levelsAt);
-    query->level = count > 0 ? floor(places[0].y) : 0.0;
+    query->level = floor(first.y);
     for (int i = 0; i < count; ++i)
     {
-        points[i] = placePoint(query, places[i].x, places[i].z);
-        levels[i] = (float)(places[i].y - query->level);
+        double y = places[i].y;
+        points[i] = placePoint(query, swIsNear(y) ? places[i].x : (double)NAN, places[i].z);
+        levels[i] = swIsNear(y) ? (float)(y - query->level) : 0.0f;
     }
+}
+
+// Of a surface that stands still.
+static bool isRayGood(const swRay* ray)
+{
+    return swIsRayGood(ray) && ray->duration == 0.0f;
 }
 
 static swQueryRay placeRay(const swGpuQuery* query, const swRay* ray)
 {
+    if (!isRayGood(ray))
+    {
+        return (swQueryRay){.cellX = SW_QUERY_NOWHERE};
+    }
     swQueryPoint point = placePoint(query, ray->origin.x, ray->origin.z);
     double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
-    double length = sqrt(x * x + y * y + z * z);
+    double length = swGetRayLength(ray);
     return (swQueryRay){
         .x = point.x,
         .z = point.z,
@@ -253,7 +289,11 @@ static swQueryRay placeRay(const swGpuQuery* query, const swRay* ray)
 
 void swPlaceQueryRays(swGpuQuery* query, int count, const swRay* rays)
 {
-    swPos first = count > 0 ? rays[0].origin : (swPos){0.0, 0.0, 0.0};
+    swPos first = {0.0, 0.0, 0.0};
+    for (int i = count - 1; i >= 0; --i)
+    {
+        first = isRayGood(&rays[i]) ? rays[i].origin : first;
+    }
     swQueryRay* to = (swQueryRay*)beginPoints(query, count, (swPosXZ){first.x, first.z});
     query->level = floor(first.y);
     for (int i = 0; i < count; ++i)
@@ -336,6 +376,17 @@ void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const s
     }
 }
 
+void swDiscardQueries(swGpuWorld* gpuWorld, uint64_t frameIndex)
+{
+    for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        for (int i = 0; i < query->slotCount; ++i)
+        {
+            query->slots[i].isRecorded = query->slots[i].isRecorded && query->slots[i].frameIndex < frameIndex;
+        }
+    }
+}
+
 static bool isFinished(const swGpu* gpu, uint64_t frameIndex)
 {
     return (gpu->hasFinished && frameIndex <= gpu->finishedFrame) ||
@@ -414,13 +465,14 @@ static void unpackOne(const swGpuQueryResults* results, int i, const swSurfaceSa
     }
 }
 
-void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats)
+// Bad points are told by their answers, which are NaN.
+static void tellAnswers(const swGpuQueryResults* results, swQueryStats* stats)
 {
     swQueryStats total = {0};
     for (int i = 0; i < results->count; ++i)
     {
         float residual = results->heights[i].residual;
-        unpackOne(results, i, samples);
+        total.badCount += isnan(residual) ? 1 : 0;
         total.convergedCount += residual <= results->tolerance ? 1 : 0;
         total.worstResidual = residual > total.worstResidual ? residual : total.worstResidual;
     }
@@ -430,8 +482,18 @@ void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSampl
     }
 }
 
-void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples)
+void swUnpackQueryResults(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats)
 {
+    for (int i = 0; i < results->count; ++i)
+    {
+        unpackOne(results, i, samples);
+    }
+    tellAnswers(results, stats);
+}
+
+void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSamples* samples, swQueryStats* stats)
+{
+    tellAnswers(results, stats);
     for (int i = 0; i < results->count; ++i)
     {
         if (samples->depth != NULL)
@@ -457,12 +519,17 @@ void swUnpackVolumeResults(const swGpuQueryResults* results, const swVolumeSampl
 static swRayHit unpackHit(const swGpuQueryResults* results, int i, const swRay* ray)
 {
     swGpuHit found = results->hits[i];
+    if (isnan(found.distance))
+    {
+        const swPos nowhere = {(double)NAN, (double)NAN, (double)NAN};
+        return (swRayHit){.distance = NAN, .position = nowhere, .point = nowhere, .normal = {NAN, NAN, NAN}};
+    }
     if (found.side == 0.0f)
     {
         return (swRayHit){.distance = found.distance};
     }
     double x = (double)ray->direction.x, y = (double)ray->direction.y, z = (double)ray->direction.z;
-    double way = (double)found.distance / sqrt(x * x + y * y + z * z);
+    double way = (double)found.distance / swGetRayLength(ray);
     swRayHit hit = {
         .isHit = true,
         .distance = found.distance,
@@ -482,10 +549,17 @@ static swRayHit unpackHit(const swGpuQueryResults* results, int i, const swRay* 
     return hit;
 }
 
-void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits)
+void swUnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits, swQueryStats* stats)
 {
+    swQueryStats total = {0};
     for (int i = 0; i < results->count; ++i)
     {
         hits[i] = unpackHit(results, i, &rays[i]);
+        total.badCount += isnan(hits[i].distance) ? 1 : 0;
+        total.convergedCount += hits[i].isHit || hits[i].distance >= rays[i].maxDistance ? 1 : 0;
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
     }
 }

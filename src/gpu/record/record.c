@@ -39,11 +39,8 @@ swResult swMakeGpuWorld(swGpu* gpu, const swWorld* world, swGpuWorld** out)
     }
     gpuWorld->gpu = gpu;
     gpuWorld->world = world;
-    swPasses* passes = &gpuWorld->passes;
     swResult result = makeRoots(gpuWorld);
-    result = result == SW_SUCCESS ? swCreateDetail(gpu, passes) : result;
-    result = result == SW_SUCCESS ? swCreateSlices(gpu, passes) : result;
-    result = result == SW_SUCCESS ? swCreateFoam(gpu, passes) : result;
+    result = result == SW_SUCCESS ? swCreateDetail(gpu, &gpuWorld->passes) : result;
     if (result != SW_SUCCESS)
     {
         swFreeGpuWorld(gpuWorld);
@@ -98,31 +95,43 @@ static void waitForFrameBefore(swGpu* gpu, VkCommandBuffer commands)
 
 static void showToDrawing(swGpu* gpu, VkCommandBuffer commands)
 {
-    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
+              VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
                   VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
               VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
 }
 
-swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex)
+// Spectra to tiles, unless the core has made them.
+static void recordWaves(swGpuWorld* gpuWorld, VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
-    swBeginGpuFrame(gpu, commands, frameIndex);
-    waitForFrameBefore(gpu, commands);
-    const swFrame* frame = swGetWorldFrame(gpuWorld->world);
-    swResult result = swUploadFrame(gpuWorld, commands, frame);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    gpuWorld->frameIndex = frameIndex;
-    gpuWorld->hasRecorded = true;
-
     swRecordVolumeWaves(gpuWorld, commands); // beside the rows: both read modes only
+    if (gpuWorld->hasCoreTiles)
+    {
+        return;
+    }
     swRecordWavesRows(gpuWorld, commands);
     swComputeBarrier(gpu, commands);
     swRecordWavesColumns(gpuWorld, commands);
     swComputeBarrier(gpu, commands);
+}
+
+swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    const swFrame* frame = swGetWorldFrame(gpuWorld->world);
+    gpuWorld->isRecorded = false;
+    swBeginGpuFrame(gpu, frameIndex);
+    swResult result = swPrepareFrame(gpuWorld, frame);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swStartPassTimer(gpu, commands);
+    waitForFrameBefore(gpu, commands);
+    swRecordUploads(gpuWorld, commands);
+    recordWaves(gpuWorld, commands);
     swRecordDetail(gpuWorld, commands); // beside the slices: both read tiles only
     swRecordSlices(gpuWorld, commands);
     swRecordSurfaceQuery(gpuWorld, commands); // likewise
@@ -132,5 +141,8 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     swRecordVolumeQuery(gpuWorld, commands); // beside the foam: it reads the surface's heights
     swRecordQueryCopies(gpuWorld, commands, frame);
     showToDrawing(gpu, commands);
+    gpuWorld->frameIndex = frameIndex;
+    gpuWorld->isRecorded = true;
+    swCommitFrame(gpuWorld, frame);
     return SW_SUCCESS;
 }

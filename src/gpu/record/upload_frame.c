@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a frame brings to the GPU: waves when a spectrum or the list of tiles changed, images when a view is new, and the
-// small parameters of every frame. Where a slice lies on a tile is reduced in double here, so that shaders see small
-// numbers wherever in the world the viewer is.
+// What a frame brings to the GPU: waves (upload_tiles.c), images when a view is new, and the small parameters of every
+// frame. Where a slice lies on a tile is reduced in double here, so that shaders see small numbers wherever in the world the
+// viewer is.
+//
+// All or nothing: first everything is prepared that may fail, and nothing is recorded; then commands are recorded, which
+// cannot fail; then what the device will hold is noted. A host that drops the commands after all says so with
+// swGpuWorld_Discard(), which takes the notes back.
 
 #include <math.h>
 #include <string.h>
@@ -9,265 +13,6 @@
 #include "core/math/scalar.h"
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
-
-// Tiles ------------------------------------------------------------------------------------------------------------------
-
-static bool tilesChanged(const swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    if (!gpuWorld->hasTiles || gpuWorld->tilesVersion != frame->tilesVersion)
-    {
-        return true;
-    }
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        if (gpuWorld->spectrumVersions[i] != frame->tiles[i].spectrumVersion)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-// Where each tile's part of the buffers begins; the totals come last.
-typedef struct swTileLayout
-{
-    uint32_t modeCount, rowCount, lineCount, texelCount;
-    int detailSide;
-} swTileLayout;
-
-static void fillTileParams(swGpuWorld* gpuWorld, const swFrame* frame, swTileLayout* layout)
-{
-    *layout = (swTileLayout){.detailSide = SW_DETAIL_MIN};
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        const swTile* tile = &frame->tiles[i];
-        uint64_t ticks = (uint64_t)swGetTileTicks(tile, frame->ticks);
-        uint32_t resolution = (uint32_t)tile->resolution;
-        uint32_t maxBin = (uint32_t)tile->maxBin;
-        gpuWorld->params[i] = (swTileParams){
-            .firstRow = layout->rowCount,
-            .firstLine = layout->lineCount,
-            .firstTexel = layout->texelCount,
-            .resolution = resolution,
-            .maxBin = maxBin,
-            .ticksLow = (uint32_t)ticks,
-            .ticksHigh = (uint32_t)(ticks >> 32),
-            .weight = tile->weight,
-            .side = (float)tile->side,
-            .minWavelength = tile->minWavelength,
-            .maxWavelength = tile->maxWavelength,
-            .slopeVarianceX = tile->slopeVarianceX,
-            .slopeVarianceZ = tile->slopeVarianceZ,
-            .depth = fminf(tile->depth, 1e30f), // shaders need not know infinity
-            .firstMode = layout->modeCount,
-            .modeCount = (uint32_t)tile->modeCount,
-        };
-        layout->rowCount += maxBin + 2;
-        layout->lineCount += 3 * (maxBin + 1) * resolution;
-        layout->texelCount += resolution * (resolution + 3);
-        layout->modeCount += (uint32_t)tile->modeCount;
-        layout->detailSide = tile->resolution > layout->detailSide ? tile->resolution : layout->detailSide;
-    }
-    layout->detailSide = layout->detailSide < SW_DETAIL_MAX ? layout->detailSide : SW_DETAIL_MAX;
-}
-
-// What queries of this frame want of the tiles.
-static void chooseFields(swGpuWorld* gpuWorld, const swTileLayout* layout)
-{
-    uint32_t wanted = swFindWantedFields(gpuWorld);
-    swTileFields* fields = &gpuWorld->fields;
-    *fields = (swTileFields){.count = 1, .lines = layout->lineCount, .texels = layout->texelCount};
-    if ((wanted & SW_GPU_QUERY_VELOCITY) != 0)
-    {
-        fields->derivatives |= 1u << (2 * fields->count);
-        fields->velocity = fields->count++;
-    }
-    if ((wanted & SW_GPU_QUERY_ACCELERATION) != 0)
-    {
-        fields->derivatives |= 2u << (2 * fields->count);
-        fields->acceleration = fields->count++;
-    }
-}
-
-// Lines and texels are made anew in each frame, so they may grow in any; modes and rows grow only when they change.
-static swResult growBuffers(swGpuWorld* gpuWorld, const swTileLayout* layout)
-{
-    VkDeviceSize fields = gpuWorld->fields.count;
-    const struct
-    {
-        swBuffer* buffer;
-        VkDeviceSize size;
-        const char* name;
-    } needs[] = {
-        {&gpuWorld->modes, layout->modeCount * sizeof(swMode), "modes"},
-        {&gpuWorld->rows, layout->rowCount * sizeof(uint32_t), "mode rows"},
-        {&gpuWorld->lines, fields * layout->lineCount * 2 * sizeof(float), "FFT lines"},
-        {&gpuWorld->texels, fields * layout->texelCount * 4 * sizeof(float), "tile texels"},
-    };
-    for (size_t i = 0; i < sizeof(needs) / sizeof(needs[0]); ++i)
-    {
-        VkDeviceSize size = needs[i].size > 256 ? needs[i].size : 256; // something to bind when there are no waves
-        swResult result = swGrowBuffer(gpuWorld->gpu, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
-                                       needs[i].name, needs[i].buffer);
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-    }
-    return SW_SUCCESS;
-}
-
-static swResult growDetail(swGpuWorld* gpuWorld, VkCommandBuffer commands, int tileCount, int side)
-{
-    swGpu* gpu = gpuWorld->gpu;
-    uint32_t layers = tileCount > 0 ? (uint32_t)tileCount : 1;
-    swImage* detail = &gpuWorld->detail;
-    if (detail->handle == VK_NULL_HANDLE || detail->layers != layers || detail->width != (uint32_t)side)
-    {
-        const swImageDef def = {
-            .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-            .width = (uint32_t)side,
-            .height = (uint32_t)side,
-            .layers = layers,
-            .mips = SW_DETAIL_MIPS,
-            .isArray = true,
-            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-            .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = "detail",
-        };
-        swImage grown;
-        swResult result = swCreateImage(gpu, &def, &grown);
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-        swRetireImage(gpu, detail);
-        *detail = grown;
-    }
-    swInitializeImage(gpu, commands, detail);
-    return SW_SUCCESS;
-}
-
-// Row table of one tile: index of the first mode of each row, and one past the last.
-static void fillRows(const swTile* tile, uint32_t firstMode, uint32_t* rows)
-{
-    int mode = 0;
-    for (int row = 0; row <= tile->maxBin; ++row)
-    {
-        rows[row] = firstMode + (uint32_t)mode;
-        while (mode < tile->modeCount && tile->modes[mode].qz <= row)
-        {
-            mode += 1;
-        }
-    }
-    rows[tile->maxBin + 1] = firstMode + (uint32_t)mode;
-}
-
-static void recordCopy(swGpu* gpu, VkCommandBuffer commands, const swUpload* from, const swBuffer* to)
-{
-    if (from->size > 0)
-    {
-        const VkBufferCopy copy = {.srcOffset = from->offset, .size = from->size};
-        gpu->vk.CmdCopyBuffer(commands, from->buffer, to->handle, 1, &copy);
-    }
-}
-
-static swResult uploadModes(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame,
-                            const swTileLayout* layout)
-{
-    swGpu* gpu = gpuWorld->gpu;
-    swUpload modes, rows;
-    swResult result = swReserveUpload(gpu, layout->modeCount * sizeof(swMode), &modes);
-    result = result == SW_SUCCESS ? swReserveUpload(gpu, layout->rowCount * sizeof(uint32_t), &rows) : result;
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    swMode* modeData = modes.data;
-    uint32_t* rowData = rows.data;
-    uint32_t firstMode = 0;
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        const swTile* tile = &frame->tiles[i];
-        memcpy(modeData + firstMode, tile->modes, sizeof(swMode) * (size_t)tile->modeCount);
-        fillRows(tile, firstMode, rowData + gpuWorld->params[i].firstRow);
-        firstMode += (uint32_t)tile->modeCount;
-        gpuWorld->spectrumVersions[i] = tile->spectrumVersion;
-    }
-    recordCopy(gpu, commands, &modes, &gpuWorld->modes);
-    recordCopy(gpu, commands, &rows, &gpuWorld->rows);
-    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-              VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
-    gpuWorld->tilesVersion = frame->tilesVersion;
-    gpuWorld->hasTiles = true;
-    return SW_SUCCESS;
-}
-
-static swResult createTilePipelines(swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        int resolution = frame->tiles[i].resolution;
-        swResult result = swCreateWavesRows(gpuWorld->gpu, resolution, &gpuWorld->passes);
-        result = result == SW_SUCCESS ? swCreateWavesColumns(gpuWorld->gpu, resolution, &gpuWorld->passes) : result;
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-    }
-    return SW_SUCCESS;
-}
-
-// Indices of tiles, grouped by resolution.
-static swResult uploadOrder(swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    uint32_t order[SW_MAX_TILES + 1] = {0};
-    uint32_t count = 0;
-    for (int size = 0; size < SW_TILE_SIZES; ++size)
-    {
-        gpuWorld->groupFirst[size] = count;
-        for (int i = 0; i < frame->tileCount; ++i)
-        {
-            if (swTileSizeIndex(frame->tiles[i].resolution) == size)
-            {
-                order[count++] = (uint32_t)i;
-            }
-        }
-        gpuWorld->groupCount[size] = count - gpuWorld->groupFirst[size];
-    }
-    return swUploadData(gpuWorld->gpu, order, sizeof(order), &gpuWorld->order);
-}
-
-static swResult uploadTiles(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame)
-{
-    swTileLayout layout;
-    fillTileParams(gpuWorld, frame, &layout);
-    chooseFields(gpuWorld, &layout);
-    bool isChanged = tilesChanged(gpuWorld, frame);
-    gpuWorld->hasTiles = gpuWorld->hasTiles && !isChanged; // until all of it succeeded
-    swResult result = growBuffers(gpuWorld, &layout);
-    if (result == SW_SUCCESS && isChanged)
-    {
-        result = createTilePipelines(gpuWorld, frame);
-        result = result == SW_SUCCESS ? growDetail(gpuWorld, commands, frame->tileCount, layout.detailSide) : result;
-        result = result == SW_SUCCESS ? uploadModes(gpuWorld, commands, frame, &layout) : result;
-    }
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    gpuWorld->tileCount = frame->tileCount;
-    gpuWorld->tiles = frame->tiles;
-    result = uploadOrder(gpuWorld, frame);
-    if (result == SW_SUCCESS)
-    {
-        result =
-            swUploadData(gpuWorld->gpu, gpuWorld->params, sizeof(swTileParams) * SW_MAX_TILES, &gpuWorld->tileParams);
-    }
-    return result;
-}
-
-// Views ------------------------------------------------------------------------------------------------------------------
 
 static void retireView(swGpu* gpu, swGpuView* view)
 {
@@ -330,8 +75,7 @@ static swResult createViewImages(swGpu* gpu, swGpuView* view)
 }
 
 // The entry of a view, made if it is new.
-static swResult findOrCreateView(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swViewFrame* frame,
-                                 swGpuView** out)
+static swResult findOrCreateView(swGpuWorld* gpuWorld, const swViewFrame* frame, swGpuView** out)
 {
     swGpuView* unused = NULL;
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
@@ -361,10 +105,6 @@ static swResult findOrCreateView(swGpuWorld* gpuWorld, VkCommandBuffer commands,
         retireView(gpu, unused);
         return result;
     }
-    swInitializeImage(gpu, commands, &unused->displacement);
-    swInitializeImage(gpu, commands, &unused->derivatives);
-    swInitializeImage(gpu, commands, &unused->foam[0]);
-    swInitializeImage(gpu, commands, &unused->foam[1]);
     unused->isUsed = true;
     *out = unused;
     return SW_SUCCESS;
@@ -487,7 +227,7 @@ static bool slicesMoved(const swGpuView* view, const swViewFrame* frame)
 {
     for (int i = 0; i < frame->sliceCount; ++i)
     {
-        const swSlice* a = &view->foamSlices[i];
+        const swSlice* a = &view->mark.slices[i];
         const swSlice* b = &frame->slices[i];
         if (a->level != b->level || a->firstX != b->firstX || a->firstZ != b->firstZ)
         {
@@ -499,8 +239,8 @@ static bool slicesMoved(const swGpuView* view, const swViewFrame* frame)
 
 static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame, swGpuView* view)
 {
-    int64_t passed = viewFrame->foamClock - view->foamClock;
-    bool isSteady = !view->hasFoam || view->foamResetCount != viewFrame->foamResetCount || passed < -SW_FOAM_RATE;
+    int64_t passed = viewFrame->foamClock - view->mark.clock;
+    bool isSteady = !view->mark.hasFoam || view->mark.resetCount != viewFrame->foamResetCount || passed < -SW_FOAM_RATE;
     int64_t steps = isSteady || passed < 0 ? 0 : passed; // a world that went back a little meets its foam again
     view->foamMoves = isSteady || steps != 0 || slicesMoved(view, viewFrame);
     if (!view->foamMoves)
@@ -522,43 +262,143 @@ static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swV
             .isSteady = isSteady ? 1 : 0,
         };
         swFindFoamSources(&viewFrame->slices[i], viewFrame->resolution, isSteady ? 0 : viewFrame->sliceCount,
-                          view->foamSlices, sources[i]);
+                          view->mark.slices, sources[i]);
     }
     swResult result = swUploadData(gpuWorld->gpu, params, sizeof(params), &view->foamParams);
     result = result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, sources, sizeof(sources), &view->foamSources) : result;
     return result;
 }
 
-// After everything that can fail: the foam pass will be recorded.
-static void commitFoam(const swViewFrame* viewFrame, swGpuView* view)
+// The foam pass was recorded.
+static void commitFoam(uint64_t frameIndex, const swViewFrame* viewFrame, swGpuView* view)
 {
-    if (view->foamMoves)
+    if (!view->foamMoves)
     {
-        view->foamIndex ^= 1;
-        view->hasFoam = true;
-        bool isBehind = view->foamResetCount == viewFrame->foamResetCount && view->foamClock > viewFrame->foamClock &&
-                        view->foamClock - viewFrame->foamClock <= SW_FOAM_RATE;
-        view->foamClock = isBehind ? view->foamClock : viewFrame->foamClock;
-        view->foamResetCount = viewFrame->foamResetCount;
-        memcpy(view->foamSlices, viewFrame->slices, sizeof(view->foamSlices));
+        return;
+    }
+    memmove(view->earlier + 1, view->earlier, sizeof(view->earlier) - sizeof(view->earlier[0]));
+    view->earlier[0] = view->mark;
+    swFoamMark* mark = &view->mark;
+    bool isBehind = mark->resetCount == viewFrame->foamResetCount && mark->clock > viewFrame->foamClock &&
+                    mark->clock - viewFrame->foamClock <= SW_FOAM_RATE;
+    mark->frameIndex = frameIndex;
+    mark->hasFoam = true;
+    mark->index ^= 1;
+    mark->clock = isBehind ? mark->clock : viewFrame->foamClock;
+    mark->resetCount = viewFrame->foamResetCount;
+    memcpy(mark->slices, viewFrame->slices, sizeof(mark->slices));
+}
+
+static swResult prepareView(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swGpuView* view = NULL;
+    swResult result = findOrCreateView(gpuWorld, viewFrame, &view);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    view->frame = viewFrame;
+    view->isCore = gpu->usesCoreLayers && viewFrame->displacement != NULL;
+    if (view->isCore)
+    {
+        view->foamMoves = false;
+        return swPrepareCoreLayers(gpu, viewFrame, view);
+    }
+    result = swCreateSlices(gpu, &gpuWorld->passes);
+    result = result == SW_SUCCESS ? swCreateFoam(gpu, &gpuWorld->passes) : result;
+    result = result == SW_SUCCESS ? uploadSlices(gpuWorld, frame, viewFrame, view) : result;
+    return result == SW_SUCCESS ? uploadFoam(gpuWorld, frame, viewFrame, view) : result;
+}
+
+swResult swPrepareFrame(swGpuWorld* gpuWorld, const swFrame* frame)
+{
+    retireGoneViews(gpuWorld, frame);
+    swResult result = swPrepareTiles(gpuWorld, frame);
+    for (int i = 0; i < frame->viewCount && result == SW_SUCCESS; ++i)
+    {
+        result = prepareView(gpuWorld, frame, &frame->views[i]);
+    }
+    return result == SW_SUCCESS ? swUploadQueries(gpuWorld, frame) : result;
+}
+
+void swRecordUploads(swGpuWorld* gpuWorld, VkCommandBuffer commands)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swRecordTiles(gpuWorld, commands);
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        swGpuView* view = &gpuWorld->views[i];
+        if (!view->isUsed)
+        {
+            continue;
+        }
+        if (!view->foam[0].isInitialized)
+        {
+            view->firstFrame = gpu->frameIndex;
+        }
+        swInitializeImage(gpu, commands, &view->displacement);
+        swInitializeImage(gpu, commands, &view->derivatives);
+        swInitializeImage(gpu, commands, &view->foam[0]);
+        swInitializeImage(gpu, commands, &view->foam[1]);
+        if (view->isCore)
+        {
+            swRecordCoreLayers(gpu, commands, view);
+        }
     }
 }
 
-swResult swUploadFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame)
+void swCommitFrame(swGpuWorld* gpuWorld, const swFrame* frame)
 {
-    swResult result = uploadTiles(gpuWorld, commands, frame);
-    retireGoneViews(gpuWorld, frame);
-    swGpuView* views[SW_MAX_VIEWS];
-    for (int i = 0; i < frame->viewCount && result == SW_SUCCESS; ++i)
+    swCommitTiles(gpuWorld, frame);
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        result = findOrCreateView(gpuWorld, commands, &frame->views[i], &views[i]);
-        result = result == SW_SUCCESS ? uploadSlices(gpuWorld, frame, &frame->views[i], views[i]) : result;
-        result = result == SW_SUCCESS ? uploadFoam(gpuWorld, frame, &frame->views[i], views[i]) : result;
+        swGpuView* view = &gpuWorld->views[i];
+        if (view->isUsed)
+        {
+            commitFoam(gpuWorld->frameIndex, view->frame, view);
+        }
     }
-    result = result == SW_SUCCESS ? swUploadQueries(gpuWorld, frame) : result;
-    for (int i = 0; i < frame->viewCount && result == SW_SUCCESS; ++i)
+}
+
+// Images that each frame writes anew are simply begun again. Foam has a past: it goes back to what the last frame before
+// left, which lies untouched in the other image, or begins again if that frame is too long ago.
+static void discardView(swGpuView* view, uint64_t frameIndex)
+{
+    view->displacement.isInitialized = false;
+    view->derivatives.isInitialized = false;
+    if (view->firstFrame >= frameIndex)
     {
-        commitFoam(&frame->views[i], views[i]);
+        view->foam[0].isInitialized = false;
+        view->foam[1].isInitialized = false;
     }
-    return result;
+    if (view->mark.hasFoam && view->mark.frameIndex >= frameIndex)
+    {
+        swFoamMark found = {0};
+        for (int i = SW_FOAM_MARKS - 1; i >= 0; --i)
+        {
+            bool isBefore = view->earlier[i].hasFoam && view->earlier[i].frameIndex < frameIndex;
+            found = isBefore ? view->earlier[i] : found;
+            view->earlier[i].hasFoam = isBefore;
+        }
+        view->mark = found;
+    }
+}
+
+void swDiscardFrames(swGpuWorld* gpuWorld, uint64_t frameIndex)
+{
+    gpuWorld->hasTiles = false;
+    gpuWorld->isRecorded = false;
+    gpuWorld->discardCount += 1;
+    gpuWorld->discardedFrom = frameIndex;
+    swDiscardGpuFrame(gpuWorld->gpu);
+    gpuWorld->detail.isInitialized = false;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        if (gpuWorld->views[i].isUsed)
+        {
+            discardView(&gpuWorld->views[i], frameIndex);
+        }
+    }
+    swDiscardQueries(gpuWorld, frameIndex);
 }

@@ -525,6 +525,8 @@ static swResult makeOwnDevice(swGpu* gpu, const swGpuDef* def)
 static swResult createParts(swGpu* gpu, const swGpuDef* def)
 {
     gpu->framesInFlight = def->framesInFlight;
+    gpu->usesCoreLayers =
+        def->layers == SW_LAYERS_CORE || (def->layers == SW_LAYERS_AUTO && isSoftwareType(gpu->properties.deviceType));
     float anisotropy = gpu->properties.limits.maxSamplerAnisotropy;
     gpu->maxAnisotropy = anisotropy < 16.0f ? anisotropy : 16.0f;
     gpu->vk.GetPhysicalDeviceMemoryProperties(gpu->physicalDevice, &gpu->memory.properties);

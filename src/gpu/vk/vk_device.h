@@ -61,6 +61,7 @@ struct swGpu
     VkSampler samplers[SW_SAMPLER_COUNT];
     swMemory memory;
 
+    bool usesCoreLayers; // where a view has them, see swGpuDef::layers
     int framesInFlight;
     bool hasFrame;       // a frame was begun
     uint64_t frameIndex; // of the frame being recorded

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/vk/vk_pass.h"
 
+#include <string.h>
+
 #include "gpu/vk/vk_device.h"
 
 swResult swCreatePassTimer(swGpu* gpu)
@@ -64,7 +66,7 @@ static void collectTimes(swGpu* gpu, int slot)
     timer->resultCount = count;
 }
 
-void swBeginGpuFrame(swGpu* gpu, VkCommandBuffer commands, uint64_t frameIndex)
+void swBeginGpuFrame(swGpu* gpu, uint64_t frameIndex)
 {
     if (gpu->hasFrame && gpu->frameIndex == frameIndex)
     {
@@ -77,11 +79,23 @@ void swBeginGpuFrame(swGpu* gpu, VkCommandBuffer commands, uint64_t frameIndex)
     swResetUpload(gpu, gpu->frameSlot);
     swDestroyRetired(gpu, frameIndex);
     gpu->timer.counts[gpu->frameSlot] = 0;
+    gpu->timer.isStarted = false;
+}
+
+void swStartPassTimer(swGpu* gpu, VkCommandBuffer commands)
+{
     VkQueryPool pool = gpu->timer.pools[gpu->frameSlot];
-    if (pool != VK_NULL_HANDLE)
+    if (pool != VK_NULL_HANDLE && !gpu->timer.isStarted)
     {
         gpu->vk.CmdResetQueryPool(commands, pool, 0, 2 * SW_MAX_TIMED_PASSES);
     }
+    gpu->timer.isStarted = true;
+}
+
+void swDiscardGpuFrame(swGpu* gpu)
+{
+    gpu->timer.isStarted = false;
+    memset(gpu->timer.counts, 0, sizeof(gpu->timer.counts));
 }
 
 void swBeginPass(swGpu* gpu, VkCommandBuffer commands, const char* name)

@@ -14,6 +14,7 @@ typedef struct swPassTimer
     VkQueryPool pools[SW_MAX_FRAMES_IN_FLIGHT]; // null if the queue has no timestamps
     const char* names[SW_MAX_FRAMES_IN_FLIGHT][SW_MAX_TIMED_PASSES];
     int counts[SW_MAX_FRAMES_IN_FLIGHT];
+    bool isStarted;  // in this frame
     int openPass;    // index of the pass between begin and end, -1 if it is not timed
     bool isEnabled;  // true; a benchmark turns it off to time whole frames
     int resultCount; // of the latest frame whose timestamps arrived
@@ -24,9 +25,12 @@ swResult swCreatePassTimer(swGpu* gpu);
 void swDestroyPassTimer(swGpu* gpu);
 
 // Begin frame `frameIndex`, once per index however often it is called: takes the slot's timestamps, makes its upload ring
-// empty, destroys what was retired long enough ago, and records the reset of the slot's queries. Outside of rendering.
-// All that records for a frame calls it first.
-void swBeginGpuFrame(swGpu* gpu, VkCommandBuffer commands, uint64_t frameIndex);
+// empty, and destroys what was retired long enough ago. All that prepares or records for a frame calls it first.
+void swBeginGpuFrame(swGpu* gpu, uint64_t frameIndex);
+// Record the reset of the frame's timestamps, once a frame, before its first pass. Outside of rendering.
+void swStartPassTimer(swGpu* gpu, VkCommandBuffer commands);
+// The commands of recorded frames will not run: their times will not come, and timestamps are reset again.
+void swDiscardGpuFrame(swGpu* gpu);
 
 // `name` must be a literal. Passes do not nest.
 void swBeginPass(swGpu* gpu, VkCommandBuffer commands, const char* name);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/vk/vk_pipeline.h"
 
+#include "core/base/assert.h"
 #include "gpu/vk/vk_device.h"
-
-#define SW_MAX_CONSTANTS 16
 
 // Specialisation constants 0 .. n - 1.
 typedef struct Constants
@@ -12,9 +11,23 @@ typedef struct Constants
     VkSpecializationInfo info;
 } Constants;
 
+// A pipeline that wants more than there is room for is a mistake in the caller.
+static swResult checkCounts(const swGpu* gpu, const char* name, uint32_t bindings, uint32_t pushBytes,
+                            uint32_t constants)
+{
+    bool isGood = bindings <= SW_MAX_BINDINGS && pushBytes <= SW_MAX_PUSH_BYTES && constants <= SW_MAX_CONSTANTS;
+    SW_ASSERT(isGood);
+    return isGood
+               ? SW_SUCCESS
+               : swFail(&gpu->host, SW_ERROR_INVALID,
+                        "the pipeline %s asks for %u bindings, %u bytes of push constants and %u constants; the most "
+                        "are %d, %d and %d",
+                        name, bindings, pushBytes, constants, SW_MAX_BINDINGS, SW_MAX_PUSH_BYTES, SW_MAX_CONSTANTS);
+}
+
 static void fillConstants(Constants* out, uint32_t count, const uint32_t* values)
 {
-    for (uint32_t i = 0; i < count && i < SW_MAX_CONSTANTS; ++i)
+    for (uint32_t i = 0; i < count; ++i)
     {
         out->entries[i] = (VkSpecializationMapEntry){i, i * (uint32_t)sizeof(uint32_t), sizeof(uint32_t)};
     }
@@ -77,7 +90,7 @@ static void beginPipeline(swPipeline* pipeline, VkPipelineBindPoint bindPoint, V
     *pipeline = (swPipeline){
         .bindPoint = bindPoint,
         .stages = stages,
-        .bindingCount = bindingCount < SW_MAX_BINDINGS ? bindingCount : SW_MAX_BINDINGS,
+        .bindingCount = bindingCount,
         .pushSize = pushSize,
     };
     for (uint32_t i = 0; i < pipeline->bindingCount; ++i)
@@ -99,6 +112,12 @@ static swResult finishPipeline(swGpu* gpu, VkResult result, const char* name, sw
 
 swResult swCreateComputePipeline(swGpu* gpu, const swComputeDef* def, swPipeline* pipeline)
 {
+    *pipeline = (swPipeline){0};
+    swResult checked = checkCounts(gpu, def->name, def->bindingCount, def->pushSize, def->constantCount);
+    if (checked != SW_SUCCESS)
+    {
+        return checked;
+    }
     beginPipeline(pipeline, VK_PIPELINE_BIND_POINT_COMPUTE, VK_SHADER_STAGE_COMPUTE_BIT, def->bindingCount, def->types,
                   def->pushSize);
     Constants constants;
@@ -232,6 +251,12 @@ static VkResult createGraphics(swGpu* gpu, const swGraphicsDef* def, VkShaderMod
 
 swResult swCreateGraphicsPipeline(swGpu* gpu, const swGraphicsDef* def, swPipeline* pipeline)
 {
+    *pipeline = (swPipeline){0};
+    swResult checked = checkCounts(gpu, def->name, def->bindingCount, def->pushSize, def->constantCount);
+    if (checked != SW_SUCCESS)
+    {
+        return checked;
+    }
     beginPipeline(pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                   def->bindingCount, def->types, def->pushSize);
     Constants constants;

@@ -10,6 +10,7 @@
 
 #define SW_MAX_BINDINGS 16
 #define SW_MAX_PUSH_BYTES 128
+#define SW_MAX_CONSTANTS 16
 
 // SPIR-V words. In a .c file:
 //   static const uint32_t slicesCode[] =
@@ -46,6 +47,7 @@ typedef struct swComputeDef
     const char* name;
 } swComputeDef;
 
+// @return SW_ERROR_INVALID, and an assert, for more than the limits above; likewise below
 swResult swCreateComputePipeline(swGpu* gpu, const swComputeDef* def, swPipeline* pipeline);
 
 typedef enum swBlend

@@ -50,29 +50,22 @@ swResult swUploadData(swGpu* gpu, const void* data, VkDeviceSize size, swUpload*
     return result;
 }
 
-swResult swUploadImage(swGpu* gpu, VkCommandBuffer commands, swImage* image, const void* pixels, size_t size)
+void swRecordImageUpload(swGpu* gpu, VkCommandBuffer commands, const swUpload* upload, swImage* image)
 {
-    swUpload upload;
-    swResult result = swUploadData(gpu, pixels, size, &upload);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
     swImageBarrier(gpu, commands, image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
                    VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, 0, VK_PIPELINE_STAGE_2_COPY_BIT,
                    VK_ACCESS_2_TRANSFER_WRITE_BIT);
     const VkBufferImageCopy copy = {
-        .bufferOffset = upload.offset,
+        .bufferOffset = upload->offset,
         .imageSubresource = {.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT, .layerCount = image->layers},
         .imageExtent = {image->width, image->height, image->depth},
     };
-    gpu->vk.CmdCopyBufferToImage(commands, upload.buffer, image->handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
+    gpu->vk.CmdCopyBufferToImage(commands, upload->buffer, image->handle, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1,
                                  &copy);
     swImageBarrier(gpu, commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, image->layout,
                    VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                    VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT);
     image->isInitialized = true;
-    return SW_SUCCESS;
 }
 
 void swResetUpload(swGpu* gpu, int slot)

@@ -29,4 +29,4 @@ void swDestroyUploads(swGpu* gpu);
 
 // Record a copy of pixels (tightly packed, all layers of mip 0) into an image, from UNDEFINED to its resting layout.
 struct swImage;
-swResult swUploadImage(swGpu* gpu, VkCommandBuffer commands, struct swImage* image, const void* pixels, size_t size);
+void swRecordImageUpload(swGpu* gpu, VkCommandBuffer commands, const swUpload* upload, struct swImage* image);

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Measured seas: one record that stays, or a replay of all of a place.
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "panels.h"
+
+// The place that a record is of.
+static int FindPlace(const swMeasuredSea* sea, int record)
+{
+    for (int i = 0; i < swMeasuredSea_GetLocationCount(sea); i++)
+    {
+        swMeasuredLocation place = swMeasuredSea_GetLocation(sea, i);
+        if (record >= place.firstRecord && record < place.firstRecord + place.recordCount)
+        {
+            return i;
+        }
+    }
+    return 0;
+}
+
+static const char* GetPlaceName(void* context, int index)
+{
+    static char text[80];
+    swMeasuredLocation place = swMeasuredSea_GetLocation(context, index);
+    if (place.name[0] != '\0')
+    {
+        snprintf(text, sizeof(text), "%s", place.name);
+    }
+    else
+    {
+        snprintf(text, sizeof(text), "place %d", index + 1);
+    }
+    return text;
+}
+
+// Its time, and its place where a file has several.
+static const char* GetRecordName(void* context, int index)
+{
+    static char text[112];
+    swMeasuredRecord record = swMeasuredSea_GetRecord(context, index);
+    bool hasPlaces = swMeasuredSea_GetLocationCount(context) > 1;
+    snprintf(text, sizeof(text), "%s%s%s", record.time, hasPlaces ? "  " : "",
+             hasPlaces ? GetPlaceName(context, FindPlace(context, index)) : "");
+    return text;
+}
+
+static bool DrawRecord(SeaWaves* waves)
+{
+    int* record = &waves->record;
+    int last = swMeasuredSea_GetCount(waves->measured) - 1;
+    void* context = (void*)(uintptr_t)waves->measured;
+    bool hasChanged = TurnChoice("record", record, &waves->filedRecord, last + 1, GetRecordName, context);
+    hasChanged |= last > 0 && UiSliderInt("record number", record, 0, last, "%d");
+    if (UiButton("largest"))
+    {
+        *record = swMeasuredSea_FindLargest(waves->measured);
+        hasChanged = true;
+    }
+    UiTip("The record with the largest significant height");
+    return hasChanged;
+}
+
+// Where a replay is between two records.
+static void DrawPlaceInRecords(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    int before = 0, after = 0;
+    double fraction = 0.0;
+    char now[20], text[64];
+    WriteUtc(GetReplaySeconds(sea, index), now);
+    UiText("%s UTC", now);
+    swSeaReplay_GetRecords(waves->replay, &before, &after, &fraction);
+    swMeasuredRecord a = swMeasuredSea_GetRecord(waves->measured, before);
+    swMeasuredRecord b = swMeasuredSea_GetRecord(waves->measured, after);
+    snprintf(text, sizeof(text), "%.11s %.5s to %.5s", a.time, a.time + 11, b.time + 11);
+    UiBar((float)fraction, text);
+}
+
+static void DrawReplaySpeed(Sea* sea, int index)
+{
+    const swSeaReplayDef* replay = &sea->waves[index].replayDef;
+    double seconds = GetReplaySeconds(sea, index);
+    float speed = (float)fabs(replay->speed);
+    bool isBackwards = replay->speed < 0.0, stands = replay->speed == 0.0;
+    if (UiLogSlider("replay speed", &speed, 0.1f, 1e5f, stands ? "stands still" : "x %.1f"))
+    {
+        ChangeReplay(sea, index, seconds, isBackwards ? -(double)speed : (double)speed);
+    }
+    UiTip("Seconds of records that pass in one of the sea; the timeline above moves through them");
+    if (UiCheckbox("records backwards", &isBackwards))
+    {
+        ChangeReplay(sea, index, seconds, -replay->speed);
+    }
+    UiSameLine();
+    if (UiCheckbox("halt", &stands))
+    {
+        double filed = sea->waves[index].filedReplay.speed;
+        ChangeReplay(sea, index, seconds, stands ? 0.0 : filed != 0.0 ? filed : 1.0);
+    }
+    UiTip("The records stand still while the waves run on");
+}
+
+// The moment of the records, from the place's first to its last.
+static void DrawReplayMoment(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    swMeasuredLocation place = swMeasuredSea_GetLocation(waves->measured, waves->replayDef.location);
+    double first = swMeasuredSea_GetRecord(waves->measured, place.firstRecord).seconds;
+    double last = swMeasuredSea_GetRecord(waves->measured, place.firstRecord + place.recordCount - 1).seconds;
+    double hours = (GetReplaySeconds(sea, index) - first) / 3600.0;
+    if (UiDoubleSlider("moment", &hours, 0.0, (last - first) / 3600.0, "%.2f h"))
+    {
+        ChangeReplay(sea, index, first + 3600.0 * hours, waves->replayDef.speed);
+    }
+    UiTip("Hours since the first record; pull to go to another moment of them, the waves run on");
+}
+
+static void DrawReplay(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    int place = waves->replayDef.location;
+    DrawPlaceInRecords(sea, index);
+    if (swMeasuredSea_GetLocationCount(waves->measured) > 1 &&
+        UiChoice("place", &place, swMeasuredSea_GetLocationCount(waves->measured), GetPlaceName,
+                 (void*)(uintptr_t)waves->measured))
+    {
+        ChangeReplayPlace(sea, index, place);
+    }
+    DrawReplayMoment(sea, index);
+    DrawReplaySpeed(sea, index);
+    if (HasReplayChanged(waves) && UiButton("replay as in the file"))
+    {
+        waves->replayDef = waves->filedReplay;
+        waves->hasChanged = true;
+    }
+}
+
+bool DrawMeasured(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    swSpectrumDef* spectrum = &waves->def.spectrum;
+    const swSpectrumDef* filed = &waves->filedDef.spectrum;
+    bool hasChanged = false;
+    UiFaint("%s", waves->file);
+    if (waves->replay != NULL)
+    {
+        DrawReplay(sea, index);
+    }
+    else
+    {
+        hasChanged = DrawRecord(waves);
+    }
+    hasChanged |= TurnKnob(&(Knob){.label = "height Hs", .high = 20.0f, .format = "%.2f m", .zero = "as measured"},
+                           &spectrum->significantHeight, &filed->significantHeight);
+    hasChanged |=
+        TurnKnob(&(Knob){.label = "turned by", .low = -180.0f, .high = 180.0f, .format = "%.0f deg", .unit = DEGREE},
+                 &spectrum->direction, &filed->direction);
+    hasChanged |= TurnSwitch("add short waves", &spectrum->extendTail, &filed->extendTail);
+    UiTip("Continues the record with an f^-5 tail; a buoy does not feel short waves");
+    return hasChanged;
+}

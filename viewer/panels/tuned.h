@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Widgets for values that a file has too: where they differ there is a mark, and a click on it brings the file's value
+// back. `filed` is that value, or NULL if no file has one. All return whether the value has changed.
+
+#include "tuning.h"
+#include "ui.h"
+
+bool TurnKnob(const Knob* knob, float* value, const float* filed);
+bool TurnSwitch(const char* label, bool* value, const bool* filed);
+bool TurnCount(const char* label, int* value, const int* filed, int low, int high, const char* format);
+bool TurnChoice(const char* label, int* index, const int* filed, int count, UiItemFcn getName, void* context);
+bool TurnColor(const char* label, swVec3* rgb, const swVec3* filed);
