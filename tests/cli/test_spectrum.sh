@@ -18,6 +18,13 @@ is_json out
 run 0 spectrum "$buoy" --at 2024-11-16T06:50Z
 run 2 spectrum "$buoy" --at yesterday
 err 'wants a time'
+run 2 spectrum "$buoy" --at '2031-01-01 00:00'
+err 'which run from 2024-11-16 04:50 to 2024-11-16 06:50 (UTC)'
+run 0 spectrum "$buoy" --at '2024-11-16 07:10'
+err 'warning: .*outside its records; the nearest record, of 2024-11-16 06:50'
+run 1 spectrum "$buoy" --directions to
+err 'laid down by its format'
+run 2 spectrum "$buoy" --directions up
 run 1 spectrum nosuch.data_spec
 err 'nosuch.data_spec'
 echo 'this is no spectrum' >text.data_spec
@@ -66,6 +73,20 @@ run 0 spectrum swan.spec --list
 out 'location'
 run 2 spectrum swan.spec --location 3
 err 'number from 1 to 2'
+run 0 spectrum swan.spec --latitude 52.11 --longitude 4.61 --json
+is_json out
+out '"location": 2'
+out '"distance_km": 1.3'
+out '"directions": "by_format"'
+out '"directions_assumed": false'
+run 0 spectrum swan.spec --latitude=52.11 --longitude=4.61
+out 'km from the point that was asked for'
+run 2 spectrum swan.spec --latitude -52 --longitude 4.6
+err 'km away; at most 100 km are bridged'
+run 2 spectrum swan.spec --latitude 52
+err 'give both'
+run 2 spectrum swan.spec --latitude 52 --longitude 4.6 --location 1
+err 'keep one of them'
 run 1 spectrum "$buoy" --plot nosuch/plot.svg
 err 'its folder does not exist'
 run 2 spectrum "$buoy" --list --at 2024-11-16T06:50Z

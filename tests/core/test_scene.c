@@ -243,6 +243,24 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    location: Nowhere\n",
          "a.yaml:4: location is 'Nowhere'; it must be the name or number of a place of the file, which has: 1."},
         {"waves:\n  - spectrum: jonswap\n    location: 1\n", "a.yaml:3: location has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    latitude: 1\n", "a.yaml:3: latitude has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    longitude: 1\n", "a.yaml:3: longitude has no effect"},
+        {"waves:\n  - spectrum: jonswap\n    directions: to\n", "a.yaml:3: directions has no effect"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    directions: up\n", "a.yaml:4: directions"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    directions: to\n",
+         "harbour_storm.spec: what its directions mean is laid down by its format"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    at: 2031-01-01 00:00\n",
+         "a.yaml:4: at is '2031-01-01 00:00', of which the file has no record."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    at: 2031-01-01 00:00\n",
+         "which run from 2024-11-16 04:50 to 2024-11-16 06:50 (UTC)"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: {from: 2031-01-01 00:00}\n",
+         "from is '2031-01-01 00:00', of which there is no record."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    latitude: 91\n    longitude: 0\n",
+         "a.yaml:4: latitude"},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    latitude: 50\n",
+         "a.yaml:4: latitude and longitude belong together; give both."},
+        {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    latitude: 50\n    longitude: 0\n",
+         "a.yaml:4: no place of the file is near latitude 50, longitude 0."},
         {"waves:\n  - spectrum: jonswap\n    replay: {speed: 2}\n", "a.yaml:3: replay has no effect"},
         {"waves:\n  - spectrum: file\n    file: data/harbour_storm.spec\n    replay: 3\n",
          "a.yaml:4: replay must hold"},
@@ -480,6 +498,8 @@ static void WhatIsTooLargeIsRefusedAtOnce(void** state)
         {"- ", 400000, "a", "a.yaml:1: lists and mappings are nested more than 16 deep"},
         {"? ", 400000, "a", "a.yaml:1: lists and mappings are nested more than 16 deep"},
         {"- a\n", 200000, "", "there are more than 100000 values; remove what is no scene. [too_large]"},
+        {"- &a b\n", 90000, "", "a.yaml:1001: there are more than 1000 anchors (&); remove what is no scene."},
+        {"%TAG ! a\n", 90000, "", "a.yaml:1001: there are more than 1000 directives (%); remove what is no scene."},
         {"a: b\n", 100, "", "a.yaml:64: here is mistake 64, and more are not looked for; mend those above."},
         {"waves:\n  - a: {b: [c]}\n", 1, "    d: e\n", "a.yaml:3: 'd' is no key of waves"},
     };
@@ -657,11 +677,33 @@ static void PlacesAndSeriesAreChosen(void** state)
     assert_string_equal(record.time, "2024-01-02 01:00");
     swDestroyScene(scene);
 
+    // The place nearest to a point, whichever way its longitude is counted.
+    static const char near[] =
+        "waves:\n  - {spectrum: file, file: one.spec, latitude: 52.45, longitude: 5.1, at: 2024-01-02 01:10}\n";
+    host = MakeHost();
+    assert_int_equal(swReadSceneText(&host, near, sizeof(near) - 1, "a.yaml", folder, &scene), SW_SUCCESS);
+    assert_int_equal(swMeasuredSea_GetRecord(scene->waves[0].measured, scene->waves[0].record).location, 1);
+    assert_non_null(strstr(s_messages, "place 2 at latitude 52.5000, longitude 5.0000 is taken, 8.8 km away"));
+    swDestroyScene(scene);
+    static const char* const far[] = {
+        "waves:\n  - {spectrum: file, file: one.spec, latitude: 54, longitude: 5}\n",
+        "waves:\n  - {spectrum: file, file: one.spec, latitude: 52, longitude: 5, location: 1}\n",
+        "waves:\n  - {spectrum: file, file: one.spec, location: 1, at: 2025-01-02 01:10}\n"};
+    static const char* const reasons[] = {"number 2 at 52.5000, 5.0000, 167 km away; at most 100 km",
+                                          "location and latitude both choose a place", "run from 2024-01-02 00:00"};
+    for (int i = 0; i < 3; ++i)
+    {
+        host = MakeHost();
+        assert_int_equal(swReadSceneText(&host, far[i], strlen(far[i]), "a.yaml", folder, &scene), SW_ERROR_FORMAT);
+        assert_non_null(strstr(s_messages, reasons[i]));
+    }
+
     // Several places and none chosen.
     host = MakeHost();
     static const char none[] = "waves:\n  - spectrum: file\n    file: one.spec\n    replay: {}\n";
     assert_int_equal(swReadSceneText(&host, none, sizeof(none) - 1, "a.yaml", folder, &scene), SW_ERROR_FORMAT);
-    assert_non_null(strstr(s_messages, "a.yaml:3: the file has 2 places; choose one of them with location: 1, 2."));
+    assert_non_null(strstr(s_messages, "a.yaml:3: the file has 2 places; choose one of them with location, or with "
+                                       "latitude and longitude: 1, 2."));
 
     // Two files, of which a calm is left out.
     host = MakeHost();

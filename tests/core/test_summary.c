@@ -566,7 +566,7 @@ static void WrongLinesAreNamed(void** state)
          "s.spec:2: the line has 9 values after its date, the heading 10; it may be cut off"},
         {HEADING "2022 05 10 10 40 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270 1\n",
          "s.spec:2: the line has 11 values after its date, the heading 10."},
-        {HEADING "2022 05 10 10 40 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n\n2022 05 32", "s.spec:4: the day is '32'"},
+        {HEADING "\n\n2022 05 32", "s.spec:4: the day is '32'"},
         {HEADING "2022 05 10 10 60 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n", "s.spec:2: the minute is '60'"},
         {HEADING "2022 05 10 10 40 high 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n",
          "s.spec:2: WVHT is 'high'; it must be a number, or MM"},

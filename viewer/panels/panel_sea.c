@@ -137,7 +137,7 @@ static void DrawRemoved(App* app, int index)
 {
     UiFaint("Waves %d of the file: removed", index + 1);
     UiSameLine();
-    if (UiButton("bring back") && !BringBackWaves(&app->sea, index))
+    if (UiSmallButton("bring back") && !BringBackWaves(&app->sea, index))
     {
         ShowNote(app, "they were not brought back; see Messages");
     }

@@ -50,7 +50,10 @@ struct swMeasuredSea
     char name[256];       // for messages
     swSeaArray records;   // swSeaRecord
     swSeaArray locations; // swMeasuredLocation
+    swMeasuredDirections directions;
+    swSeaArray places; // finds them, see sea_places.c
     size_t floatCount;
+    bool isFull; // another record was refused because there are too many: no fault of that record
 };
 
 typedef enum swSeaRow
@@ -73,6 +76,17 @@ static inline float* swGetSeaRow(const swSeaRecord* record, swSeaRow row)
 // A record to fill, cleared, of directions from 0 on; valid until the next is added. SW_ERROR_FORMAT if the sea grows
 // too large.
 swResult swAddSeaRecord(swMeasuredSea* sea, int frequencyCount, int directionCount, swSeaRecord** record);
+
+// Makes the last place findable; false if there is no memory. swMeasuredSea_AddLocation() does it.
+bool swIndexSeaPlace(swMeasuredSea* sea, int location);
+void swFreeSeaPlaces(swMeasuredSea* sea);
+
+// Index of the first place of this name and position, NAN where not known; -1 if there is none.
+int swFindSeaPlace(const swMeasuredSea* sea, const char* name, double longitude, double latitude);
+
+// The place of a point by its name, looked for first where it stands in a block; a new one is added.
+swResult swFindSeaPoint(swMeasuredSea* sea, bool isNew, int index, const char* name, double longitude, double latitude,
+                        int* location);
 
 // After the energies: sums the record's variance.
 void swSumSeaRecord(swSeaRecord* record);

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/trial.h"
 #include "core/math/scalar.h"
 #include "core/waves/direction_grid.h"
 #include "core/waves/measured.h"
@@ -233,6 +233,30 @@ static bool isKnown(const double* values, int row)
     return values != NULL && values[row] == values[row] && fabs(values[row]) <= 1e6;
 }
 
+// Cosine and sine moments of an angle and a length.
+static bool setPair(const double* angles, const double* lengths, int row, double order, double* a, double* b)
+{
+    if (!isKnown(angles, row) || !isKnown(lengths, row))
+    {
+        return false;
+    }
+    *a = lengths[row] * swCos(order * angles[row]);
+    *b = lengths[row] * swSin(order * angles[row]);
+    return true;
+}
+
+static void gatherPolar(const swMeasuredSpectrumDef* def, int row, swSeaMoments* moments)
+{
+    if (def->r1 == NULL && isKnown(def->meanDirection, row))
+    {
+        *moments = swMakeSeaMoments(def->meanDirection[row], (double)NAN);
+        return;
+    }
+    moments->hasFirst = setPair(def->meanDirection, def->r1, row, 1.0, &moments->moments.a1, &moments->moments.b1);
+    moments->hasSecond =
+        moments->hasFirst && setPair(def->direction2, def->r2, row, 2.0, &moments->moments.a2, &moments->moments.b2);
+}
+
 static void gatherMoments(const swMeasuredSpectrumDef* def, Scratch* scratch)
 {
     for (int i = 0; i < scratch->count; ++i)
@@ -240,6 +264,11 @@ static void gatherMoments(const swMeasuredSpectrumDef* def, Scratch* scratch)
         int row = scratch->order[i].row;
         swSeaMoments* moments = &scratch->moments[i];
         *moments = (swSeaMoments){0};
+        if (def->a1 == NULL)
+        {
+            gatherPolar(def, row, moments);
+            continue;
+        }
         if (isKnown(def->a1, row) && isKnown(def->b1, row))
         {
             moments->hasFirst = true;
@@ -424,7 +453,17 @@ swResult swMeasuredSea_AddSpectrum(swMeasuredSea* sea, const swMeasuredSpectrumD
     {
         return swFail(&sea->host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.", sea->name);
     }
+    swHost host = sea->host;
+    swTrial trial;
+    swBeginTrial(&trial, &host);
+    sea->host = trial.host;
     swResult result = addSpectrum(sea, def, scratch);
-    swFree(&sea->host, scratch, sizeof(*scratch));
-    return result;
+    sea->host = host;
+    swFree(&host, scratch, sizeof(*scratch));
+    if (result == SW_ERROR_FORMAT && def->warnOnly)
+    {
+        swLog(&host, SW_LOG_WARNING, "%s", trial.message);
+        return result;
+    }
+    return swEndTrial(&trial, result);
 }
