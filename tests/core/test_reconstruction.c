@@ -358,8 +358,8 @@ static WaveErrors FindErrors(const swSpectrumTable* table)
             double width = edges[i + 1] - edges[i];
             for (int j = 0; j < table->directionCount; ++j)
             {
-                double part = (double)table->density[i * table->directionCount + j] * cell *
-                              (double)table->bandwidths[i] / width;
+                double part =
+                    (double)table->density[i * table->directionCount + j] * cell * (double)table->bandwidths[i] / width;
                 energy += part;
                 x += part * cos(j * cell + (double)table->firstDirection);
                 z += part * sin(j * cell + (double)table->firstDirection);
@@ -454,10 +454,8 @@ static void EveryRecordOfABuoyKeepsItsPeak(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(EveryCellOfATableKeepsItsEnergy),
-        cmocka_unit_test(EveryBinKeepsItsEnergy),
-        cmocka_unit_test(BinsMeetWhereTheirWidthsSay),
-        cmocka_unit_test(WavesOfABinHaveItsEnergyAndDirection),
+        cmocka_unit_test(EveryCellOfATableKeepsItsEnergy), cmocka_unit_test(EveryBinKeepsItsEnergy),
+        cmocka_unit_test(BinsMeetWhereTheirWidthsSay),     cmocka_unit_test(WavesOfABinHaveItsEnergyAndDirection),
         cmocka_unit_test(EveryRecordOfABuoyKeepsItsPeak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
