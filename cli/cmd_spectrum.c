@@ -102,6 +102,7 @@ static void PrintList(const swMeasuredSea* sea, int location, bool asJson)
             JsonText(&json, "time_utc", record.time);
             WriteSeaState(&json, &state);
             WriteLocation(&json, sea, record.location);
+            WriteDirections(&json, sea);
             JsonCloseObject(&json);
         }
         else if (isCalm)

@@ -13,7 +13,7 @@ bool MayProceed(Asked* question, Asked wish, int changeCount)
 void WriteQuestion(Asked question, int changeCount, const char* fileName, char* text, size_t size)
 {
     char values[96];
-    snprintf(values, sizeof(values), changeCount == 1 ? "%d value differs from %s" : "%d values differ from %s",
+    snprintf(values, sizeof(values), changeCount == 1 ? "There is %d change from %s" : "There are %d changes from %s",
              changeCount, fileName);
     switch (question)
     {

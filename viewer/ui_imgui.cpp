@@ -658,17 +658,25 @@ void EndUiTable(void)
     ImGui::EndTable();
 }
 
-static ImGuiListClipper rows;
+// One table at a time; gone with its last row, since it must not outlive Dear ImGui's context.
+static ImGuiListClipper* rows;
 
 void BeginUiRows(int count)
 {
-    rows.Begin(count);
+    delete rows;
+    rows = new ImGuiListClipper;
+    rows->Begin(count);
 }
 
 bool StepUiRows(int* first, int* end)
 {
-    bool isThere = rows.Step();
-    *first = rows.DisplayStart;
-    *end = rows.DisplayEnd;
+    bool isThere = rows->Step();
+    *first = rows->DisplayStart;
+    *end = rows->DisplayEnd;
+    if (!isThere)
+    {
+        delete rows;
+        rows = nullptr;
+    }
     return isThere;
 }

@@ -212,6 +212,11 @@ swMeasuredDirections swFindNetcdfDirections(const swNetcdfFile* file, int direct
     swMeasuredDirections found = findTold(file, directions, densities, writer);
     if (asked != SW_DIRECTIONS_BY_FORMAT)
     {
+        if (found.meaning == SW_DIRECTIONS_BY_FORMAT && writer->isCertain && writer->meaning != asked)
+        {
+            swLog(file->host, SW_LOG_WARNING, "%s: in files of %s directions are %s; they are read as %s, as asked.",
+                  file->name, writer->name, nameMeaning(writer->meaning), nameMeaning(asked));
+        }
         if (found.meaning != SW_DIRECTIONS_BY_FORMAT && found.meaning != asked)
         {
             swLog(file->host, SW_LOG_WARNING, "%s: its %s says that directions are %s; they are read as %s, as asked.",

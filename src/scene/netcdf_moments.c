@@ -226,6 +226,21 @@ static double findLength(double spread, int order)
     return r > 0.0 || spread != spread ? r : 0.0;
 }
 
+// Numbers that stand for missing ones, as 99, 999 and -999.99, where the file does not declare them.
+static void dropFillers(const Reader* reader, int j, double* row)
+{
+    bool isAngle = reader->format->kind != FOURIER && j % 2 == 0;
+    double low = isAngle ? -361.0 : reader->format->kind == FOURIER ? -1.5 : 0.0;
+    double high = isAngle                           ? 721.0
+                  : reader->format->kind == FOURIER ? 1.5
+                  : reader->format->kind == POLAR   ? 101.0
+                                                    : 181.0;
+    for (size_t i = 0; i < reader->axes->frequencyCount; ++i)
+    {
+        row[i] = row[i] >= low && row[i] <= high ? row[i] : (double)NAN;
+    }
+}
+
 // The two values that a file has for an order, as they are where waves go: cos and sin, or angle and length.
 static void convertPair(const Reader* reader, int order, bool isPercent, double* first, double* second)
 {
@@ -263,6 +278,7 @@ static void readMoments(Reader* reader, const size_t* start)
                 row[i] = (double)NAN;
             }
         }
+        dropFillers(reader, j, row);
     }
     for (int order = 1; order <= 2; ++order)
     {
@@ -296,6 +312,7 @@ static bool convertEnergies(Reader* reader, double* largest)
     *largest = 0.0;
     for (size_t i = 0; i < reader->axes->frequencyCount; ++i)
     {
+        energy[i] = energy[i] == 999.0 ? (double)NAN : energy[i]; // NDBC's word for a missing one
         hasData = hasData || energy[i] == energy[i];
         energy[i] *= reader->unit;
         *largest = energy[i] > *largest ? energy[i] : *largest;

@@ -308,6 +308,37 @@ static void EnergiesAloneHaveNoDirections(void** state)
     swDestroyMeasuredSea(sea);
 }
 
+// NDBC's 999 and CDIP's -999.99 without an attribute that declares them.
+static void UndeclaredFillersAreMissing(void** state)
+{
+    (void)state;
+    int file = MakeNetcdf(s_path, NC_CLASSIC_MODEL);
+    const int dimensions[2] = {AddDimension(file, "time", 1), AddDimension(file, "frequency", 4)};
+    int time = AddVariable(file, "time", NC_DOUBLE, 1, dimensions);
+    int frequency = AddVariable(file, "frequency", NC_DOUBLE, 1, &dimensions[1]);
+    int energy = AddVariable(file, "spectral_wave_density", NC_DOUBLE, 2, dimensions);
+    int angle = AddVariable(file, "mean_wave_dir", NC_DOUBLE, 2, dimensions);
+    int length = AddVariable(file, "wave_spectrum_r1", NC_DOUBLE, 2, dimensions);
+    AddText(file, time, "units", "seconds since 1970-01-01");
+    CheckNetcdf(nc_enddef(file));
+    PutNumbers(file, time, (const double[]){0.0});
+    PutNumbers(file, frequency, (const double[]){0.1, 0.11, 0.12, 0.13});
+    PutNumbers(file, energy, (const double[]){1.0, 999.0, 1.0, 1.0});
+    PutNumbers(file, angle, (const double[]){FROM, 999.0, 999.0, FROM});
+    PutNumbers(file, length, (const double[]){R1, 999.0, R1, 999.0});
+    CheckNetcdf(nc_close(file));
+    swMeasuredSea* sea = ReadFine(s_path);
+    remove(s_path);
+    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
+    assert_true(record.energy[0] == 1.0f && record.energy[1] == 0.0f);
+    for (int i = 0; i < 4; ++i)
+    {
+        assert_true(GetAngleBetween(GetBearing(record.meanDirection[i]), FROM) < 0.02);
+        assert_true(fabs((double)record.r1[i] - R1) < 1e-3);
+    }
+    swDestroyMeasuredSea(sea);
+}
+
 // ---- times ----
 
 static void TimesOfAnyOriginAreRead(void** state)
@@ -515,15 +546,11 @@ int main(void)
 {
     snprintf(s_path, sizeof(s_path), "test_netcdf_moments_%d.nc", (int)getpid());
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(EveryWriterTellsTheSameSea),
-        cmocka_unit_test(RecordsWithoutValuesAreLeftOutAloud),
-        cmocka_unit_test(RecordsFlaggedAsBadAreLeftOut),
-        cmocka_unit_test(EnergiesAloneHaveNoDirections),
-        cmocka_unit_test(TimesOfAnyOriginAreRead),
-        cmocka_unit_test(OneBadElementSpoilsNoOther),
-        cmocka_unit_test(CutFilesAreRefused),
-        cmocka_unit_test(EmptyAndHugeDimensionsAreRefused),
-        cmocka_unit_test(SamplesOfOthersAreRead),
+        cmocka_unit_test(EveryWriterTellsTheSameSea),       cmocka_unit_test(RecordsWithoutValuesAreLeftOutAloud),
+        cmocka_unit_test(RecordsFlaggedAsBadAreLeftOut),    cmocka_unit_test(EnergiesAloneHaveNoDirections),
+        cmocka_unit_test(UndeclaredFillersAreMissing),      cmocka_unit_test(TimesOfAnyOriginAreRead),
+        cmocka_unit_test(OneBadElementSpoilsNoOther),       cmocka_unit_test(CutFilesAreRefused),
+        cmocka_unit_test(EmptyAndHugeDimensionsAreRefused), cmocka_unit_test(SamplesOfOthersAreRead),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

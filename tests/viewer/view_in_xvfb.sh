@@ -60,6 +60,18 @@ fi
 in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/none/sea.png"
 expect_refusal "a screenshot into no folder" "was not written"
 
+cat >"$folder/hand.yaml" <<'SCENE'
+waves:
+  - components: [{wavelength_m: 60, amplitude_m: 0.5, direction_from_deg: 270}]
+view: {slice_count: 2, resolution: 64}
+SCENE
+in_window 500 "$folder/hand.yaml" --device software --size 640x360 --frames 3 --validate --screenshot "$folder/hand.png"
+if [ "$code" -ne 0 ] || [ -s "$folder/stderr" ]; then
+    fail "waves by hand in the panel: exit code $code, or messages"
+else
+    echo "ok: waves by hand in the panel, and a clean end"
+fi
+
 ln -s /dev/full "$folder/full.png"
 in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/full.png"
 expect_refusal "a screenshot onto a full device" "was not written"

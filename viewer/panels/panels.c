@@ -25,8 +25,7 @@ static void DrawChanges(App* app)
     }
     UiTip("Everything as in the file. A dot beside a name sets that value back alone.");
     UiSameLine();
-    UiMarked("%d value%s from %s", app->changeCount, app->changeCount == 1 ? " differs" : "s differ",
-             GetSceneName(app));
+    UiMarked("%d change%s from %s", app->changeCount, app->changeCount == 1 ? "" : "s", GetSceneName(app));
 }
 
 static void DrawPace(const App* app)
