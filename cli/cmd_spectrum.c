@@ -24,11 +24,72 @@ static swSpectrumDef MakeTableDef(const swMeasuredRecord* record)
     return def;
 }
 
+// What was not measured is NAN: directions that the file does not hold, and all but the height of a calm.
 static bool FindState(const swMeasuredRecord* record, swSeaState* state)
 {
     swSpectrumDef def = MakeTableDef(record);
     memset(state, 0, sizeof(*state));
-    return swSpectrum_GetSeaState(&def, 0.0f, 0.0f, state) == SW_SUCCESS;
+    bool hasWaves = swSpectrum_GetSeaState(&def, 0.0f, 0.0f, state) == SW_SUCCESS;
+    if (!hasWaves)
+    {
+        memset(state, 0, sizeof(*state));
+        state->peakPeriod = state->periodTm01 = state->periodTm02 = state->energyPeriod = NAN;
+    }
+    if (!hasWaves || record->meanDirection == NULL)
+    {
+        state->meanDirection = state->peakDirection = state->spread = NAN;
+    }
+    return hasWaves;
+}
+
+// The bin with the highest density.
+static int FindPeak(const swMeasuredRecord* record)
+{
+    int peak = 0;
+    for (int i = 1; i < record->table.frequencyCount; ++i)
+    {
+        peak = record->energy[i] > record->energy[peak] ? i : peak;
+    }
+    return peak;
+}
+
+static float GetSpread(float r1)
+{
+    return (float)(sqrt(fmax(2.0 * (1.0 - (double)r1), 0.0)) * (180.0 / SW_PI)); // NAN stays
+}
+
+// Directions by frequency and those at the peak, null where they were not measured.
+static void WriteMoments(Json* json, const swMeasuredRecord* record)
+{
+    int count = record->table.frequencyCount, peak = FindPeak(record);
+    bool hasDirections = record->meanDirection != NULL;
+    float* rows[3];
+    static const char* const keys[3] = {"direction_from_deg", "directional_spread_deg", "r1"};
+    float* numbers = malloc(3 * (size_t)count * sizeof(float));
+    if (numbers == NULL)
+    {
+        Complain("no memory for the directions of %d frequencies", count);
+        return;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+        rows[i] = numbers + (size_t)i * (size_t)count;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        rows[0][i] = hasDirections ? (float)BearingFrom((double)record->measuredDirection[i]) : NAN;
+        rows[2][i] = hasDirections ? record->measuredR1[i] : NAN;
+        rows[1][i] = isnan(rows[2][i]) ? NAN : GetSpread(rows[2][i]);
+    }
+    bool hasPeak = record->energy[peak] > 0.0f;
+    JsonNumber(json, "peak_frequency_hz", hasPeak ? (double)record->table.frequencies[peak] : (double)NAN);
+    JsonNumber(json, "peak_spread_deg", hasPeak ? (double)rows[1][peak] : (double)NAN);
+    JsonNumber(json, "peak_r1", hasPeak ? (double)rows[2][peak] : (double)NAN);
+    for (int i = 0; i < 3; ++i)
+    {
+        JsonFloats(json, keys[i], rows[i], count);
+    }
+    free(numbers);
 }
 
 // "3", or the name where there is one.
@@ -72,6 +133,17 @@ static void PrintDirections(const swMeasuredSea* sea)
     }
 }
 
+// Where waves come from, degrees, or a word where that was not measured.
+static const char* PrintBearing(char text[16], const swMeasuredRecord* record, float direction, const char* unknown)
+{
+    if (record->meanDirection == NULL)
+    {
+        return unknown;
+    }
+    snprintf(text, 16, "%.0f", BearingFrom((double)direction));
+    return text;
+}
+
 static void PrintList(const swMeasuredSea* sea, int location, bool asJson)
 {
     bool hasPlaces = swMeasuredSea_GetLocationCount(sea) > 1;
@@ -101,6 +173,7 @@ static void PrintList(const swMeasuredSea* sea, int location, bool asJson)
             JsonOpenObject(&json, NULL);
             JsonText(&json, "time_utc", record.time);
             WriteSeaState(&json, &state);
+            JsonFlag(&json, "has_directions", record.meanDirection != NULL);
             WriteLocation(&json, sea, record.location);
             WriteDirections(&json, sea);
             JsonCloseObject(&json);
@@ -111,9 +184,10 @@ static void PrintList(const swMeasuredSea* sea, int location, bool asJson)
         }
         else
         {
-            printf("%-16s  %6.2f  %6.2f  %6.2f  %5.0f%s%s\n", record.time, (double)state.significantHeight,
-                   (double)state.peakPeriod, (double)state.periodTm02, BearingFrom((double)state.meanDirection),
-                   hasPlaces ? "  " : "", where);
+            char from[16];
+            printf("%-16s  %6.2f  %6.2f  %6.2f  %5s%s%s\n", record.time, (double)state.significantHeight,
+                   (double)state.peakPeriod, (double)state.periodTm02,
+                   PrintBearing(from, &record, state.meanDirection, "-"), hasPlaces ? "  " : "", where);
         }
     }
     if (asJson)
@@ -157,9 +231,20 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
         printf("  built up from heights, periods and directions of %d system%s of waves\n", record->partitionCount,
                record->partitionCount > 1 ? "s" : "");
     }
+    if (record->averagePeriod > 0.0f)
+    {
+        printf("  the buoy's average period is %.1f s: for it a peak of gamma %.2g and a tail f^-%.2g were chosen\n",
+               (double)record->averagePeriod, (double)record->gamma, (double)record->tailExponent);
+    }
+    else if (record->gamma > 0.0f)
+    {
+        printf("  no average period is told: a peak of gamma %.2g and a tail f^-%.2g were assumed\n",
+               (double)record->gamma, (double)record->tailExponent);
+    }
     printf("  %d frequencies, %.4g to %.4g Hz; %s\n", table->frequencyCount, (double)table->frequencies[0],
            (double)table->frequencies[table->frequencyCount - 1],
-           record->meanDirection != NULL ? "with directions" : "without directions: spread as cos^16(theta/2)");
+           record->meanDirection != NULL ? "with directions"
+                                         : "without directions: its sea is spread as cos^16(theta/2) around east");
     if (record->correctedCount > 0)
     {
         printf("  %d frequencies had moments that no distribution can have; they were corrected\n",
@@ -184,10 +269,17 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
     printf("  Tm01  %6.2f s\n", (double)state.periodTm01);
     printf("  Tm02  %6.2f s\n", (double)state.periodTm02);
     printf("  Te    %6.2f s     energy period\n", (double)state.energyPeriod);
-    printf("  from  %6.0f deg   mean direction that waves come from, clockwise from north\n",
-           BearingFrom((double)state.meanDirection));
-    printf("  peak  %6.0f deg   direction at the peak\n", BearingFrom((double)state.peakDirection));
-    printf("  spread%6.0f deg\n", (double)state.spread * (180.0 / SW_PI));
+    if (record->meanDirection == NULL)
+    {
+        printf("  from   not measured\n  peak   not measured\n  spread not measured\n");
+    }
+    else
+    {
+        printf("  from  %6.0f deg   mean direction that waves come from, clockwise from north\n",
+               BearingFrom((double)state.meanDirection));
+        printf("  peak  %6.0f deg   direction at the peak\n", BearingFrom((double)state.peakDirection));
+        printf("  spread%6.0f deg\n", (double)state.spread * (180.0 / SW_PI));
+    }
     printf("  slope %8.5f   mean square slope of these frequencies\n", (double)state.meanSquareSlope);
 }
 
@@ -202,17 +294,22 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     JsonInteger(&json, "record_count", swMeasuredSea_GetCount(sea));
     WriteSeaState(&json, &state);
     JsonNull(&json, "whitecap_fraction");
+    JsonFlag(&json, "has_directions", record->meanDirection != NULL);
     JsonInteger(&json, "corrected_count", record->correctedCount);
     JsonInteger(&json, "negative_count", record->negativeCount);
     JsonNumber(&json, "negative_fraction", (double)record->negativePart);
     JsonNumber(&json, "added_fraction", (double)record->addedPart);
     JsonInteger(&json, "partition_count", record->partitionCount);
+    JsonNumber(&json, "reported_tm02_s", record->averagePeriod > 0.0f ? (double)record->averagePeriod : (double)NAN);
+    JsonNumber(&json, "assumed_gamma", record->gamma > 0.0f ? (double)record->gamma : (double)NAN);
+    JsonNumber(&json, "assumed_tail_exponent", record->gamma > 0.0f ? (double)record->tailExponent : (double)NAN);
     WriteLocation(&json, sea, record->location);
     JsonNumber(&json, "distance_km", distance / 1000.0); // null unless a point was asked for
     WriteDirections(&json, sea);
     JsonFloats(&json, "frequency_hz", record->table.frequencies, record->table.frequencyCount);
     JsonFloats(&json, "bandwidth_hz", record->table.bandwidths, record->table.frequencyCount);
-    JsonFloats(&json, "energy_m2_per_hz", record->energy, record->table.frequencyCount);
+    JsonFloats(&json, "density_m2_per_hz", record->energy, record->table.frequencyCount);
+    WriteMoments(&json, record);
     JsonCloseObject(&json);
 }
 
@@ -382,8 +479,9 @@ int RunSpectrum(int argumentCount, char** arguments)
                            "Read a measured or computed sea state. The format is known by the contents: spectra and\n"
                            "summaries of NDBC (name the energy file, such as 44013.data_spec or 44013w2022.txt; the\n"
                            "direction files beside it are found by name), of SWAN, WAVEWATCH III (text and\n"
-                           "partitions), TriAxys, Datawell (.spt), Sofar Spotter and MHKiT (JSON), netCDF (WAVEWATCH\n"
-                           "III, SWAN, WWM, ERA5, NDBC, CDIP, Sofar, Copernicus, MHKiT and wavespectra), and\n"
+                           "partitions), Octopus, TriAxys, Datawell (.spt), Obscape, Nortek AWAC (NMEA), Sofar\n"
+                           "Spotter (JSON and the dashboard's table), MHKiT (JSON), netCDF (WAVEWATCH III, SWAN, WWM,\n"
+                           "ERA5, NDBC, CDIP, Sofar, Copernicus, MHKiT and wavespectra), and\n"
                            "a table of partitions: time,hs_m,tp_s,direction_from_deg,spread_deg,gamma.",
                        .options = options,
                        .optionCount = sizeof(options) / sizeof(options[0]),

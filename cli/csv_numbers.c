@@ -238,17 +238,38 @@ static bool ReadLine(Reader* reader, char* line)
     return ReadRow(reader);
 }
 
+// The next line without its end, which is LF, CR LF or CR; false at the end of the file. One that is too long is cut, and
+// `line` full.
+static bool NextLine(FILE* file, char* line, size_t size)
+{
+    size_t used = 0;
+    int c = getc(file);
+    bool isMore = c != EOF;
+    while (c != EOF && c != '\n' && c != '\r' && used + 1 < size)
+    {
+        line[used++] = (char)c;
+        c = used + 1 < size ? getc(file) : '\n';
+    }
+    line[used] = 0;
+    if (c == '\r')
+    {
+        c = getc(file);
+        ungetc(c == '\n' ? EOF : c, file); // EOF puts nothing back
+    }
+    return isMore;
+}
+
 static bool ReadLines(Reader* reader, FILE* file)
 {
     char line[1024];
-    while (fgets(line, sizeof(line), file) != NULL)
+    while (NextLine(file, line, sizeof(line)))
     {
         reader->lineNumber += 1;
         if (reader->lineNumber == 1 && strncmp(line, "\xef\xbb\xbf", 3) == 0)
         {
             memmove(line, line + 3, strlen(line + 3) + 1); // the mark that some programs put before UTF-8
         }
-        if (strlen(line) + 1 == sizeof(line) && strchr(line, '\n') == NULL)
+        if (strlen(line) + 1 == sizeof(line))
         {
             Complain("%s:%d: the line is longer than %d characters", reader->name, reader->lineNumber,
                      (int)sizeof(line) - 2);

@@ -76,7 +76,7 @@ static void SetStyle(float scale)
     style.Colors[ImGuiCol_Button] = ImVec4(0.12f, 0.33f, 0.41f, 0.80f);
     style.Colors[ImGuiCol_ButtonHovered] = ImVec4(0.16f, 0.46f, 0.57f, 1.0f);
     style.Colors[ImGuiCol_TableHeaderBg] = ImVec4(0.08f, 0.17f, 0.21f, 1.0f);
-    style.Colors[ImGuiCol_PlotHistogram] = handleColor;
+    style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.13f, 0.40f, 0.50f, 1.0f);
     style.Colors[ImGuiCol_PlotLines] = activeHandleColor;
     style.ScaleAllSizes(scale);
 }

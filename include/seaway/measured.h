@@ -39,6 +39,10 @@ typedef struct swMeasuredRecord
     const float* direction2;
     const float* r2;
 
+    /// meanDirection and r1 where the file tells them, NAN where they were filled in: a gap, a direction without r1, a
+    /// frequency without energy in a spectrum by direction. NULL if the file holds no directions. [frequencyCount]
+    const float *measuredDirection, *measuredR1;
+
     /// How many frequencies had moments that no distribution can have and were corrected.
     int correctedCount;
 
@@ -55,6 +59,11 @@ typedef struct swMeasuredRecord
     /// 0 if the file holds spectra. Of a summary or of partitions: of how many systems of waves the table was built up;
     /// then its shape is that of a formula and only heights, periods and directions are measured.
     int partitionCount;
+
+    /// Of a summary: the average period that the buoy told, s, 0 if it did not; and of the record's largest system what was
+    /// assumed, which gives the record that period where a shape can: the enhancement gamma of JONSWAP's peak, and the
+    /// exponent n of its tail f^-n, which is 5 where gamma suffices. 0 of other files.
+    float averagePeriod, gamma, tailExponent;
 } swMeasuredRecord;
 
 /// A place of a measured sea.
@@ -201,8 +210,8 @@ typedef struct swMeasuredSpectrumDef
     /// [frequencyCount]
     const double *a1, *b1, *a2, *b2;
 
-    /// The same by their angles and lengths instead, where a1 is NULL: radians where waves go, r1 and r2 in [0, 1], NAN
-    /// where missing. Without r1 the spread is that of cos^2s with s = 8. Default NULL. [frequencyCount]
+    /// The same by their angles and lengths instead, where a1 or b1 is missing: radians where waves go, r1 and r2 in
+    /// [0, 1], NAN where missing. Without r1 the spread is that of cos^2s with s = 8. Default NULL. [frequencyCount]
     const double *meanDirection, *r1, *direction2, *r2;
 
     /// A spectrum that cannot be used is told as a warning, not as an error: for readers that go on without it.

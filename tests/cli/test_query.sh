@@ -216,4 +216,15 @@ query_particles_and_drift
     [ $? -eq 1 ] || fail "a full disk is not exit code 1"
 }
 
+# Lines may end in CR alone.
+printf 'x,z\n0,0\n10,5\n' >lf.csv
+printf 'x,z\r0,0\r10,5\r' >cr.csv
+printf '\357\273\277x,z\r\n0,0\r\n10,5' >crlf.csv
+run 0 query "$sea" --points lf.csv
+mv out wanted
+for ends in cr crlf; do
+    run 0 query "$sea" --points $ends.csv
+    cmp -s out wanted || fail "$what: other answers than with LF"
+done
+
 finish

@@ -341,6 +341,12 @@ static void AReplayGoesBackToTheFile(void** state)
     StepTo(&sea, 1.0);
     assert_true(GetReplaySeconds(&sea, 0) == filed + 7140.0);
     assert_true(HasReplayChanged(&sea.waves[0]));
+    ChangeReplay(&sea, 0, GetReplaySeconds(&sea, 0), 3600.0); // its speed back, then its moment
+    assert_int_equal(CountChanges(&sea), 1);
+    ResetReplayMoment(&sea, 0);
+    assert_int_equal(CountChanges(&sea), 0);
+    assert_true(GetReplaySeconds(&sea, 0) == filed + 3600.0);
+    ChangeReplay(&sea, 0, filed, 7.0);
     ResetWaves(&sea.waves[0]);
     ApplyChanges(&sea, true);
     StepTo(&sea, 1.0);

@@ -97,22 +97,17 @@ static void settleUnit(Reader* reader)
     reader->strangeCount += isCentimetres || (ratio > 0.8 && ratio < 1.25) ? 0 : 1;
 }
 
-// The moments where waves go, from those of where they come from.
+// The moments where waves go, from those of where they come from; direction and r1 for where there are none.
 static void turnMoments(Reader* reader, int i)
 {
-    double a1 = reader->rows[A1][i], b1 = reader->rows[B1][i];
-    double direction = (reader->rows[DIRECTION][i] + 90.0) * DEGREE;
-    reader->rows[A1][i] = -b1;
+    double a1 = reader->rows[A1][i];
+    double direction = reader->rows[DIRECTION][i], spread = reader->rows[SPREAD][i] * DEGREE;
+    reader->rows[A1][i] = -reader->rows[B1][i];
     reader->rows[B1][i] = a1;
     reader->rows[A2][i] = -reader->rows[A2][i];
     reader->rows[B2][i] = -reader->rows[B2][i];
-    if (!(a1 == a1 && b1 == b1) && fabs(direction) < 20.0)
-    {
-        double spread = reader->rows[SPREAD][i] * DEGREE;
-        swSeaMoments moments = swMakeSeaMoments(direction, spread >= 0.0 && spread < 4.0 ? spread : (double)NAN);
-        reader->rows[A1][i] = moments.moments.a1;
-        reader->rows[B1][i] = moments.moments.b1;
-    }
+    reader->rows[DIRECTION][i] = fabs(direction) <= 720.0 ? (direction + 90.0) * DEGREE : (double)NAN;
+    reader->rows[SPREAD][i] = spread >= 0.0 && spread <= sqrt(2.0) ? 1.0 - 0.5 * spread * spread : (double)NAN;
 }
 
 static swResult addSpectrum(Reader* reader)
@@ -142,6 +137,8 @@ static swResult addSpectrum(Reader* reader)
     def.b1 = reader->rows[B1];
     def.a2 = reader->rows[A2];
     def.b2 = reader->rows[B2];
+    def.meanDirection = reader->rows[DIRECTION];
+    def.r1 = reader->rows[SPREAD];
     return swMeasuredSea_AddSpectrum(reader->file.sea, &def);
 }
 

@@ -280,6 +280,9 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
     result.energy = swGetSeaRow(record, SW_SEA_ENERGY);
     result.correctedCount = record->correctedCount;
     result.partitionCount = record->partitionCount;
+    result.averagePeriod = record->averagePeriod;
+    result.gamma = record->gamma;
+    result.tailExponent = record->tailExponent;
     result.negativeCount = record->negativeCount;
     result.negativePart = getPart(record->negativeVariance, record->variance);
     result.addedPart = getPart(record->addedVariance, record->variance);
@@ -289,6 +292,8 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
         result.r1 = swGetSeaRow(record, SW_SEA_R1);
         result.direction2 = swGetSeaRow(record, SW_SEA_DIRECTION2);
         result.r2 = swGetSeaRow(record, SW_SEA_R2);
+        result.measuredDirection = swGetSeaRow(record, SW_SEA_MEASURED_DIRECTION);
+        result.measuredR1 = swGetSeaRow(record, SW_SEA_MEASURED_R1);
     }
     return result;
 }

@@ -128,6 +128,7 @@ static swSeaMoments makeMoments(float alpha1, float alpha2, float r1, float r2)
     double direction1 = (double)SW_DIRECTION_FROM_BEARING((double)alpha1);
     double length = r1 >= 0.0f ? (double)r1 : SW_SEA_DEFAULT_EXPONENT / (SW_SEA_DEFAULT_EXPONENT + 1.0);
     result.hasFirst = true;
+    result.hasSpread = r1 >= 0.0f;
     result.moments.a1 = length * swCos(direction1);
     result.moments.b1 = length * swSin(direction1);
     if (r2 >= 0.0f && alpha2 >= 0.0f)

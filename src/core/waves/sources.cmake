@@ -30,6 +30,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/spotter_csv.c
     ${CMAKE_CURRENT_LIST_DIR}/summary.c
     ${CMAKE_CURRENT_LIST_DIR}/summary_sea.c
+    ${CMAKE_CURRENT_LIST_DIR}/summary_shape.c
     ${CMAKE_CURRENT_LIST_DIR}/swan.c
     ${CMAKE_CURRENT_LIST_DIR}/triaxys.c
     ${CMAKE_CURRENT_LIST_DIR}/wavewatch.c)

@@ -171,21 +171,15 @@ static swResult readFields(Reader* reader)
     return SW_SUCCESS;
 }
 
-// Moments of a band in the library's directions, north being -z; those of direction and spread where there are none.
+// Moments of a band in the library's directions, north being -z; its direction and r1 for where there are none.
 static void turnMoments(Reader* reader, int band)
 {
-    double* const at[4] = {&reader->bands[A1][band], &reader->bands[B1][band], &reader->bands[A2][band],
-                           &reader->bands[B2][band]};
-    *at[1] = -*at[1];
-    *at[3] = -*at[3];
     double spread = reader->bands[SPREAD][band] * DEGREE;
-    double direction = (reader->bands[DIRECTION][band] + 90.0) * DEGREE;
-    if (!(*at[0] == *at[0] && *at[1] == *at[1]) && fabs(direction) < 20.0)
-    {
-        swSeaMoments moments = swMakeSeaMoments(direction, spread >= 0.0 && spread < 4.0 ? spread : (double)NAN);
-        *at[0] = moments.moments.a1;
-        *at[1] = moments.moments.b1;
-    }
+    double direction = reader->bands[DIRECTION][band];
+    reader->bands[B1][band] = -reader->bands[B1][band];
+    reader->bands[B2][band] = -reader->bands[B2][band];
+    reader->bands[DIRECTION][band] = fabs(direction) <= 720.0 ? (direction + 90.0) * DEGREE : (double)NAN;
+    reader->bands[SPREAD][band] = spread >= 0.0 && spread <= sqrt(2.0) ? 1.0 - 0.5 * spread * spread : (double)NAN;
 }
 
 // Puts the bands that are known in a row, each with its moments. Returns how many there are.
@@ -231,6 +225,8 @@ static swResult addSpectrum(Reader* reader)
     def.b1 = reader->bands[B1];
     def.a2 = reader->bands[A2];
     def.b2 = reader->bands[B2];
+    def.meanDirection = reader->bands[DIRECTION];
+    def.r1 = reader->bands[SPREAD];
     swResult result = swMeasuredSea_AddSpectrum(reader->file.sea, &def);
     if (result == SW_SUCCESS && !(reader->first <= seconds)) // true for the first, when it is NAN
     {

@@ -49,7 +49,7 @@ typedef struct Reader
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double directions[SW_SEA_MAX_DIRECTIONS];
     double energy[SW_SEA_MAX_FREQUENCIES];
-    double moments[2][SW_SEA_MAX_FREQUENCIES];
+    double moments[2][SW_SEA_MAX_FREQUENCIES]; // mean direction and r1
     double* density;
     int quantitiesLeft; // keywords to pass over, of a spectrum that is left out
     bool isHeld;        // the line at hand is still to be read
@@ -451,9 +451,9 @@ static swResult readLines(Reader* reader)
         {
             result = fail(reader, "an energy is above 5e4 m2/Hz, the most that is read.");
         }
-        swSeaMoments moments = swMakeSeaMoments(direction, spread);
-        reader->moments[0][i] = moments.hasFirst ? moments.moments.a1 : (double)NAN;
-        reader->moments[1][i] = moments.hasFirst ? moments.moments.b1 : (double)NAN;
+        double r1 = 1.0 - 0.5 * spread * spread;
+        reader->moments[0][i] = direction;
+        reader->moments[1][i] = r1 < 0.0 ? 0.0 : r1; // NAN without a spread
     }
     return result;
 }
@@ -483,8 +483,8 @@ static swResult addSpectrum(Reader* reader, int location, double seconds)
     def.directions = reader->directions;
     def.density = reader->density;
     def.energy = reader->energy;
-    def.a1 = reader->moments[0];
-    def.b1 = reader->moments[1];
+    def.meanDirection = reader->moments[0];
+    def.r1 = reader->moments[1];
     return swMeasuredSea_AddSpectrum(reader->file.sea, &def);
 }
 
