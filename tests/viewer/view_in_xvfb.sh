@@ -22,8 +22,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code. xvfb-run has an exit
-# code and words of its own when it cannot tidy up behind itself, so the viewer's are taken inside.
+# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code. xvfb-run has an
+# exit code and words of its own when it cannot tidy up behind itself, so the viewer's are taken inside.
 in_window() {
     code=124
     rm -f "$folder/code"
