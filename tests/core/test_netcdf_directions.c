@@ -296,12 +296,14 @@ static void FormatsThatLayItDownTakeNoWord(void** state)
     assert_int_equal(swMeasuredSea_GetDirections(sea).meaning, SW_DIRECTIONS_BY_FORMAT);
     swDestroyMeasuredSea(sea);
     remove(s_path);
+#if defined(NDEBUG) // with asserts misuse stops the program
     swHost host = swDefaultHost();
     host.log = KeepMessages;
     swMeasuredFileDef def = swDefaultMeasuredFileDef();
     def.directions = (swDirectionMeaning)77;
     assert_int_equal(swReadMeasuredFile(&host, s_path, &def, &sea), SW_ERROR_INVALID);
     assert_null(sea);
+#endif
 }
 
 // ---- units ----
