@@ -67,7 +67,8 @@ static const char* FindAt(const swMeasuredSea* sea, const char* time, char found
     swResult result = swMeasuredSea_ChooseRecord(sea, -1, time, &index);
     assert_int_equal(result, index >= 0 ? SW_SUCCESS : SW_ERROR_INVALID);
     assert_int_equal(swMeasuredSea_FindRecord(sea, -1, time), index);
-    memcpy(found, index >= 0 ? swMeasuredSea_GetRecord(sea, index).time : "none", 20);
+    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
+    snprintf(found, 20, "%s", index >= 0 ? record.time : "none");
     return found;
 }
 

@@ -186,6 +186,17 @@ static void LabelsInAnyWordsAreUnderstood(void** state)
         {"long_name", "mean direction from first spectral moment", -1.0},
         {"long_name", "direction, from 0 to 360", -1.0},
         {"long_name", "wave direction", -1.0},
+        {"comment", "obtained from a model", -1.0},
+        {"comment", "mean direction from buoy motion", -1.0},
+        {"comment", "see the manual of the Oceanographic Institute", -1.0},
+        {"comment", "sine towards north, cosine towards east", -1.0},
+        {"convention", "from", MEAN},
+        {"convention", "to", MEAN + 180.0},
+        {"comment", "Cartesian convention", 270.0 - MEAN},
+        {"long_name", "direction of travel", MEAN + 180.0},
+        {"long_name", "direction of origin", MEAN},
+        {"long_name", "direction from (degrees)", MEAN},
+        {"long_name", "sea surface wave from direction", MEAN},
         {"long_name", "coming from, or going to: unknown", -1.0},
     };
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
