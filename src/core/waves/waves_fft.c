@@ -283,10 +283,20 @@ static int listModes(const Builder* builder, const swBandModes* band, const Ring
     return count;
 }
 
+// Variance times the direction's powers, in the order of swStrain.
+static void addStrain(double strain[5], double variance, double c, double s)
+{
+    strain[0] += variance * c * c * c * c;
+    strain[1] += variance * c * c * c * s;
+    strain[2] += variance * c * c * s * s;
+    strain[3] += variance * c * s * s * s;
+    strain[4] += variance * s * s * s * s;
+}
+
 static void measureVariances(const Builder* builder, swBandModes* band, const Ring* ring)
 {
     double variance = 0.0;
-    double strain = 0.0;
+    double strain[5] = {0};
     double slopeX = 0.0;
     double slopeZ = 0.0;
     for (int qz = -ring->cells.maxBin; qz <= ring->cells.maxBin; ++qz)
@@ -297,18 +307,18 @@ static void measureVariances(const Builder* builder, swBandModes* band, const Ri
             variance += energy;
             slopeX += energy * (ring->dk * qx) * (ring->dk * qx);
             slopeZ += energy * (ring->dk * qz) * (ring->dk * qz);
-            double square = ring->dk * ring->dk * (qx * qx + qz * qz);
+            double k = ring->dk * sqrt((double)(qx * qx + qz * qz));
             if (energy > 0.0)
             {
-                double ratio = swGetOrbitRatio(builder->spectrum, builder->def, sqrt(square));
-                strain += energy * square * ratio * ratio;
+                double ratio = swGetOrbitRatio(builder->spectrum, builder->def, k);
+                addStrain(strain, energy * k * k * ratio * ratio, ring->dk * qx / k, ring->dk * qz / k);
             }
         }
     }
     band->variance = (float)variance;
     band->slopeVarianceX = (float)slopeX;
     band->slopeVarianceZ = (float)slopeZ;
-    band->strainVariance = (float)strain;
+    band->strain = (swStrain){(float)strain[0], (float)strain[1], (float)strain[2], (float)strain[3], (float)strain[4]};
 }
 
 static int findMaxBin(const swBandModes* band)
@@ -413,6 +423,7 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
         bands[band].loopTicks = swGetLoopTicks(def);
         bands[band].depth = (float)builder.dispersion.depth;
     }
+    swFillWindLevels(spectrum, &def->spectrum, bands);
     host->parallelFor(host->taskContext, buildBands, &builder, SW_MAX_BANDS, 1);
     swFreeCompiledSpectrum(host, spectrum);
     for (int band = 0; band < SW_MAX_BANDS; ++band)

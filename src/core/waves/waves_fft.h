@@ -6,6 +6,7 @@
 
 #include "core/frame/frame.h"
 #include "core/waves/spectrum.h"
+#include "core/waves/wind_level.h"
 
 // One band's waves. `modes` is NULL if the band has no energy.
 typedef struct swBandModes
@@ -16,8 +17,9 @@ typedef struct swBandModes
     int64_t loopTicks; // for swTile
     float minWavelength, maxWavelength;
     float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
-    float strainVariance;
-    float depth; // m, of the dispersion
+    swStrain strain;
+    float wind[SW_WIND_STEPS]; // see wind_level.h
+    float depth;               // m, of the dispersion
     int modeCount;
     swMode* modes;
 } swBandModes;
@@ -31,9 +33,9 @@ void swFreeModes(const swHost* host, swBandModes* bands);
 void swFillSplineResponse(int resolution, float* response);
 
 // The free waves of a system with method SW_WAVES_GERSTNER, at weight 1, longest first; `waves` needs
-// swFree(host, *waves, *waveCount * sizeof(swFreeWave)).
+// swFree(host, *waves, *waveCount * sizeof(swFreeWave)). Of the bands only `wind` is filled.
 swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
-                          swFreeWave** waves, int* waveCount);
+                          swFreeWave** waves, int* waveCount, swBandModes* bands);
 
 // Turns per tick as Q0.64, and whole turns a loop if there is one (0 ticks: none).
 uint64_t swGetTurnsPerTick(double omega, int64_t loopTicks);
