@@ -38,6 +38,10 @@
 // Waves with a smaller part of the band's energy than this are left out.
 #define LEAST_PART 1e-11
 
+// The longest wave of the last band, m, and the part of a table's variance in longer ones that is worth a warning.
+#define LONGEST 4096.0
+#define LOST_PART 0.005
+
 // What all bands of a system share while they are built.
 typedef struct Builder
 {
@@ -394,6 +398,24 @@ static void buildBands(void* context, int begin, int end, int worker)
     }
 }
 
+void swWarnOfLongWaves(const swHost* host, const swWaveSystemDef* def, const swCompiledSpectrum* spectrum)
+{
+    if (def->spectrum.kind != SW_SPECTRUM_TABLE || (double)def->maxWavelength < LONGEST)
+    {
+        return;
+    }
+    swDispersion dispersion = swGetCompiledDispersion(spectrum);
+    double omega = swGetOmega(&dispersion, TURN / LONGEST);
+    double lost = swIntegrateCompiled(spectrum, 0.0, omega);
+    double part = lost / (lost + swIntegrateCompiled(spectrum, omega, TURN * 1000.0));
+    if (part > LOST_PART)
+    {
+        swLog(host, SW_LOG_WARNING,
+              "%.2g %% of a measured sea's variance is in waves longer than %g m, below %.3g Hz; they are left out.",
+              100.0 * part, LONGEST, omega / TURN);
+    }
+}
+
 swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
                       swBandModes* bands)
 {
@@ -407,6 +429,7 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
     }
     builder.spectrum = spectrum;
     builder.dispersion = swGetCompiledDispersion(spectrum);
+    swWarnOfLongWaves(host, def, spectrum);
     for (int band = 0; band < SW_MAX_BANDS; ++band)
     {
         bands[band].band = band;

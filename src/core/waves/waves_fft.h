@@ -27,6 +27,9 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
                       swBandModes* bands);
 void swFreeModes(const swHost* host, swBandModes* bands);
 
+// Says in the log how much of a table is in waves that are too long for any band, unless the def leaves them out anyhow.
+void swWarnOfLongWaves(const swHost* host, const swWaveSystemDef* def, const swCompiledSpectrum* spectrum);
+
 // What a cubic B-spline over N samples leaves of bin q along an axis: sinc^4(q / N) for q = 0 .. N / 4.
 void swFillSplineResponse(int resolution, float* response);
 

@@ -422,6 +422,7 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
         return result;
     }
     Builder builder = {.def = def, .spectrum = spectrum, .dispersion = swGetCompiledDispersion(spectrum)};
+    swWarnOfLongWaves(host, def, spectrum);
     builder.loopTicks = swGetLoopTicks(def);
     bool isGiven = def->componentCount > 0;
     builder.capacity = isGiven ? def->componentCount : 2 * SW_MAX_BANDS * def->componentsPerOctave;
