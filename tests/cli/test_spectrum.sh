@@ -125,7 +125,7 @@ err '1 of 2 records have no energies'
 rm alone.swdir
 printf 'waves:\n  - spectrum: file\n    file: alone.data_spec\n' >alone.yaml
 "$seaway" check alone.yaml >out 2>err
-err 'has no directions: its waves are made around east'
+out 'has no directions: its waves are made around east'
 # A calm has no periods and no directions.
 printf 'time,hs_m,tp_s\n2022-01-01,0,0\n' >calm.csv
 run 0 spectrum calm.csv --json
