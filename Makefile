@@ -6,17 +6,18 @@ BUILD  := build/$(PRESET)
 JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 PREFIX ?= /usr/local
 SEAWAY := $(BUILD)/bin/seaway
+SETUP  := $(if $(filter core,$(PRESET)),core)
 
 .DEFAULT_GOAL := build
 .NOTPARALLEL:
 .PHONY: help setup configure build demo test bench format docs install clean
 
 help: ## Show this list
-	@echo "make [target] [PRESET=release|debug|asan|tsan|coverage|clang-release|...] [JOBS=N]"
+	@echo "make [target] [PRESET=release|core|debug|asan|tsan|coverage|clang-release|...] [JOBS=N]"
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup: ## Install the Debian packages that are missing (asks for root only then)
-	@scripts/setup
+	@scripts/setup $(SETUP)
 
 configure:
 	@cmake --preset $(PRESET) $(CMAKE_ARGS) --log-level=NOTICE

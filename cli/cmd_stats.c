@@ -127,8 +127,8 @@ static void PrintReportJson(const SeaMeasurement* sea, const char* path)
     JsonNumber(&json, "tm01_s", (double)sea->error.periodTm01);
     JsonNumber(&json, "tm02_s", (double)sea->error.periodTm02);
     JsonNumber(&json, "te_s", (double)sea->error.energyPeriod);
-    JsonNumber(&json, "mean_direction_deg", ToDegrees(sea->error.meanDirection));
-    JsonNumber(&json, "peak_direction_deg", ToDegrees(sea->error.peakDirection));
+    JsonNumber(&json, "mean_direction_from_deg", ToDegrees(sea->error.meanDirection));
+    JsonNumber(&json, "peak_direction_from_deg", ToDegrees(sea->error.peakDirection));
     JsonNumber(&json, "spread_deg", ToDegrees(sea->error.spread));
     JsonCloseObject(&json);
     JsonOpenObject(&json, "surface");

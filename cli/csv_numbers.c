@@ -2,8 +2,10 @@
 #include "csv_numbers.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "args.h"
 #include "verbs.h"
@@ -84,17 +86,27 @@ static bool CountColumns(Reader* reader, int fieldCount)
     return true;
 }
 
+// A field, which may say that its number is not known: NAN.
+static bool ParseField(const char* word, double* value)
+{
+    bool isUnknown = strcasecmp(word, "nan") == 0;
+    *value = isUnknown ? (double)NAN : 0.0;
+    return isUnknown || ParseNumber(word, value);
+}
+
+// -1: there is none; -2: there are several.
 static int FindField(const CsvColumn* column, int fieldCount, char* const* words)
 {
+    int found = -1;
     for (int i = 0; i < fieldCount; ++i)
     {
         if (strcmp(words[i], column->name) == 0 ||
             (column->nameWithUnit != NULL && strcmp(words[i], column->nameWithUnit) == 0))
         {
-            return i;
+            found = found == -1 ? i : -2;
         }
     }
-    return -1;
+    return found;
 }
 
 static bool NameColumns(Reader* reader, int fieldCount)
@@ -103,6 +115,12 @@ static bool NameColumns(Reader* reader, int fieldCount)
     for (int i = 0; i < format->columnCount; ++i)
     {
         reader->fields[i] = FindField(format->columns + i, fieldCount, reader->words);
+        if (reader->fields[i] == -2)
+        {
+            Complain("%s:%d: the header names several columns %s; keep one", reader->name, reader->lineNumber,
+                     format->columns[i].name);
+            return false;
+        }
         if (reader->fields[i] < 0 && !format->columns[i].isOptional)
         {
             Complain("%s:%d: the header names no column %s", reader->name, reader->lineNumber, format->columns[i].name);
@@ -117,7 +135,7 @@ static bool FindColumns(Reader* reader, int fieldCount, bool* isHeader)
 {
     const CsvFormat* format = reader->numbers->format;
     double number = 0.0;
-    *isHeader = !ParseNumber(reader->words[0], &number);
+    *isHeader = !ParseField(reader->words[0], &number);
     if (!(*isHeader ? NameColumns(reader, fieldCount) : CountColumns(reader, fieldCount)))
     {
         return false;
@@ -132,12 +150,12 @@ static bool FindColumns(Reader* reader, int fieldCount, bool* isHeader)
 
 static bool ReadField(const Reader* reader, const CsvColumn* column, const char* word, double* value)
 {
-    if (!ParseNumber(word, value))
+    if (!ParseField(word, value))
     {
         Complain("%s:%d: \"%s\" is no number", reader->name, reader->lineNumber, word);
         return false;
     }
-    if (column->min < column->max && !(*value >= column->min && *value <= column->max))
+    if (column->min < column->max && !isnan(*value) && !(*value >= column->min && *value <= column->max))
     {
         Complain("%s:%d: %s %s is outside its range of %.10g to %.10g", reader->name, reader->lineNumber, column->name,
                  word, column->min, column->max);
@@ -170,6 +188,7 @@ static bool ReadRow(Reader* reader)
 {
     const CsvFormat* format = reader->numbers->format;
     double row[MAX_CSV_COLUMNS] = {0.0};
+    bool isKnown = true;
     for (int i = 0; i < format->columnCount; ++i)
     {
         int field = reader->fields[i];
@@ -177,7 +196,9 @@ static bool ReadRow(Reader* reader)
         {
             return false;
         }
+        isKnown &= !isnan(row[i]);
     }
+    reader->numbers->unknownCount += !isKnown;
     const char* problem = format->check != NULL ? format->check(row) : NULL;
     if (problem != NULL)
     {
@@ -217,13 +238,38 @@ static bool ReadLine(Reader* reader, char* line)
     return ReadRow(reader);
 }
 
+// The next line without its end, which is LF, CR LF or CR; false at the end of the file. One that is too long is cut, and
+// `line` full.
+static bool NextLine(FILE* file, char* line, size_t size)
+{
+    size_t used = 0;
+    int c = getc(file);
+    bool isMore = c != EOF;
+    while (c != EOF && c != '\n' && c != '\r' && used + 1 < size)
+    {
+        line[used++] = (char)c;
+        c = used + 1 < size ? getc(file) : '\n';
+    }
+    line[used] = 0;
+    if (c == '\r')
+    {
+        c = getc(file);
+        ungetc(c == '\n' ? EOF : c, file); // EOF puts nothing back
+    }
+    return isMore;
+}
+
 static bool ReadLines(Reader* reader, FILE* file)
 {
     char line[1024];
-    while (fgets(line, sizeof(line), file) != NULL)
+    while (NextLine(file, line, sizeof(line)))
     {
         reader->lineNumber += 1;
-        if (strlen(line) + 1 == sizeof(line) && strchr(line, '\n') == NULL)
+        if (reader->lineNumber == 1 && strncmp(line, "\xef\xbb\xbf", 3) == 0)
+        {
+            memmove(line, line + 3, strlen(line + 3) + 1); // the mark that some programs put before UTF-8
+        }
+        if (strlen(line) + 1 == sizeof(line))
         {
             Complain("%s:%d: the line is longer than %d characters", reader->name, reader->lineNumber,
                      (int)sizeof(line) - 2);
@@ -257,6 +303,11 @@ bool ReadCsvNumbers(const char* path, const CsvFormat* format, CsvNumbers* numbe
     if (!isInput)
     {
         fclose(file);
+    }
+    if (isFine && numbers->unknownCount > 0)
+    {
+        Complain("warning: %s: %d of %d %s have a \"nan\" for a place; they are answered with nan", reader.name,
+                 numbers->unknownCount, numbers->count, format->rows);
     }
     if (isFine && numbers->count == 0)
     {

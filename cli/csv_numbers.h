@@ -31,6 +31,7 @@ typedef struct CsvNumbers
     const CsvFormat* format;
     double* values; // [count][format->columnCount]
     int count, capacity;
+    int unknownCount; // rows with a NAN, which the file calls "nan"
     bool hasOptional;
 } CsvNumbers;
 

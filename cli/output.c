@@ -137,6 +137,27 @@ static bool CheckFolder(const char* name, const char* path)
     return true;
 }
 
+// Why a folder could not be made. Systems without files to make, such as /proc, also say that something is missing.
+static const char* ExplainNoFolder(const char* path, int reason)
+{
+    char parent[MAX_PATH_LENGTH];
+    struct stat status;
+    snprintf(parent, sizeof(parent), "%s", path);
+    for (size_t end = strlen(parent); end > 1 && parent[end - 1] == '/'; --end)
+    {
+        parent[end - 1] = 0;
+    }
+    int length = MeasureFolder(parent);
+    snprintf(parent + length, sizeof(parent) - (size_t)length, ".");
+    if (reason == EEXIST || reason == ENOTDIR)
+    {
+        return "a file has that name";
+    }
+    return reason != ENOENT             ? strerror(reason)
+           : stat(parent, &status) == 0 ? "the folder that it would be in takes no other"
+                                        : "the folder that it would be in does not exist";
+}
+
 bool MakeFolder(const char* path)
 {
     struct stat status;
@@ -148,10 +169,7 @@ bool MakeFolder(const char* path)
     }
     if (!isThere && mkdir(path, 0777) != 0)
     {
-        Complain("cannot make the folder %s: %s", path,
-                 errno == ENOENT                       ? "the folder that it would be in does not exist"
-                 : errno == EEXIST || errno == ENOTDIR ? "a file has that name"
-                                                       : strerror(errno));
+        Complain("cannot make the folder %s: %s", path, ExplainNoFolder(path, errno));
         return false;
     }
     if (access(path, W_OK | X_OK) != 0)

@@ -27,12 +27,14 @@ struct Video
     bool isFine;
 };
 
-// In the child: stdin from the pipe, stderr to a file, then become ffmpeg.
-static void BecomeEncoder(int input, int messages, const char* path, int width, int height, double framesPerSecond)
+// In the child: stdin from the pipe, stderr to a file, then become ffmpeg. If that fails, a byte goes into `failure`.
+static void BecomeEncoder(int input, int messages, int failure, const char* path, int width, int height,
+                          double framesPerSecond)
 {
-    char size[32], rate[32];
+    char size[32], rate[32], target[MAX_PATH_LENGTH + 8];
+    snprintf(target, sizeof(target), "file:%s", path); // or what stands before a colon would be a protocol
     snprintf(size, sizeof(size), "%dx%d", width, height);
-    snprintf(rate, sizeof(rate), "%.6g", framesPerSecond);
+    snprintf(rate, sizeof(rate), "%.9g", framesPerSecond);
     const char* arguments[] = {"ffmpeg",      "-hide_banner", "-loglevel",
                                "error",       "-nostdin",     "-y",
                                "-f",          "rawvideo",     "-pix_fmt",
@@ -45,7 +47,7 @@ static void BecomeEncoder(int input, int messages, const char* path, int width, 
                                "-colorspace", "bt709",        "-color_primaries",
                                "bt709",       "-color_trc",   "bt709",
                                "-movflags",   "+faststart",   "-f",
-                               "mp4",         path,           NULL};
+                               "mp4",         target,         NULL};
     char* copies[sizeof(arguments) / sizeof(arguments[0])];
     memcpy(copies, arguments, sizeof(arguments)); // execvp's char* const* is older than const
     dup2(input, STDIN_FILENO);
@@ -53,36 +55,55 @@ static void BecomeEncoder(int input, int messages, const char* path, int width, 
     dup2(messages, STDOUT_FILENO);
     signal(SIGPIPE, SIG_DFL);
     execvp(copies[0], copies);
-    _exit(EXIT_NO_PROGRAM);
+    _exit(write(failure, "x", 1) == 1 ? EXIT_NO_PROGRAM : EXIT_FAILURE);
+}
+
+// Both ends are closed when a process becomes another program.
+static bool OpenPipe(int ends[2])
+{
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 && fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
 }
 
 static bool StartEncoder(Video* video, int width, int height, double framesPerSecond)
 {
-    int ends[2];
+    int ends[2], failure[2];
+    char byte;
     video->messages = tmpfile();
-    if (video->messages == NULL || pipe(ends) != 0)
+    if (video->messages == NULL || !OpenPipe(ends) || !OpenPipe(failure))
     {
         Complain("cannot start ffmpeg: %s", strerror(errno));
         return false;
     }
-    fcntl(ends[1], F_SETFD, FD_CLOEXEC); // or ffmpeg would hold the pipe open that it waits on
     signal(SIGPIPE, SIG_IGN);
     video->process = fork();
     if (video->process == 0)
     {
-        close(ends[1]);
-        BecomeEncoder(ends[0], fileno(video->messages), video->output.path, width, height, framesPerSecond);
+        BecomeEncoder(ends[0], fileno(video->messages), failure[1], video->output.path, width, height, framesPerSecond);
     }
+    int reason = errno;
     close(ends[0]);
+    close(failure[1]);
     video->pipe = ends[1];
     SetOutputProcess(video->process > 0 ? video->process : 0);
-    if (video->process < 0)
+    bool isAbsent = read(failure[0], &byte, 1) == 1; // nothing comes of a program that starts
+    close(failure[0]);
+    if (video->process > 0 && !isAbsent)
     {
-        Complain("cannot start ffmpeg: %s", strerror(errno));
-        close(video->pipe);
-        return false;
+        return true;
     }
-    return true;
+    if (isAbsent)
+    {
+        Complain("cannot write %s: ffmpeg is not installed; `--out FOLDER/` writes numbered pictures instead",
+                 video->output.name);
+        SetOutputProcess(0);
+        waitpid(video->process, NULL, 0);
+    }
+    else
+    {
+        Complain("cannot start ffmpeg: %s", strerror(reason));
+    }
+    close(video->pipe);
+    return false;
 }
 
 Video* OpenVideo(const char* path, int width, int height, double framesPerSecond)
@@ -129,14 +150,8 @@ bool WriteVideoFrame(Video* video, const uint8_t* rgb)
 }
 
 // `fault`: of the file that it left, or NULL.
-static void ComplainAboutEncoder(Video* video, int status, const char* fault)
+static void ComplainAboutEncoder(Video* video, const char* fault)
 {
-    if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_NO_PROGRAM)
-    {
-        Complain("cannot write %s: ffmpeg is not installed; `--out FOLDER/` writes numbered pictures instead",
-                 video->output.name);
-        return;
-    }
     char message[512] = "";
     rewind(video->messages);
     if (fgets(message, sizeof(message), video->messages) != NULL)
@@ -165,7 +180,7 @@ bool CloseVideo(Video* video, bool keep)
     const char* fault = isWritten && keep ? FindVideoFault(video->output.path, video->frameCount) : NULL;
     if (!isWritten || fault != NULL)
     {
-        ComplainAboutEncoder(video, status, fault);
+        ComplainAboutEncoder(video, fault);
         isWritten = false;
     }
     isWritten = EndOutput(&video->output, isWritten && keep);

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What a host links: static or shared libraries, headers, a CMake package with one component per library, pkg-config
-# files, and the program. Included after every target exists.
+# files; and the program, its man page, manuals, examples and scenes. Included after every target exists.
 
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(SW_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/seaway)
 
@@ -79,4 +78,23 @@ if(TARGET seaway)
     install(TARGETS seaway RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/seaway)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Manuals keep the folders that their links go by; examples are sources.
+foreach(file IN ITEMS LICENSE CHANGELOG.md CONTRIBUTING.md README.md)
+    install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.c")
+
+# The program writes its own man page, where it can be run and there is a shell.
+find_program(SW_BASH bash)
+if(TARGET seaway AND SW_BASH AND NOT CMAKE_CROSSCOMPILING)
+    set(page ${PROJECT_BINARY_DIR}/seaway.1)
+    add_custom_command(OUTPUT ${page}
+        COMMAND ${SW_BASH} ${PROJECT_SOURCE_DIR}/scripts/make_man $<TARGET_FILE:seaway> ${page}
+            ${CMAKE_INSTALL_FULL_DATADIR}/seaway ${CMAKE_INSTALL_FULL_DOCDIR}
+        DEPENDS seaway ${PROJECT_SOURCE_DIR}/scripts/make_man
+        COMMENT "Man page seaway.1" VERBATIM)
+    add_custom_target(seaway_man ALL DEPENDS ${page})
+    install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()

@@ -94,9 +94,10 @@ static void JoinLate(const swHost* host, const swWorld* server, int pipeEnd)
     size_t size = 0;
     swWorld_Save(server, NULL, &size);
     void* bytes = malloc(size); // what a server would send
+    swRestoreDef def = swDefaultRestoreDef();
     swWorld* world;
     if (bytes == NULL || swWorld_Save(server, bytes, &size) != SW_SUCCESS ||
-        swRestoreWorld(host, bytes, size, SW_ISA_BEST, &world) != SW_SUCCESS)
+        swRestoreWorld(host, bytes, size, &def, &world) != SW_SUCCESS)
     {
         exit(1);
     }

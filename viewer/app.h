@@ -65,7 +65,7 @@ typedef struct App
     char title[256];
     int windowPlace[4]; // x, y, width, height before full screen
     CaptureStage capture;
-    char capturePath[512];
+    char capturePath[4096];
     char note[600];
     double noteUntil;
     uint64_t frameIndex;

@@ -13,18 +13,18 @@ bool MayProceed(Asked* question, Asked wish, int changeCount)
 void WriteQuestion(Asked question, int changeCount, const char* fileName, char* text, size_t size)
 {
     char values[96];
-    snprintf(values, sizeof(values), changeCount == 1 ? "%d value differs from %s" : "%d values differ from %s",
+    snprintf(values, sizeof(values), changeCount == 1 ? "There is %d change from %s" : "There are %d changes from %s",
              changeCount, fileName);
     switch (question)
     {
     case ASKED_QUIT:
-        snprintf(text, size, "%s. The viewer cannot save them yet: quitting drops them.", values);
+        snprintf(text, size, "%s. The viewer cannot save yet: quitting loses what you changed.", values);
         break;
     case ASKED_FOLLOW_FILE:
-        snprintf(text, size, "The file has changed on disk. %s: reading the file drops them.", values);
+        snprintf(text, size, "The file has changed on disk. %s, and reading it loses what you changed.", values);
         break;
     default:
-        snprintf(text, size, "%s. Reading the file again drops them.", values);
+        snprintf(text, size, "%s. Reading the file again loses what you changed.", values);
         break;
     }
 }

@@ -50,10 +50,11 @@ static bool WritePng(const char* path, const uint8_t* rgb, uint32_t width, uint3
         snprintf(reason, size, "%s was not written: %s", path, strerror(errno));
         return false;
     }
+    errno = 0;
     bool isWritten = png_image_write_to_stdio(&image, file, 0, rgb, 0, NULL) != 0;
     if (!isWritten)
     {
-        snprintf(reason, size, "%s was not written: %s", path, image.message);
+        snprintf(reason, size, "%s was not written: %s", path, errno != 0 ? strerror(errno) : image.message);
     }
     if (fclose(file) != 0 && isWritten)
     {

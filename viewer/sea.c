@@ -340,8 +340,26 @@ void ChangeReplay(Sea* sea, int index, double seconds, double speed)
 
 void ChangeReplayPlace(Sea* sea, int index, int location)
 {
-    ChangeReplay(sea, index, GetReplaySeconds(sea, index), sea->waves[index].replayDef.speed);
     sea->waves[index].replayDef.location = location;
+    sea->waves[index].hasChanged = true;
+}
+
+double GetFiledReplaySeconds(const Sea* sea, int index)
+{
+    const swSeaReplayDef* filed = &sea->waves[index].filedReplay;
+    return filed->startSeconds + (swWorld_GetTime(sea->world) - filed->startTime) * filed->speed;
+}
+
+void ResetReplayMoment(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    const swSeaReplayDef* filed = &waves->filedReplay;
+    ChangeReplay(sea, index, GetFiledReplaySeconds(sea, index), waves->replayDef.speed);
+    if (waves->replayDef.speed == filed->speed) // then the same from its start on, to the bit
+    {
+        waves->replayDef.startTime = filed->startTime;
+        waves->replayDef.startSeconds = filed->startSeconds;
+    }
 }
 
 float GetAskedHeight(const Sea* sea)

@@ -139,6 +139,10 @@ void ClearLeavingWaves(Sea* sea, bool isPaused);
 // UTC in seconds since 1970 that a replay has reached.
 double GetReplaySeconds(const Sea* sea, int index);
 
+// The same by the file's settings, and back to it.
+double GetFiledReplaySeconds(const Sea* sea, int index);
+void ResetReplayMoment(Sea* sea, int index);
+
 // Significant height asked for by all systems together, and what their bands carry, m.
 float GetAskedHeight(const Sea* sea);
 float GetCarriedHeight(const Sea* sea);

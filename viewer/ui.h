@@ -96,8 +96,10 @@ void PushUiScope(int id);
 void PopUiScope(void);
 
 void UiText(const char* format, ...) UI_PRINTF(1, 2);
-void UiFaint(const char* format, ...) UI_PRINTF(1, 2);   // for notes
+void UiWrapped(const char* format, ...) UI_PRINTF(1, 2);
+void UiFaint(const char* format, ...) UI_PRINTF(1, 2);   // for notes; wraps
 void UiWarning(const char* format, ...) UI_PRINTF(1, 2); // wraps
+void UiMarked(const char* format, ...) UI_PRINTF(1, 2);  // in the colour of what has changed
 void UiTip(const char* text);                            // shown when the mouse rests on the last widget
 void UiSpace(void);
 void UiSameLine(void);
@@ -122,7 +124,7 @@ typedef const char* (*UiItemFcn)(void* context, int index);
 bool UiChoice(const char* label, int* index, int count, UiItemFcn getName, void* context);
 
 // Values in a ring of `count`, the oldest at `offset`, from 0 to `high`.
-void UiGraph(const char* label, const float* values, int count, int offset, float high);
+void UiGraph(const float* values, int count, int offset, float high);
 
 // A bar as long as `fraction`, with a text beside it.
 void UiBar(float fraction, const char* text);
@@ -136,6 +138,7 @@ typedef struct UiColumn
 
 bool BeginUiTable(const char* label, int columnCount, const UiColumn* columns);
 void UiCell(const char* format, ...) UI_PRINTF(1, 2);
+void UiLabelCell(const char* format, ...) UI_PRINTF(1, 2); // at the height of the widgets beside it
 
 // The next widget fills the next cell; it needs a label of its own, which is not shown if it begins with "##".
 void UiNextCell(void);

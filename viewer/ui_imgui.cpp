@@ -64,6 +64,7 @@ static void SetStyle(float scale)
     style.ScrollbarSize = 12.0f;
     style.WindowBorderSize = 0.0f;
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.05f, 0.08f, 0.10f, 0.84f);
+    style.Colors[ImGuiCol_TitleBg] = ImVec4(0.06f, 0.17f, 0.22f, 0.95f);
     style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.07f, 0.24f, 0.31f, 0.95f);
     style.Colors[ImGuiCol_Header] = ImVec4(0.10f, 0.30f, 0.38f, 0.75f);
     style.Colors[ImGuiCol_HeaderHovered] = ImVec4(0.14f, 0.40f, 0.50f, 0.85f);
@@ -75,7 +76,7 @@ static void SetStyle(float scale)
     style.Colors[ImGuiCol_Button] = ImVec4(0.12f, 0.33f, 0.41f, 0.80f);
     style.Colors[ImGuiCol_ButtonHovered] = ImVec4(0.16f, 0.46f, 0.57f, 1.0f);
     style.Colors[ImGuiCol_TableHeaderBg] = ImVec4(0.08f, 0.17f, 0.21f, 1.0f);
-    style.Colors[ImGuiCol_PlotHistogram] = handleColor;
+    style.Colors[ImGuiCol_PlotHistogram] = ImVec4(0.13f, 0.40f, 0.50f, 1.0f);
     style.Colors[ImGuiCol_PlotLines] = activeHandleColor;
     style.ScaleAllSizes(scale);
 }
@@ -293,14 +294,20 @@ int AskUiQuestion(const char* text, const char* yes, const char* no)
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImVec2 place(viewport->WorkPos.x + viewport->WorkSize.x * 0.5f, viewport->WorkPos.y + viewport->WorkSize.y * 0.5f);
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowBgAlpha(0.95f);
     ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize(), ImGui::GetFontSize()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.06f, 0.15f, 0.19f, 0.97f));
+    ImGui::PushStyleColor(ImGuiCol_Border, changedColor);
     ImGui::Begin("question", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
     ImGui::PushTextWrapPos(std::fmin(30.0f * ImGui::GetFontSize(), viewport->WorkSize.x - 40.0f));
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
+    ImGui::Spacing();
     ImGui::Spacing();
     int answer = ImGui::Button(yes) ? 1 : 0;
     ImGui::SameLine();
@@ -338,11 +345,30 @@ void UiText(const char* format, ...)
     va_end(arguments);
 }
 
+void UiWrapped(const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    ImGui::TextWrappedV(format, arguments);
+    va_end(arguments);
+}
+
 void UiFaint(const char* format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    ImGui::TextColoredV(faintColor, format, arguments);
+    ImGui::PushStyleColor(ImGuiCol_Text, faintColor);
+    ImGui::TextWrappedV(format, arguments);
+    ImGui::PopStyleColor();
+    va_end(arguments);
+}
+
+void UiMarked(const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    ImGui::TextColoredV(changedColor, format, arguments);
+    ui.isHovered = ImGui::IsItemHovered();
     va_end(arguments);
 }
 
@@ -573,10 +599,10 @@ bool UiChoice(const char* label, int* index, int count, UiItemFcn getName, void*
     return hasChanged;
 }
 
-void UiGraph(const char* label, const float* values, int count, int offset, float high)
+void UiGraph(const float* values, int count, int offset, float high)
 {
-    ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 4.0f);
-    ImGui::PlotLines("", values, count, offset, label, 0.0f, high, size);
+    ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 3.0f);
+    ImGui::PlotLines("##graph", values, count, offset, nullptr, 0.0f, high, size);
 }
 
 void UiBar(float fraction, const char* text)
@@ -611,6 +637,16 @@ void UiCell(const char* format, ...)
     va_end(arguments);
 }
 
+void UiLabelCell(const char* format, ...)
+{
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    va_list arguments;
+    va_start(arguments, format);
+    ImGui::TextV(format, arguments);
+    va_end(arguments);
+}
+
 void UiNextCell(void)
 {
     ImGui::TableNextColumn();
@@ -622,17 +658,25 @@ void EndUiTable(void)
     ImGui::EndTable();
 }
 
-static ImGuiListClipper rows;
+// One table at a time; gone with its last row, since it must not outlive Dear ImGui's context.
+static ImGuiListClipper* rows;
 
 void BeginUiRows(int count)
 {
-    rows.Begin(count);
+    delete rows;
+    rows = new ImGuiListClipper;
+    rows->Begin(count);
 }
 
 bool StepUiRows(int* first, int* end)
 {
-    bool isThere = rows.Step();
-    *first = rows.DisplayStart;
-    *end = rows.DisplayEnd;
+    bool isThere = rows->Step();
+    *first = rows->DisplayStart;
+    *end = rows->DisplayEnd;
+    if (!isThere)
+    {
+        delete rows;
+        rows = nullptr;
+    }
     return isThere;
 }

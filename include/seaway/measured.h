@@ -39,6 +39,10 @@ typedef struct swMeasuredRecord
     const float* direction2;
     const float* r2;
 
+    /// meanDirection and r1 where the file tells them, NAN where they were filled in: a gap, a direction without r1, a
+    /// frequency without energy in a spectrum by direction. NULL if the file holds no directions. [frequencyCount]
+    const float *measuredDirection, *measuredR1;
+
     /// How many frequencies had moments that no distribution can have and were corrected.
     int correctedCount;
 
@@ -55,6 +59,11 @@ typedef struct swMeasuredRecord
     /// 0 if the file holds spectra. Of a summary or of partitions: of how many systems of waves the table was built up;
     /// then its shape is that of a formula and only heights, periods and directions are measured.
     int partitionCount;
+
+    /// Of a summary: the average period that the buoy told, s, 0 if it did not; and of the record's largest system what was
+    /// assumed, which gives the record that period where a shape can: the enhancement gamma of JONSWAP's peak, and the
+    /// exponent n of its tail f^-n, which is 5 where gamma suffices. 0 of other files.
+    float averagePeriod, gamma, tailExponent;
 } swMeasuredRecord;
 
 /// A place of a measured sea.
@@ -70,6 +79,27 @@ typedef struct swMeasuredLocation
     int firstRecord, recordCount;
 } swMeasuredLocation;
 
+/// What the directions in a file mean.
+typedef enum swDirectionMeaning
+{
+    SW_DIRECTIONS_BY_FORMAT,   ///< what the format lays down; the file has no say in it
+    SW_DIRECTIONS_FROM,        ///< degrees clockwise from north, where waves come from
+    SW_DIRECTIONS_TO,          ///< degrees clockwise from north, where waves go
+    SW_DIRECTIONS_TO_FROM_EAST ///< degrees counterclockwise from east, where waves go
+} swDirectionMeaning;
+
+/// How a file's directions were read, and why so.
+typedef struct swMeasuredDirections
+{
+    swDirectionMeaning meaning;
+
+    /// Nothing in the file tells what its directions mean, so that what others who write such files mean was taken.
+    bool isAssumed;
+
+    /// What told it, such as "standard_name", "as asked" or "WAVEWATCH III"; empty for SW_DIRECTIONS_BY_FORMAT.
+    char basis[48];
+} swMeasuredDirections;
+
 /// ---- Texts ----
 
 /// Formats of text, as swFindMeasuredFormat() tells them apart.
@@ -84,6 +114,10 @@ typedef enum swMeasuredFormat
     SW_MEASURED_TRIAXYS,              ///< TriAxys directional and non-directional spectra
     SW_MEASURED_DATAWELL,             ///< Datawell's .spt
     SW_MEASURED_PARTITION_TABLE,      ///< time,hs_m,tp_s,direction_from_deg,spread_deg,gamma
+    SW_MEASURED_SPOTTER_CSV,          ///< what the dashboard of Sofar's Spotter buoys exports
+    SW_MEASURED_AWAC,                 ///< NMEA sentences of Nortek's AWAC profilers
+    SW_MEASURED_OCTOPUS,              ///< forecasts of spectra for Octopus
+    SW_MEASURED_OBSCAPE,              ///< directional spectra of Obscape's buoys
     SW_MEASURED_FORMAT_COUNT
 } swMeasuredFormat;
 
@@ -176,6 +210,14 @@ typedef struct swMeasuredSpectrumDef
     /// [frequencyCount]
     const double *a1, *b1, *a2, *b2;
 
+    /// The same by their angles and lengths instead, where a1 or b1 is missing: radians where waves go, r1 and r2 in
+    /// [0, 1], NAN where missing. Without r1 the spread is that of cos^2s with s = 8. Default NULL. [frequencyCount]
+    const double *meanDirection, *r1, *direction2, *r2;
+
+    /// A spectrum that cannot be used is told as a warning, not as an error: for readers that go on without it.
+    /// The result is the same. Default false.
+    bool warnOnly;
+
     /// Set by swDefaultMeasuredSpectrumDef().
     int internalValue;
 } swMeasuredSpectrumDef;
@@ -219,14 +261,40 @@ SW_API swMeasuredLocation swMeasuredSea_GetLocation(const swMeasuredSea* sea, in
 /// Index of the place of this name; -1 if there is none.
 SW_API int swMeasuredSea_FindLocation(const swMeasuredSea* sea, const char* name);
 
-/// Index of the record with the largest Hs, of all places.
+/// How the directions of the file were read. Of a sea of one's own what swMeasuredSea_SetDirections() was given.
+SW_API swMeasuredDirections swMeasuredSea_GetDirections(const swMeasuredSea* sea);
+
+/// Keep how directions were read; changes no record. Readers of files call it.
+SW_API void swMeasuredSea_SetDirections(swMeasuredSea* sea, const swMeasuredDirections* directions);
+
+/// Index of the place with records that lies nearest to a point of the globe, degrees east and north; longitudes may be
+/// -180 to 180 or 0 to 360, here and in the file. -1 if no place tells where it is, or if the point is none.
+/// @param distance metres along the globe, may be NULL
+SW_API int swMeasuredSea_FindNearest(const swMeasuredSea* sea, double longitude, double latitude, double* distance);
+
+/// Farthest place that swMeasuredSea_ChooseNearest() takes, in metres: what a grid of one degree needs.
+#define SW_MEASURED_REACH 100000.0
+
+/// The same, with a sentence in the host's log that names the place and its distance.
+/// @return SW_ERROR_INVALID if there is no such place within SW_MEASURED_REACH; the log names the nearest one
+SW_API swResult swMeasuredSea_ChooseNearest(const swMeasuredSea* sea, double longitude, double latitude, int* location,
+                                            double* distance);
+
+/// Index of the record with the largest Hs, of all places; -1 if there is none.
 SW_API int swMeasuredSea_FindLargest(const swMeasuredSea* sea);
 
-/// Index of the record nearest to a time "YYYY-MM-DD hh:mm" (UTC), of all places; -1 if the text is no time.
+/// Index of the record nearest to a time "YYYY-MM-DD hh:mm" (UTC), of all places; -1 if the text is no time, if the
+/// records have none, or if the time lies before the first or after the last record by more than half of what usually
+/// lies between two of them (by more than half an hour, where that is more or there is only one).
 SW_API int swMeasuredSea_FindTime(const swMeasuredSea* sea, const char* time);
 
 /// Both of the above at one place; location -1: at all of them. time NULL: the largest Hs.
 SW_API int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, const char* time);
+
+/// The same, with a sentence in the host's log: why there is no such record and which times there are, or a warning where
+/// the nearest record is farther away than half of what usually lies between two of them, or lies not around the time.
+/// @return SW_ERROR_INVALID if there is none
+SW_API swResult swMeasuredSea_ChooseRecord(const swMeasuredSea* sea, int location, const char* time, int* record);
 
 /// The two records of a place between which a time lies, to replay a sea: *before and *after are their indices and
 /// *fraction in [0, 1] says how far the time is on the way from one to the other. Before the first record and after the

@@ -12,14 +12,32 @@
 /// their slices and foam. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
 /// @param data room for `*size` bytes; NULL to ask for the size
 /// @param size in: bytes of room; out: bytes needed
-/// @return SW_ERROR_LIMIT if there is too little room; nothing useful is written then
+/// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing useful is
+/// written then
 SW_API swResult swWorld_Save(const swWorld* world, void* data, size_t* size);
 
+/// Must be initialized with swDefaultRestoreDef().
+typedef struct swRestoreDef
+{
+    /// As in swWorldDef; any gives the same bits. Default SW_ISA_BEST.
+    swIsa isa;
+
+    /// Most bytes that the world may come to hold, see swWorld_GetMemory(): few bytes from elsewhere may ask for much. What
+    /// would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
+    size_t memoryBudget;
+
+    /// Set by swDefaultRestoreDef().
+    int internalValue;
+} swRestoreDef;
+
+SW_API swRestoreDef swDefaultRestoreDef(void);
+
 /// Make a world of saved bytes. Wave systems have the handles that they had; views are found by swWorld_GetView(). Damaged
-/// bytes, and those of another version, are refused with a sentence in the log; nothing is left behind.
-/// @param isa as in swWorldDef; any gives the same bits
-/// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED
-SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa isa, swWorld** world);
+/// bytes, those of another version, and those that ask for more memory than they may, are refused with a sentence in the
+/// log; nothing is left behind.
+/// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (the budget), SW_ERROR_UNSUPPORTED
+SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const swRestoreDef* def,
+                               swWorld** world);
 
 /// Take a world back to a state of its own that was saved, as a game in lockstep does when a player's input comes late. It
 /// goes on with the same bits as before. Handles and views stay what they were then; a wave system that was made since is

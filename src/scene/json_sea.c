@@ -12,8 +12,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/host.h"
 #include "core/base/number.h"
+#include "core/base/trial.h"
 #include "scene/measured_formats.h"
 
 #define MAX_FREQUENCIES 1025 // one may be 0
@@ -33,7 +33,8 @@ enum
 // Too large for a stack.
 typedef struct Reader
 {
-    const swHost* host;
+    const swHost* host; // the trial's: a record that fails is left out
+    swTrial trial;
     const char* name;
     swMeasuredSea* sea;
     double columns[COLUMN_COUNT][MAX_FREQUENCIES];
@@ -105,6 +106,15 @@ static double getNumber(const json_t* object, const char* key)
     return json_is_number(value) ? json_number_value(value) : (double)NAN;
 }
 
+static swResult addSpectrum(Reader* reader, swMeasuredSpectrumDef* def, size_t index)
+{
+    def->warnOnly = true;
+    swResult result = swMeasuredSea_AddSpectrum(reader->sea, def);
+    return result == SW_ERROR_FORMAT
+               ? swFail(reader->host, result, "%s: record %zu cannot be used.", reader->name, index + 1)
+               : result;
+}
+
 static swResult addSpotter(Reader* reader, const json_t* record, size_t index)
 {
     int counts[COLUMN_COUNT] = {0};
@@ -125,7 +135,7 @@ static swResult addSpotter(Reader* reader, const json_t* record, size_t index)
     def.b1 = counts[B1] > 0 ? reader->columns[B1] : NULL;
     def.a2 = counts[A2] > 0 ? reader->columns[A2] : NULL;
     def.b2 = counts[B2] > 0 ? reader->columns[B2] : NULL;
-    return result == SW_SUCCESS ? swMeasuredSea_AddSpectrum(reader->sea, &def) : result;
+    return result == SW_SUCCESS ? addSpectrum(reader, &def, index) : result;
 }
 
 // A drifting buoy is one place, where it was first.
@@ -143,6 +153,7 @@ static swResult readSpotter(Reader* reader, const json_t* data, const json_t* re
     for (size_t i = 0; i < json_array_size(records) && result == SW_SUCCESS; ++i)
     {
         result = addSpotter(reader, json_array_get(records, i), i);
+        result = swJudgeTrial(&reader->trial, result, "record", (int)i + 1);
     }
     return result;
 }
@@ -154,7 +165,7 @@ static swResult failSpectrum(const Reader* reader, const char* name, const char*
     return swFail(reader->host, SW_ERROR_FORMAT, "%s: %s: '%s' %s.", reader->name, name, key, what);
 }
 
-static swResult addByFrequency(Reader* reader, const char* name, json_t* spectrum, const json_t* widths)
+static swResult addByFrequency(Reader* reader, const char* name, json_t* spectrum, const json_t* widths, size_t index)
 {
     int count = 0, widthCount = 0;
     const char* key = NULL;
@@ -179,7 +190,7 @@ static swResult addByFrequency(Reader* reader, const char* name, json_t* spectru
     def.bandwidths = widthCount == count ? reader->columns[BANDWIDTH] : NULL;
     def.energy = reader->columns[ENERGY];
     swResult result = swMeasuredSea_AddLocation(reader->sea, name, (double)NAN, (double)NAN, &def.location);
-    return result == SW_SUCCESS ? swMeasuredSea_AddSpectrum(reader->sea, &def) : result;
+    return result == SW_SUCCESS ? addSpectrum(reader, &def, index) : result;
 }
 
 static swResult readByName(Reader* reader, json_t* root)
@@ -192,8 +203,9 @@ static swResult readByName(Reader* reader, json_t* root)
         json_t* spectrum = json_object_get(item, "S");
         if (json_is_object(spectrum))
         {
-            ++found;
-            swResult result = addByFrequency(reader, name, spectrum, json_object_get(item, "freqBinWidth"));
+            size_t index = (size_t)found++;
+            swResult result = addByFrequency(reader, name, spectrum, json_object_get(item, "freqBinWidth"), index);
+            result = swJudgeTrial(&reader->trial, result, "record", found);
             if (result != SW_SUCCESS)
             {
                 return result;
@@ -218,6 +230,7 @@ static swResult readRoot(Reader* reader, json_t* root)
     data = json_is_object(data) ? data : root;
     const json_t* records = json_object_get(data, "frequencyData");
     swResult result = records != NULL ? readSpotter(reader, data, records) : readByName(reader, root);
+    result = swEndTrial(&reader->trial, result);
     return result == SW_SUCCESS ? swMeasuredSea_Finish(reader->sea) : result;
 }
 
@@ -225,7 +238,8 @@ swResult swReadJsonSea(const swHost* host, const char* text, size_t size, const 
 {
     *sea = NULL;
     json_error_t error;
-    json_t* root = json_loadb(text, size, 0, &error);
+    size_t mark = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0; // UTF-8's byte order mark
+    json_t* root = json_loadb(text + mark, size - mark, 0, &error);
     if (root == NULL)
     {
         return swFail(host, SW_ERROR_FORMAT, "%s:%d: this is no JSON: %s.", name, error.line > 0 ? error.line : 1,
@@ -235,7 +249,8 @@ swResult swReadJsonSea(const swHost* host, const char* text, size_t size, const 
     swResult result = reader != NULL ? SW_SUCCESS : swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", name);
     if (result == SW_SUCCESS)
     {
-        reader->host = host;
+        swBeginTrial(&reader->trial, host);
+        reader->host = &reader->trial.host;
         reader->name = name;
         result = swCreateMeasuredSea(host, name, &reader->sea);
     }

@@ -3,11 +3,13 @@
 // the direction files of an NDBC set lie beside its energy file under names that follow from its own:
 //   real time    44013.data_spec   44013.swdir   44013.swdir2   44013.swr1   44013.swr2   (44013.swden as well)
 //   archive      44013w2021.txt    44013d2021.txt 44013i2021.txt 44013j2021.txt 44013k2021.txt
-// each perhaps with .gz at the end.
+// with anything behind the ending or the year, and each perhaps with .gz at the end. One of the direction files alone is no
+// sea: it is refused, and the file of energies that belongs to it is named.
 
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/assert.h"
 #include "core/base/host.h"
 #include "scene/measured_formats.h"
 #include "scene/scene_file.h"
@@ -43,41 +45,166 @@ static bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-// Tries stem + ending, and that with .gz.
-static void tryPath(char path[SW_MAX_PATH], const char* stem, size_t stemLength, const char* ending)
+static bool isAlphanumeric(char c)
 {
-    snprintf(path, SW_MAX_PATH, "%.*s%s", (int)stemLength, stem, ending);
-    if (!swHasFile(path))
+    return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// ---- names of an NDBC set ----
+
+static const char s_letters[FILE_COUNT + 1] = "wdijk";
+static const char* const s_endings[FILE_COUNT] = {".data_spec", ".swdir", ".swdir2", ".swr1", ".swr2"};
+
+// The part of a path that says which file of a set it is.
+typedef struct NameKey
+{
+    bool isKnown;
+    bool isArchive; // a letter, else an ending
+    int file;       // ENERGY, ALPHA1, ...
+    size_t first, size;
+} NameKey;
+
+static size_t findName(const char* path)
+{
+    const char* slash = strrchr(path, '/');
+    return slash != NULL ? (size_t)(slash - path) + 1 : 0;
+}
+
+// A letter of the set and a year behind it. The station before it has five letters and digits; of energies it may have
+// any number, as no harm is done where such a name means something else.
+static NameKey findLetter(const char* path)
+{
+    NameKey key = {0};
+    size_t name = findName(path), station = 0;
+    for (size_t i = name; path[i] != '\0'; ++i)
     {
-        snprintf(path, SW_MAX_PATH, "%.*s%s.gz", (int)stemLength, stem, ending);
-        if (!swHasFile(path))
+        const char* letter = strchr(s_letters, path[i]);
+        const char* year = path + i + 1;
+        bool isYear = isDigit(year[0]) && isDigit(year[1]) && isDigit(year[2]) && isDigit(year[3]);
+        if (letter != NULL && isYear && ((i == name + 5 && station == 5) || path[i] == 'w'))
         {
-            path[0] = '\0';
+            key = (NameKey){true, true, (int)(letter - s_letters), i, 1};
+            if (i == name + 5)
+            {
+                break;
+            }
+        }
+        station += isAlphanumeric(path[i]) ? 1 : 0;
+    }
+    return key;
+}
+
+// The longest ending that stands in the name, with nothing, a dot or another sign that is no letter or digit behind.
+static NameKey findEnding(const char* path)
+{
+    NameKey key = {0};
+    size_t name = findName(path);
+    for (int i = 0; i <= FILE_COUNT; ++i)
+    {
+        const char* ending = i < FILE_COUNT ? s_endings[i] : ".swden";
+        const char* found = strstr(path + name, ending);
+        if (found != NULL && !isAlphanumeric(found[strlen(ending)]))
+        {
+            key = (NameKey){true, false, i < FILE_COUNT ? i : ENERGY, (size_t)(found - path), strlen(ending)};
         }
     }
+    return key;
+}
+
+static NameKey findKey(const char* path)
+{
+    NameKey key = findLetter(path);
+    return key.isKnown ? key : findEnding(path);
+}
+
+// The path with another key in its place; then as it is, and with .gz at its end added or taken away.
+static bool findOther(const char* path, const NameKey* key, const char* word, char other[SW_MAX_PATH])
+{
+    int size = snprintf(other, SW_MAX_PATH, "%.*s%s%s", (int)key->first, path, word, path + key->first + key->size);
+    size_t length = size > 0 && size + 4 < SW_MAX_PATH ? (size_t)size : 0;
+    if (length == 0 || swHasFile(other))
+    {
+        return length > 0;
+    }
+    memcpy(other + length, ".gz", 4);
+    if (swHasFile(other))
+    {
+        return true;
+    }
+    other[length] = '\0';
+    if (endsWith(other, length, ".gz"))
+    {
+        other[length - 3] = '\0';
+        return swHasFile(other);
+    }
+    return false;
 }
 
 static void findSiblings(const char* path, FileSet* set)
 {
-    static const char* const endings[FILE_COUNT] = {"", ".swdir", ".swdir2", ".swr1", ".swr2"};
-    static const char letters[FILE_COUNT + 1] = "wdijk";
-    size_t length = strlen(path);
-    length -= endsWith(path, length, ".gz") ? 3 : 0;
-    for (int i = ALPHA1; i < FILE_COUNT; ++i)
+    NameKey key = findKey(path);
+    for (int i = ALPHA1; i < FILE_COUNT && key.isKnown; ++i)
     {
-        if (endsWith(path, length, ".data_spec") || endsWith(path, length, ".swden"))
+        char letter[2] = {s_letters[i], '\0'};
+        if (!findOther(path, &key, key.isArchive ? letter : s_endings[i], set->paths[i]))
         {
-            size_t stem = length - (endsWith(path, length, ".swden") ? strlen(".swden") : strlen(".data_spec"));
-            tryPath(set->paths[i], path, stem, endings[i]);
-        }
-        else if (length > 9 && endsWith(path, length, ".txt") && path[length - 9] == 'w' && isDigit(path[length - 8]) &&
-                 isDigit(path[length - 7]) && isDigit(path[length - 6]) && isDigit(path[length - 5]))
-        {
-            char ending[10] = {letters[i]};
-            memcpy(ending + 1, path + length - 8, 8);
-            tryPath(set->paths[i], path, length - 9, ending);
+            set->paths[i][0] = '\0';
         }
     }
+}
+
+// Says which of the direction files are not there, and what follows.
+static void warnOfMissing(const swHost* host, const FileSet* set)
+{
+    static const char* const names[FILE_COUNT] = {"energy", "alpha1", "alpha2", "r1", "r2"};
+    const char* path = set->paths[ENERGY];
+    char missing[40] = "";
+    for (int i = ALPHA1; i < FILE_COUNT; ++i)
+    {
+        if (set->paths[i][0] == '\0')
+        {
+            size_t used = strlen(missing);
+            snprintf(missing + used, sizeof(missing) - used, "%s%s", used > 0 ? ", " : "", names[i]);
+        }
+    }
+    NameKey key = findKey(path);
+    if (set->paths[ALPHA1][0] == '\0')
+    {
+        swLog(host, SW_LOG_WARNING,
+              key.isKnown
+                  ? "%s has no file of directions (%s) beside it: its directions are not known, and its waves "
+                    "are taken to go east."
+                  : "%s is not named as NDBC names a set (44013.data_spec, 44013w2021.txt), so that no files of "
+                    "directions can be found beside it: its waves are taken to go east.",
+              path, key.isArchive ? "44013d2021.txt" : ".swdir");
+    }
+    else if (missing[0] != '\0')
+    {
+        swLog(host, SW_LOG_WARNING,
+              "%s has no file of %s beside it: what they would tell is taken from a cos^2s spread around the mean "
+              "direction.",
+              path, missing);
+    }
+}
+
+static swResult refuseDirections(const swHost* host, const char* path, const NameKey* key)
+{
+    static const char* const meanings[FILE_COUNT] = {"energies", "mean directions (alpha1)",
+                                                     "principal directions (alpha2)", "lengths of moments (r1)",
+                                                     "lengths of moments (r2)"};
+    char energy[SW_MAX_PATH];
+    bool isThere = findOther(path, key, key->isArchive ? "w" : ".data_spec", energy);
+    if (!isThere && !key->isArchive)
+    {
+        isThere = findOther(path, key, ".swden", energy);
+    }
+    if (!isThere)
+    {
+        findOther(path, key, key->isArchive ? "w" : ".data_spec", energy);
+    }
+    return swFail(host, SW_ERROR_FORMAT, "%s holds NDBC's %s, not energies: name the file of energies, %s%s.", path,
+                  meanings[key->file], energy,
+                  isThere ? "; this one is found beside it" : ", which must lie beside it");
 }
 
 static swResult readSiblings(const swHost* host, FileSet* set)
@@ -101,16 +228,17 @@ static swResult readSiblings(const swHost* host, FileSet* set)
 static swResult parseNdbc(const swHost* host, FileSet* set, swMeasuredSea** sea)
 {
     const swText* texts = set->texts;
+    NameKey key = findKey(set->paths[ENERGY]);
+    if (key.isKnown && key.file != ENERGY)
+    {
+        return refuseDirections(host, set->paths[ENERGY], &key);
+    }
     swResult result = readSiblings(host, set);
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    if (set->paths[ALPHA1][0] == '\0')
-    {
-        swLog(host, SW_LOG_INFO, "%s has no direction files beside it: its waves are taken to go east.",
-              set->paths[ENERGY]);
-    }
+    warnOfMissing(host, set);
     swNdbcTexts ndbc = {
         .energy = texts[ENERGY].data != NULL ? texts[ENERGY].data : "",
         .alpha1 = texts[ALPHA1].data,
@@ -147,7 +275,7 @@ static bool isNetcdf(const swText* text)
 
 static bool isJson(const swText* text)
 {
-    size_t i = 0;
+    size_t i = beginsWith(text, "\xEF\xBB\xBF", 3) ? 3 : 0; // UTF-8's byte order mark
     while (i < text->size &&
            (text->data[i] == ' ' || text->data[i] == '\t' || text->data[i] == '\r' || text->data[i] == '\n'))
     {
@@ -156,11 +284,12 @@ static bool isJson(const swText* text)
     return i < text->size && (text->data[i] == '{' || text->data[i] == '[');
 }
 
-static swResult readNetcdf(const swHost* host, const char* path, swMeasuredSea** sea)
+static swResult readNetcdf(const swHost* host, const char* path, swDirectionMeaning directions, swMeasuredSea** sea)
 {
 #if defined(SW_HAS_NETCDF)
-    return swReadNetcdfSea(host, path, sea);
+    return swReadNetcdfSea(host, path, directions, sea);
 #else
+    (void)directions;
     (void)sea;
     return swFail(host, SW_ERROR_FORMAT, "%s: built without NetCDF: install libnetcdf-dev and build again.", path);
 #endif
@@ -205,24 +334,16 @@ static swResult readStart(const swHost* host, FileSet* set)
     return SW_SUCCESS;
 }
 
-// By name, where a text is too strange to be known: the NDBC reader then says what is wrong with it.
-static bool isNamedNdbc(const char* path)
-{
-    static const char* const endings[] = {".data_spec", ".swden"};
-    size_t length = strlen(path);
-    length -= endsWith(path, length, ".gz") ? 3 : 0;
-    return endsWith(path, length, endings[0]) || endsWith(path, length, endings[1]);
-}
-
 static swResult failUnknown(const swHost* host, const char* path)
 {
     return swFail(host, SW_ERROR_FORMAT,
                   "%s:1: no format of measured seas that is read. Those are %s; JSON of Sofar's Spotter buoys and of "
-                  "MHKiT; netCDF of WAVEWATCH III and ERA5.",
+                  "MHKiT; netCDF of WAVEWATCH III, SWAN, WWM, ERA5, NDBC, CDIP, Sofar, Copernicus, MHKiT and "
+                  "wavespectra.",
                   path, swGetMeasuredFormatList());
 }
 
-static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
+static swResult parseFile(const swHost* host, FileSet* set, swDirectionMeaning directions, swMeasuredSea** sea)
 {
     const swText* text = &set->texts[ENERGY];
     const char* path = set->paths[ENERGY];
@@ -232,14 +353,22 @@ static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
     }
     if (isNetcdf(text))
     {
-        return readNetcdf(host, path, sea);
+        return readNetcdf(host, path, directions, sea);
+    }
+    if (directions != SW_DIRECTIONS_BY_FORMAT)
+    {
+        return swFail(host, SW_ERROR_FORMAT,
+                      "%s: what its directions mean is laid down by its format; only of netCDF it can be told. Leave "
+                      "directions out.",
+                      path);
     }
     if (isJson(text))
     {
         return parseJson(host, text, path, sea);
     }
     swMeasuredFormat format = swFindMeasuredFormat(text->data, text->size);
-    if (format == SW_MEASURED_NDBC_SPECTRUM || (format == SW_MEASURED_UNKNOWN && isNamedNdbc(path)))
+    bool isNamed = findEnding(path).isKnown; // a text too strange to be known: the reader says what is wrong with it
+    if (format == SW_MEASURED_NDBC_SPECTRUM || (format == SW_MEASURED_UNKNOWN && isNamed))
     {
         return parseNdbc(host, set, sea);
     }
@@ -247,9 +376,28 @@ static swResult parseFile(const swHost* host, FileSet* set, swMeasuredSea** sea)
                                          : failUnknown(host, path);
 }
 
+swMeasuredFileDef swDefaultMeasuredFileDef(void)
+{
+    return (swMeasuredFileDef){.directions = SW_DIRECTIONS_BY_FORMAT, .internalValue = SW_DEF_COOKIE};
+}
+
 swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea)
 {
+    swMeasuredFileDef def = swDefaultMeasuredFileDef();
+    return swReadMeasuredFile(host, path, &def, sea);
+}
+
+swResult swReadMeasuredFile(const swHost* host, const char* path, const swMeasuredFileDef* def, swMeasuredSea** sea)
+{
     *sea = NULL;
+    SW_ASSERT(def->internalValue == SW_DEF_COOKIE);
+    if (def->internalValue != SW_DEF_COOKIE || (int)def->directions < SW_DIRECTIONS_BY_FORMAT ||
+        def->directions > SW_DIRECTIONS_TO_FROM_EAST)
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "%s: how to read it was not initialized with swDefaultMeasuredFileDef(), or is out of range.",
+                      path);
+    }
     FileSet set;
     memset(&set, 0, sizeof(set));
     if (strlen(path) >= SW_MAX_PATH - 8)
@@ -261,7 +409,7 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
     swResult result = readStart(host, &set);
     if (result == SW_SUCCESS)
     {
-        result = parseFile(host, &set, sea);
+        result = parseFile(host, &set, def->directions, sea);
     }
     for (int i = 0; i < FILE_COUNT; ++i)
     {

@@ -10,5 +10,5 @@
 // Sofar Spotter's JSON, and spectra by name as MHKiT writes them. `text` is the whole file.
 swResult swReadJsonSea(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea);
 
-// A netCDF file of WAVEWATCH III or ERA5; classic or HDF5.
-swResult swReadNetcdfSea(const swHost* host, const char* path, swMeasuredSea** sea);
+// A netCDF file, classic or HDF5. `directions` other than SW_DIRECTIONS_BY_FORMAT is meant whatever the file says.
+swResult swReadNetcdfSea(const swHost* host, const char* path, swDirectionMeaning directions, swMeasuredSea** sea);

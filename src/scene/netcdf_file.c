@@ -17,25 +17,87 @@ static bool getNumber(const swNetcdfFile* file, int variable, const char* attrib
            nc_get_att_double(file->id, variable, attribute, value) == NC_NOERR;
 }
 
-bool swFindNetcdfVariable(const swNetcdfFile* file, const char* name, swNetcdfVariable* variable)
+// What netCDF itself writes where nothing was put; of floating-point types it is beyond 1e30.
+static bool getDefaultFill(const swNetcdfFile* file, int variable, double* fill)
+{
+    nc_type type = NC_NAT;
+    nc_inq_vartype(file->id, variable, &type);
+    *fill = type == NC_SHORT ? (double)NC_FILL_SHORT : type == NC_INT ? (double)NC_FILL_INT : 0.0;
+    return *fill != 0.0;
+}
+
+bool swGetNetcdfVariable(const swNetcdfFile* file, int id, swNetcdfVariable* variable)
 {
     memset(variable, 0, sizeof(*variable));
-    if (nc_inq_varid(file->id, name, &variable->id) != NC_NOERR ||
-        nc_inq_varndims(file->id, variable->id, &variable->dimensionCount) != NC_NOERR ||
+    variable->id = id;
+    if (nc_inq_varndims(file->id, id, &variable->dimensionCount) != NC_NOERR ||
         variable->dimensionCount > SW_NETCDF_MAX_DIMENSIONS ||
-        nc_inq_vardimid(file->id, variable->id, variable->dimensions) != NC_NOERR)
+        nc_inq_vardimid(file->id, id, variable->dimensions) != NC_NOERR)
     {
         return false;
     }
     variable->scale = 1.0;
-    getNumber(file, variable->id, "scale_factor", &variable->scale);
-    getNumber(file, variable->id, "add_offset", &variable->offset);
-    variable->hasFill[0] = getNumber(file, variable->id, "_FillValue", &variable->fill[0]);
-    variable->hasFill[1] = getNumber(file, variable->id, "missing_value", &variable->fill[1]);
+    getNumber(file, id, "scale_factor", &variable->scale);
+    getNumber(file, id, "add_offset", &variable->offset);
+    variable->hasFill[0] =
+        getNumber(file, id, "_FillValue", &variable->fill[0]) || getDefaultFill(file, id, &variable->fill[0]);
+    variable->hasFill[1] = getNumber(file, id, "missing_value", &variable->fill[1]);
     return true;
 }
 
-void swGetNetcdfText(const swNetcdfFile* file, int variable, const char* attribute, char* text, size_t size)
+bool swFindNetcdfVariable(const swNetcdfFile* file, const char* name, swNetcdfVariable* variable)
+{
+    int id = -1;
+    memset(variable, 0, sizeof(*variable));
+    return nc_inq_varid(file->id, name, &id) == NC_NOERR && swGetNetcdfVariable(file, id, variable);
+}
+
+bool swIsOneOf(const char* text, const char* const* texts)
+{
+    for (; *texts != NULL; ++texts)
+    {
+        if (strcmp(text, *texts) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool swFindNetcdfCoordinate(const swNetcdfFile* file, int dimension, const char* const* names,
+                            swNetcdfVariable* variable)
+{
+    char name[257];
+    swGetNetcdfName(file, dimension, name);
+    if (swFindNetcdfVariable(file, name, variable) && variable->dimensionCount == 1 &&
+        variable->dimensions[0] == dimension)
+    {
+        return true;
+    }
+    int count = 0;
+    for (int i = 0; nc_inq_nvars(file->id, &count) == NC_NOERR && i < count; ++i)
+    {
+        swGetNetcdfVariableName(file, i, name);
+        if (swIsOneOf(name, names) && swGetNetcdfVariable(file, i, variable) && variable->dimensionCount == 1 &&
+            variable->dimensions[0] == dimension)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void lower(char* text, bool isPlain)
+{
+    for (; *text != '\0'; ++text)
+    {
+        *text = *text >= 'A' && *text <= 'Z' ? (char)(*text + 32) : *text;
+        *text = isPlain && (*text == '_' || *text == '-') ? ' ' : *text;
+    }
+}
+
+void swGetNetcdfText(const swNetcdfFile* file, int variable, const char* attribute, bool isPlain, char* text,
+                     size_t size)
 {
     nc_type type = NC_NAT;
     size_t length = 0;
@@ -59,10 +121,17 @@ void swGetNetcdfText(const swNetcdfFile* file, int variable, const char* attribu
         nc_free_string(1, &string);
     }
     text[size - 1] = '\0';
-    for (; *text != '\0'; ++text)
+    if (isPlain)
     {
-        *text = *text >= 'A' && *text <= 'Z' ? (char)(*text + 32) : *text == '_' ? ' ' : *text;
+        lower(text, true);
     }
+}
+
+void swGetNetcdfVariableName(const swNetcdfFile* file, int variable, char name[257])
+{
+    memset(name, 0, 257);
+    nc_inq_varname(file->id, variable, name);
+    lower(name, false);
 }
 
 size_t swGetNetcdfLength(const swNetcdfFile* file, int dimension)
@@ -75,6 +144,13 @@ void swGetNetcdfName(const swNetcdfFile* file, int dimension, char name[257])
 {
     memset(name, 0, 257);
     nc_inq_dimname(file->id, dimension, name);
+}
+
+// The attribute may be a float and the values double, or the other way round.
+static bool isFill(const swNetcdfVariable* variable, int which, double value)
+{
+    double fill = variable->fill[which];
+    return variable->hasFill[which] && fabs(value - fill) <= 1e-7 * fabs(fill);
 }
 
 swResult swReadNetcdfBlock(const swNetcdfFile* file, const swNetcdfVariable* variable, const size_t* start,
@@ -92,8 +168,7 @@ swResult swReadNetcdfBlock(const swNetcdfFile* file, const swNetcdfVariable* var
     }
     for (size_t i = 0; i < total; ++i)
     {
-        bool isGap = (variable->hasFill[0] && values[i] == variable->fill[0]) ||
-                     (variable->hasFill[1] && values[i] == variable->fill[1]) || !(fabs(values[i]) < 1e30);
+        bool isGap = isFill(variable, 0, values[i]) || isFill(variable, 1, values[i]) || !(fabs(values[i]) < 1e30);
         values[i] = isGap ? (double)NAN : values[i] * variable->scale + variable->offset;
     }
     return SW_SUCCESS;

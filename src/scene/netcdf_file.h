@@ -25,18 +25,33 @@ typedef struct swNetcdfVariable
     int dimensions[SW_NETCDF_MAX_DIMENSIONS];
     double scale, offset;
     bool hasFill[2];
-    double fill[2]; // as stored: _FillValue, missing_value
+    double fill[2]; // as stored: _FillValue or what netCDF writes without one, missing_value
 } swNetcdfVariable;
 
 // False if there is no variable of that name, or none of at most SW_NETCDF_MAX_DIMENSIONS numbers wide.
 bool swFindNetcdfVariable(const swNetcdfFile* file, const char* name, swNetcdfVariable* variable);
 
-// An attribute's text in lower case, '_' as a space; empty if there is none.
-void swGetNetcdfText(const swNetcdfFile* file, int variable, const char* attribute, char* text, size_t size);
+// The same by index, for a loop over all variables.
+bool swGetNetcdfVariable(const swNetcdfFile* file, int id, swNetcdfVariable* variable);
+
+// A variable of one dimension, over this one, whose name in lower case is among the names; the dimension's own name first.
+bool swFindNetcdfCoordinate(const swNetcdfFile* file, int dimension, const char* const* names,
+                            swNetcdfVariable* variable);
+
+// Whether a text in lower case is among texts that end with NULL.
+bool swIsOneOf(const char* text, const char* const* texts);
+
+// An attribute's text, of a variable or NC_GLOBAL; empty if there is none. With `isPlain` in lower case, '_' and '-' as
+// spaces, for words to be found in it.
+void swGetNetcdfText(const swNetcdfFile* file, int variable, const char* attribute, bool isPlain, char* text,
+                     size_t size);
 
 // Length and name of a dimension.
 size_t swGetNetcdfLength(const swNetcdfFile* file, int dimension);
 void swGetNetcdfName(const swNetcdfFile* file, int dimension, char name[257]);
+
+// A variable's name in lower case.
+void swGetNetcdfVariableName(const swNetcdfFile* file, int variable, char name[257]);
 
 // A block of numbers; gaps and what is not finite become NAN. SW_ERROR_FORMAT with a sentence in the log.
 swResult swReadNetcdfBlock(const swNetcdfFile* file, const swNetcdfVariable* variable, const size_t* start,

@@ -13,6 +13,8 @@
 
 #define MAX_FILES 1024
 
+const char* const swDirectionWords[] = {"from", "to", NULL};
+
 enum
 {
     FROM,
@@ -70,7 +72,12 @@ static swResult readFile(swYaml* yaml, const swMeasuredText* text, const yaml_no
         return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE,
                           "the path of %s has more than %d bytes; move the scene or the file.", file, SW_MAX_PATH - 1);
     }
-    swResult result = swReadMeasuredSea(yaml->host, path, sea);
+    swMeasuredFileDef def = swDefaultMeasuredFileDef();
+    if (text->directionsNode != NULL)
+    {
+        def.directions = text->directions == 0 ? SW_DIRECTIONS_FROM : SW_DIRECTIONS_TO;
+    }
+    swResult result = swReadMeasuredFile(yaml->host, path, &def, sea);
     if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
     {
         swFailYaml(yaml, node, SW_MISTAKE_BAD_FILE, "the spectrum file %s cannot be used.", path);
@@ -91,10 +98,34 @@ static void listPlaces(const swMeasuredSea* sea, char* list, size_t size)
     }
 }
 
+// The place nearest to the latitude and longitude that are asked for.
+static swResult chooseNearest(swYaml* yaml, const swMeasuredText* text, const swMeasuredSea* sea, int* location)
+{
+    const yaml_node_t* node = text->latitudeNode != NULL ? text->latitudeNode : text->longitudeNode;
+    if (text->latitudeNode == NULL || text->longitudeNode == NULL)
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "latitude and longitude belong together; give both.");
+    }
+    if (text->locationNode != NULL)
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_CONFLICT,
+                          "location and latitude both choose a place; keep one of them.");
+    }
+    swResult result = swMeasuredSea_ChooseNearest(sea, text->longitude, text->latitude, location, NULL);
+    return result == SW_SUCCESS
+               ? result
+               : swFailYaml(yaml, node, SW_MISTAKE_NO_RECORD, "no place of the file is near latitude %g, longitude %g.",
+                            text->latitude, text->longitude);
+}
+
 // The place that is asked for; without one -1, if the waves may be of any.
 static swResult choosePlace(swYaml* yaml, const swMeasuredText* text, const yaml_node_t* fileNode,
                             const swMeasuredSea* sea, bool needsOne, int* location)
 {
+    if (text->latitudeNode != NULL || text->longitudeNode != NULL)
+    {
+        return chooseNearest(yaml, text, sea, location);
+    }
     char places[400] = "";
     listPlaces(sea, places, sizeof(places));
     *location = text->locationNode != NULL ? swFindMeasuredPlace(sea, text->location) : -1;
@@ -110,7 +141,9 @@ static swResult choosePlace(swYaml* yaml, const swMeasuredText* text, const yaml
         if (count > 1)
         {
             return swFailYaml(yaml, fileNode, SW_MISTAKE_MISSING_KEY,
-                              "the file has %d places; choose one of them with location: %s.", count, places);
+                              "the file has %d places; choose one of them with location, or with latitude and "
+                              "longitude: %s.",
+                              count, places);
         }
         *location = 0;
     }
@@ -216,7 +249,9 @@ static swResult addFile(swYaml* yaml, const swMeasuredText* text, const yaml_nod
     if (result == SW_SUCCESS && *series == NULL)
     {
         swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
+        swMeasuredDirections directions = swMeasuredSea_GetDirections(sea);
         result = swCreateMeasuredSea(yaml->host, yaml->name, series);
+        swMeasuredSea_SetDirections(*series, &directions);
         result = result == SW_SUCCESS
                      ? swMeasuredSea_AddLocation(*series, place.name, place.longitude, place.latitude, NULL)
                      : result;
@@ -290,14 +325,17 @@ static swResult chooseRecord(swYaml* yaml, const swMeasuredText* text, int locat
         return swFailYaml(yaml, text->locationNode, SW_MISTAKE_NO_RECORD,
                           "location '%s' has no record; choose another.", text->location);
     }
-    if (text->atNode != NULL)
+    double seconds = 0.0;
+    if (text->atNode != NULL && !swParseMeasuredTime(text->at, &seconds))
     {
-        waves->record = swMeasuredSea_FindRecord(waves->measured, location, text->at);
-        if (waves->record < 0)
-        {
-            return swFailYaml(yaml, text->atNode, SW_MISTAKE_WRONG_FORM,
-                              "at is '%s'; it must be a time such as 2022-05-10 10:50.", text->at);
-        }
+        return swFailYaml(yaml, text->atNode, SW_MISTAKE_WRONG_FORM,
+                          "at is '%s'; it must be a time such as 2022-05-10 10:50.", text->at);
+    }
+    if (text->atNode != NULL &&
+        swMeasuredSea_ChooseRecord(waves->measured, location, text->at, &waves->record) != SW_SUCCESS)
+    {
+        return swFailYaml(yaml, text->atNode, SW_MISTAKE_NO_RECORD, "at is '%s', of which the file has no record.",
+                          text->at);
     }
     return SW_SUCCESS;
 }
@@ -324,6 +362,13 @@ static swResult chooseRecords(swYaml* yaml, const swMeasuredText* text, int loca
     {
         return swFailYaml(yaml, text->fromNode, SW_MISTAKE_WRONG_FORM,
                           "from is '%s'; it must be a time such as 2022-05-10 10:50.", text->from);
+    }
+    int start = 0;
+    if (text->fromNode != NULL &&
+        swMeasuredSea_ChooseRecord(waves->measured, location, text->from, &start) != SW_SUCCESS)
+    {
+        return swFailYaml(yaml, text->fromNode, SW_MISTAKE_NO_RECORD, "from is '%s', of which there is no record.",
+                          text->from);
     }
     return SW_SUCCESS;
 }

@@ -16,9 +16,16 @@ typedef struct swMeasuredText
     char at[32];
     yaml_node_t* fromNode;
     char from[32];
+    yaml_node_t *latitudeNode, *longitudeNode;
+    double latitude, longitude; // degrees
+    yaml_node_t* directionsNode;
+    int directions;    // index into swDirectionWords
     double replayTime; // s
     double replaySpeed;
 } swMeasuredText;
+
+// "from", "to"
+extern const char* const swDirectionWords[];
 
 // The mapping `replay`.
 swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text);

@@ -230,6 +230,9 @@ enum
     FILE_NAME,
     FILE_LIST,
     PLACE,
+    LATITUDE,
+    LONGITUDE,
+    DIRECTIONS,
     AT,
     REPLAY,
     WIND_SPEED,
@@ -321,6 +324,14 @@ static const swYamlField wavesFields[WAVES_FIELD_COUNT] = {
     [FILE_NAME] = {.key = "file", .type = SW_YAML_TEXT, .offset = TEXT(measured.file), .size = 512},
     [FILE_LIST] = {.key = "files", .type = SW_YAML_CUSTOM, .read = keepNode},
     [PLACE] = {.key = "location", .type = SW_YAML_TEXT, .offset = TEXT(measured.location), .size = 64},
+    [LATITUDE] =
+        {.key = "latitude", .type = SW_YAML_DOUBLE, .offset = TEXT(measured.latitude), .low = -90.0, .high = 90.0},
+    [LONGITUDE] =
+        {.key = "longitude", .type = SW_YAML_DOUBLE, .offset = TEXT(measured.longitude), .low = -180.0, .high = 360.0},
+    [DIRECTIONS] = {.key = "directions",
+                    .type = SW_YAML_CHOICE,
+                    .offset = TEXT(measured.directions),
+                    .words = swDirectionWords},
     [AT] = {.key = "at", .type = SW_YAML_TEXT, .offset = TEXT(measured.at), .size = 32},
     [REPLAY] = {.key = "replay", .type = SW_YAML_CUSTOM, .read = readReplayKey},
     [WIND_SPEED] =
@@ -483,6 +494,9 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {FILE_NAME, FILES},
         {FILE_LIST, FILES},
         {PLACE, FILES},
+        {LATITUDE, FILES},
+        {LONGITUDE, FILES},
+        {DIRECTIONS, FILES},
         {REPLAY, FILES},
         {AT, FILES},
         {TURN, FILES},
@@ -649,6 +663,9 @@ static swResult readMeasured(swYaml* yaml, yaml_node_t* node, WavesText* text, c
     measured->fileNode = nodes->nodes[FILE_NAME];
     measured->listNode = nodes->nodes[FILE_LIST];
     measured->locationNode = nodes->nodes[PLACE];
+    measured->latitudeNode = nodes->nodes[LATITUDE];
+    measured->longitudeNode = nodes->nodes[LONGITUDE];
+    measured->directionsNode = nodes->nodes[DIRECTIONS];
     measured->atNode = nodes->nodes[AT];
     measured->replayNode = nodes->nodes[REPLAY];
     measured->methodNode = nodes->nodes[METHOD];

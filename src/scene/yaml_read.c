@@ -76,40 +76,81 @@ static swResult failSyntax(const swHost* host, const yaml_parser_t* parser, cons
                   mistakeCodes[SW_MISTAKE_SYNTAX]);
 }
 
-// How an event changes the depth of lists and mappings.
-static int getDepthStep(yaml_event_type_t type)
+// What a text holds so far.
+typedef struct Shape
 {
-    return type == YAML_SEQUENCE_START_EVENT || type == YAML_MAPPING_START_EVENT ? 1
-           : type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT   ? -1
-                                                                                 : 0;
+    int depth, nodeCount, anchorCount;
+} Shape;
+
+static void addEvent(Shape* shape, const yaml_event_t* event)
+{
+    bool begins = event->type == YAML_SEQUENCE_START_EVENT || event->type == YAML_MAPPING_START_EVENT;
+    bool ends = event->type == YAML_SEQUENCE_END_EVENT || event->type == YAML_MAPPING_END_EVENT;
+    bool isScalar = event->type == YAML_SCALAR_EVENT;
+    const yaml_char_t* anchor = event->type == YAML_SEQUENCE_START_EVENT  ? event->data.sequence_start.anchor
+                                : event->type == YAML_MAPPING_START_EVENT ? event->data.mapping_start.anchor
+                                : isScalar                                ? event->data.scalar.anchor
+                                                                          : NULL;
+    shape->depth += begins ? 1 : ends ? -1 : 0;
+    shape->nodeCount += begins || isScalar || event->type == YAML_ALIAS_EVENT;
+    shape->anchorCount += anchor != NULL;
+}
+
+static swResult failSize(const swHost* host, const char* name, int line, const char* what, int most, const char* of)
+{
+    return swFail(host, SW_ERROR_FORMAT, "%s:%d: %s %d %s; remove what is no scene. [%s]", name, line, what, most, of,
+                  mistakeCodes[SW_MISTAKE_TOO_LARGE]);
+}
+
+static swResult checkSizes(const swHost* host, const char* name, int line, const Shape* shape)
+{
+    if (shape->depth > SW_YAML_MAX_DEPTH)
+    {
+        return failSize(host, name, line, "lists and mappings are nested more than", SW_YAML_MAX_DEPTH, "deep");
+    }
+    if (shape->nodeCount > SW_YAML_MAX_NODES)
+    {
+        return failSize(host, name, line, "there are more than", SW_YAML_MAX_NODES, "values");
+    }
+    return shape->anchorCount > SW_YAML_MAX_ANCHORS
+               ? failSize(host, name, line, "there are more than", SW_YAML_MAX_ANCHORS, "anchors (&)")
+               : SW_SUCCESS;
+}
+
+// Lines that begin with %, before the parser sees any.
+static swResult checkDirectives(const swHost* host, const char* text, size_t size, const char* name)
+{
+    int line = 1, count = 0;
+    for (size_t i = 0; i < size; ++i)
+    {
+        count += text[i] == '%' && (i == 0 || text[i - 1] == '\n');
+        if (count > SW_YAML_MAX_ANCHORS)
+        {
+            return failSize(host, name, line, "there are more than", SW_YAML_MAX_ANCHORS, "directives (%)");
+        }
+        line += text[i] == '\n';
+    }
+    return SW_SUCCESS;
 }
 
 // Go through the events of a text without keeping them, so that what is too deep or too large is never built.
 static swResult checkShape(const swHost* host, yaml_parser_t* parser, const char* text, size_t size, const char* name)
 {
-    int depth = 0, nodeCount = 0;
-    for (bool isOver = false; !isOver;)
+    Shape shape = {0};
+    swResult result = checkDirectives(host, text, size, name);
+    for (bool isOver = false; !isOver && result == SW_SUCCESS;)
     {
         yaml_event_t event;
         if (yaml_parser_parse(parser, &event) == 0)
         {
             return failSyntax(host, parser, text, size, name);
         }
-        int line = (int)event.start_mark.line + 1, step = getDepthStep(event.type);
-        depth += step;
-        nodeCount += step > 0 || event.type == YAML_SCALAR_EVENT || event.type == YAML_ALIAS_EVENT;
+        addEvent(&shape, &event);
+        result = checkSizes(host, name, (int)event.start_mark.line + 1, &shape);
         isOver = event.type == YAML_STREAM_END_EVENT;
         yaml_event_delete(&event);
-        if (depth > SW_YAML_MAX_DEPTH || nodeCount > SW_YAML_MAX_NODES)
-        {
-            bool isDeep = depth > SW_YAML_MAX_DEPTH;
-            return swFail(host, SW_ERROR_FORMAT, "%s:%d: %s %d %s; remove what is no scene. [%s]", name, line,
-                          isDeep ? "lists and mappings are nested more than" : "there are more than",
-                          isDeep ? SW_YAML_MAX_DEPTH : SW_YAML_MAX_NODES, isDeep ? "deep" : "values",
-                          mistakeCodes[SW_MISTAKE_TOO_LARGE]);
-        }
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 // A second document would be ignored without a word.

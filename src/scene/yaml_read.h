@@ -21,9 +21,11 @@ typedef enum swMistake
 // Mistakes that are told; a file with more is no scene.
 #define SW_YAML_MAX_MISTAKES 64
 
-// What a document may have, or it is refused before it is read: the parser's time grows with the square of the depth.
+// What a document may have, or it is refused before it is read: the parser's time grows with the square of the depth, of
+// the anchors and of the directives.
 #define SW_YAML_MAX_DEPTH 16
 #define SW_YAML_MAX_NODES 100000
+#define SW_YAML_MAX_ANCHORS 1000
 
 typedef struct swYaml
 {

@@ -98,6 +98,14 @@ err 'looks like an option'
 run 2 render "$sea" --out ''
 run 2 render "$sea" --out "$long"
 [ ! -e ./- ] && [ ! -e ./--help ] || fail "render made a folder"
+if [ -d /proc/self ]; then
+    run 1 render "$sea" --out /proc/a.png
+    err 'its folder takes no new file'
+    run 1 render "$sea" --out /proc/frames/
+    err 'takes no other'
+fi
+run 1 render "$sea" --out nosuch/frames
+err 'cannot make the folder nosuch/frames: the folder that it would be in does not exist'
 run 1 render "$sea" --out "$hand/"
 err 'a file has that name'
 run 2 view "$sea" --frames 1 --screenshot s.jpg

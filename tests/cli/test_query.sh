@@ -125,6 +125,22 @@ err 'bad.csv:2: "oops" is no number'
 printf '0,0\n1,2,3\n' >ragged.csv
 run 1 query "$sea" --points ragged.csv
 err 'ragged.csv:2:'
+# A place that is not known spoils no other, whoever answers.
+printf '0,0\nnan,7\n10.5,-3\n' >unknown.csv
+for backend in cpu gpu; do
+    run 0 query "$sea" --points unknown.csv --time 3 --backend "$backend"
+    err 'warning: unknown.csv: 1 of 3 points have a "nan"'
+    out '^3,nan,7,nan,'
+    sed '3d' out >others
+    run 0 query "$sea" --points points.csv --time 3 --backend "$backend"
+    cmp -s out others || fail "$backend: one bad point changes the others"
+done
+printf '\357\273\277x,z\n0,0\n10.5,-3\n' >bom.csv
+run 0 query "$sea" --points bom.csv --time 3
+cmp -s out first || fail "a byte order mark gives other answers"
+printf 'x,z,x\n1,2,3\n' >twice.csv
+run 1 query "$sea" --points twice.csv
+err 'twice.csv:1: the header names several columns x'
 printf 'a,b\n1,2\n' >header.csv
 run 1 query "$sea" --points header.csv
 err 'header.csv:1: the header names no column x'
@@ -199,5 +215,16 @@ query_particles_and_drift
     "$seaway" query "$sea" --points points.csv >/dev/full 2>err
     [ $? -eq 1 ] || fail "a full disk is not exit code 1"
 }
+
+# Lines may end in CR alone.
+printf 'x,z\n0,0\n10,5\n' >lf.csv
+printf 'x,z\r0,0\r10,5\r' >cr.csv
+printf '\357\273\277x,z\r\n0,0\r\n10,5' >crlf.csv
+run 0 query "$sea" --points lf.csv
+mv out wanted
+for ends in cr crlf; do
+    run 0 query "$sea" --points $ends.csv
+    cmp -s out wanted || fail "$what: other answers than with LF"
+done
 
 finish

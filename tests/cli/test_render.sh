@@ -70,6 +70,9 @@ run 0 render "$sea" --out /dev/null --size 64x48 --warmup 0
 if command -v ffmpeg >/dev/null; then
     run 0 render "$sea" --out a.mp4 $small --frames 2 --fps 10 --ride
     has a.mp4
+    mkdir pipe:1
+    run 0 render "$sea" --out pipe:1/a.mp4 --size 64x48 --frames 2 --warmup 0
+    has pipe:1/a.mp4
     # Full at any place: in the frames, in the index at the end, while the index moves to the front.
     size=$(($(wc -c <a.mp4) / 512))
     for blocks in 1 $((size / 2)) $((size - 1)) "$size"; do
@@ -106,6 +109,8 @@ what='seaway render without ffmpeg'
 PATH=$folder/bin "$seaway" render "$sea" --out b.mp4 $small --frames 2 >out 2>err
 [ $? -eq 1 ] || fail "$what: not exit code 1"
 err 'ffmpeg is not installed'
+PATH=$folder/bin "$seaway" render "$sea" --out b.mp4 --frames 2 --warmup 600 --device 63 >out 2>err
+err 'ffmpeg is not installed' # before the sea is made, and before the device is looked for
 hasnot 'b.mp4'
 what='seaway render to a full disk'
 (

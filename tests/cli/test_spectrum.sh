@@ -18,6 +18,13 @@ is_json out
 run 0 spectrum "$buoy" --at 2024-11-16T06:50Z
 run 2 spectrum "$buoy" --at yesterday
 err 'wants a time'
+run 2 spectrum "$buoy" --at '2031-01-01 00:00'
+err 'which run from 2024-11-16 04:50 to 2024-11-16 06:50 (UTC)'
+run 0 spectrum "$buoy" --at '2024-11-16 07:10'
+err 'warning: .*outside its records; the nearest record, of 2024-11-16 06:50'
+run 1 spectrum "$buoy" --directions to
+err 'laid down by its format'
+run 2 spectrum "$buoy" --directions up
 run 1 spectrum nosuch.data_spec
 err 'nosuch.data_spec'
 echo 'this is no spectrum' >text.data_spec
@@ -66,11 +73,53 @@ run 0 spectrum swan.spec --list
 out 'location'
 run 2 spectrum swan.spec --location 3
 err 'number from 1 to 2'
+run 0 spectrum swan.spec --latitude 52.11 --longitude 4.61 --json
+is_json out
+out '"location": 2'
+out '"distance_km": 1.3'
+out '"directions": "by_format"'
+out '"directions_assumed": false'
+run 0 spectrum swan.spec --latitude=52.11 --longitude=4.61
+out 'km from the point that was asked for'
+run 2 spectrum swan.spec --latitude -52 --longitude 4.6
+err 'km away; at most 100 km are bridged'
+run 2 spectrum swan.spec --latitude 52
+err 'give both'
+run 2 spectrum swan.spec --latitude 52 --longitude 4.6 --location 1
+err 'keep one of them'
 run 1 spectrum "$buoy" --plot nosuch/plot.svg
 err 'its folder does not exist'
 run 2 spectrum "$buoy" --list --at 2024-11-16T06:50Z
 err '--list has no effect with --at'
 run 2 spectrum "$buoy" --list --plot plot.svg
 err '--list has no effect with --plot'
+
+# What was not measured is null, or said in words.
+printf '#YY MM DD hh mm Sep_Freq < spec_1 (freq_1) ... >\n2022 01 01 00 00 9.999 0.2 (0.070) 1.0 (0.080) 0.2 (0.090)\n' >alone.data_spec
+run 0 spectrum alone.data_spec --json
+out '"has_directions": false' && out '"mean_direction_from_deg": null' && out '"peak_direction_from_deg": null'
+out '"spread_deg": null' && out '"peak_r1": null' && out '"peak_spread_deg": null'
+out '"direction_from_deg": \[ null, null, null\]' && out '"r1": \[ null, null, null\]'
+err 'has no file of directions'
+is_json out
+run 0 spectrum alone.data_spec --list --json
+out '"has_directions": false' && out '"mean_direction_from_deg": null' && out '"spread_deg": null'
+run 0 spectrum alone.data_spec
+out 'from   not measured' && out 'spread not measured'
+run 0 spectrum alone.data_spec --list
+out '2022-01-01 00:00 .* -$'
+run 0 spectrum "$buoy" --json
+out '"has_directions": true' && out '"density_m2_per_hz": \[' && out '"direction_from_deg": \[' && out '"r1": \['
+out '"directional_spread_deg": \[' && out '"peak_r1": 0' && out '"peak_spread_deg": [1-9]' && out '"peak_frequency_hz": 0'
+# A gap in the directions stays one.
+printf '#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 01 01 00 00 90 (0.070) 999.0 (0.080) 100 (0.090)\n' >alone.swdir
+run 0 spectrum alone.data_spec --json
+out '"direction_from_deg": \[ 90, null, 100\]' && out '"r1": \[ null, null, null\]'
+run 1 spectrum alone.swdir
+err 'not energies: name the file of energies, alone.data_spec'
+# A calm has no periods and no directions.
+printf 'time,hs_m,tp_s\n2022-01-01,0,0\n' >calm.csv
+run 0 spectrum calm.csv --json
+out '"hs_m": 0' && out '"tp_s": null' && out '"mean_direction_from_deg": null'
 
 finish

@@ -17,15 +17,18 @@ enum
     MAP = 70
 };
 
+#define NO_NUMBER ((double)NAN)
+#define FAR_OFF ((double)INFINITY)
+
 typedef struct Bad
 {
     double x, y, z;
 } Bad;
 
 static const Bad bads[] = {
-    {NAN, 0.0, 1.0},       {1.0, 0.0, NAN},      {INFINITY, 0.0, 1.0}, {1.0, 0.0, -INFINITY},
-    {1.0000001e12, 0., 0}, {0.0, 0.0, -2e12},    {1e300, 0.0, 1e300},  {-1e300, 0.0, 0.0},
-    {1.0, NAN, 1.0},       {1.0, INFINITY, 1.0}, {1.0, 1e300, 1.0},    {1.0, -2e12, 1.0},
+    {NO_NUMBER, 0.0, 1.0}, {1.0, 0.0, NO_NUMBER}, {FAR_OFF, 0.0, 1.0}, {1.0, 0.0, -FAR_OFF},
+    {1.0000001e12, 0., 0}, {0.0, 0.0, -2e12},     {1e300, 0.0, 1e300}, {-1e300, 0.0, 0.0},
+    {1.0, NO_NUMBER, 1.0}, {1.0, FAR_OFF, 1.0},   {1.0, 1e300, 1.0},   {1.0, -2e12, 1.0},
 };
 
 #define BADS (int)(sizeof bads / sizeof bads[0])
@@ -374,7 +377,7 @@ static void NothingButBadPointsIsAnsweredToo(void** state)
     static float heights[1000];
     for (int i = 0; i < 1000; ++i)
     {
-        points[i] = (swPosXZ){NAN, 0.0};
+        points[i] = (swPosXZ){NO_NUMBER, 0.0};
     }
     swQueryStats stats;
     const swSurfaceSamples samples = {.height = heights};
@@ -392,17 +395,17 @@ static void OneValueIsNaNToo(void** state)
 {
     (void)state;
     swWorld* world = OpenSea(false, INFINITY);
-    assert_true(isnan(swWorld_GetHeight(world, NAN, 0.0)));
-    assert_true(isnan(swWorld_GetHeight(world, 0.0, -INFINITY)));
+    assert_true(isnan(swWorld_GetHeight(world, NO_NUMBER, 0.0)));
+    assert_true(isnan(swWorld_GetHeight(world, 0.0, -FAR_OFF)));
     assert_true(isnan(swWorld_GetHeight(world, 3e12, 0.0)));
     assert_true(isfinite(swWorld_GetHeight(world, 1e12, -1e12)));
-    const double depths[] = {NAN, -1.0, -INFINITY};
+    const double depths[] = {NO_NUMBER, -1.0, -FAR_OFF};
     for (int i = 0; i < 3; ++i)
     {
         swVec2 drift = swWorld_GetStokesDrift(world, depths[i]);
         assert_true(isnan(drift.x) && isnan(drift.y));
     }
-    swVec2 deep = swWorld_GetStokesDrift(world, INFINITY);
+    swVec2 deep = swWorld_GetStokesDrift(world, FAR_OFF);
     assert_true(deep.x == 0.0f && deep.y == 0.0f);
     swDestroyWorld(world);
 }
@@ -432,9 +435,9 @@ static void APointOfAMapMayBeBad(void** state)
     {
         assert_memory_equal(map + row * MAP, whole + row * 41, 41 * sizeof(float));
     }
-    const swHeightMapDef nowhere[] = {{.originX = NAN, .spacing = 1.0, .width = MAP, .height = MAP},
-                                      {.originZ = INFINITY, .spacing = 1.0, .width = MAP, .height = MAP},
-                                      {.originX = 2e12, .spacing = NAN, .width = MAP, .height = MAP}};
+    const swHeightMapDef nowhere[] = {{.originX = NO_NUMBER, .spacing = 1.0, .width = MAP, .height = MAP},
+                                      {.originZ = FAR_OFF, .spacing = 1.0, .width = MAP, .height = MAP},
+                                      {.originX = 2e12, .spacing = NO_NUMBER, .width = MAP, .height = MAP}};
     for (int k = 0; k < 3; ++k)
     {
         swWorld_QueryHeightMap(world, &def, &nowhere[k], map, &stats);

@@ -438,7 +438,7 @@ static void NetcdfOfOtherThingsIsRefused(void** state)
     Check(nc_close(file));
     swMeasuredSea* sea = NULL;
     assert_int_equal(Read(s_path, &sea), SW_ERROR_FORMAT);
-    assert_non_null(strstr(s_messages, "no variable efth"));
+    assert_non_null(strstr(s_messages, "no variable of spectra"));
     WriteFile("CDF\001 and then nothing of the kind");
     assert_int_equal(Read(s_path, &sea), SW_ERROR_FORMAT);
     assert_non_null(strstr(s_messages, "no netCDF file"));

@@ -20,6 +20,8 @@ enum
     POINTS = 100
 };
 
+static swRestoreDef restoreDef;
+
 static swWaveSystemDef MakeDef(void)
 {
     swWaveSystemDef def = swDefaultWaveSystemDef();
@@ -90,7 +92,9 @@ static swWorld* SaveAndRestore(const swWorld* world, swIsa isa)
     assert_int_equal(swWorld_Save(world, data, &size), SW_SUCCESS);
     swHost host = swDefaultHost();
     swWorld* restored = NULL;
-    assert_int_equal(swRestoreWorld(&host, data, size, isa, &restored), SW_SUCCESS);
+    swRestoreDef def = swDefaultRestoreDef();
+    def.isa = isa;
+    assert_int_equal(swRestoreWorld(&host, data, size, &def, &restored), SW_SUCCESS);
     size_t again = size;
     void* other = malloc(size);
     assert_non_null(other);
@@ -245,16 +249,16 @@ static void DamagedBytesAreRefused(void** state)
     for (size_t at = 0; at < size; at += 1 + at / 7)
     {
         data[at] ^= 0x10;
-        assert_int_equal(swRestoreWorld(&host, data, size, SW_ISA_BEST, &restored), SW_ERROR_FORMAT);
+        assert_int_equal(swRestoreWorld(&host, data, size, &restoreDef, &restored), SW_ERROR_FORMAT);
         assert_null(restored);
         data[at] ^= 0x10;
-        assert_int_equal(swRestoreWorld(&host, data, at, SW_ISA_BEST, &restored), SW_ERROR_FORMAT);
+        assert_int_equal(swRestoreWorld(&host, data, at, &restoreDef, &restored), SW_ERROR_FORMAT);
     }
     for (int fail = 0;; ++fail)
     {
         assert_true(fail < 1000);
         atomic_store(&memory.failAt, atomic_load(&memory.allocations) + fail);
-        swResult result = swRestoreWorld(&host, data, size, SW_ISA_BEST, &restored);
+        swResult result = swRestoreWorld(&host, data, size, &restoreDef, &restored);
         atomic_store(&memory.failAt, -1);
         if (result == SW_SUCCESS)
         {
@@ -436,7 +440,7 @@ static void NoNumbersAreLetIn(void** state)
         SignBytes(&saved);
         swWorld* restored = NULL;
         tried += 1;
-        if (swRestoreWorld(&host, saved.data, saved.size, SW_ISA_BEST, &restored) == SW_SUCCESS)
+        if (swRestoreWorld(&host, saved.data, saved.size, &restoreDef, &restored) == SW_SUCCESS)
         {
             swWorld_Step(restored, 0.1);
             assert_true(isfinite(swWorld_GetHeight(restored, 1.0, 2.0)));
@@ -513,6 +517,7 @@ static void DigestsSeeWhatIsToCome(void** state)
 
 int main(void)
 {
+    restoreDef = swDefaultRestoreDef();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ARestoredWorldGoesOnWithTheSameBits),
         cmocka_unit_test(ChangesUnderWayGoOn),

@@ -241,8 +241,8 @@ static int FindFrequency(const swMeasuredRecord* record, float frequency)
 static void SwellIsNarrowerThanWindSea(void** state)
 {
     (void)state;
-    swMeasuredSea* sea = MakeSea(HEADING "2022 05 10 10 40 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n"
-                                         "2022 05 10 11 40 1.0 0.0 MM 1.0 8.0 MM W STEEP 6.0 270\n");
+    swMeasuredSea* sea = MakeSea(HEADING "2022 05 10 10 40 1.0 1.0 8.0 0.0 MM W MM SWELL MM 270\n"
+                                         "2022 05 10 11 40 1.0 0.0 MM 1.0 8.0 MM W STEEP MM 270\n");
     swMeasuredRecord swell = swMeasuredSea_GetRecord(sea, 0);
     swMeasuredRecord wind = swMeasuredSea_GetRecord(sea, 1);
     assert_true(IsNear((double)swell.r1[FindFrequency(&swell, 0.125f)], 25.0 / 26.0, 1e-4));
@@ -323,6 +323,128 @@ static void AveragePeriodIsThatOfTheTable(void** state)
     }
     print_message("worst average period: %.2e\n", worst);
     assert_true(worst < 1e-3);
+}
+
+// ---- height, peak and average period at once ----
+
+// Any average period from two thirds of the dominant one down to nine tenths above it: a shape has all three.
+static void OneSystemHasHeightPeakAndAveragePeriod(void** state)
+{
+    (void)state;
+    double worst = 0.0, worstPeak = 0.0, worstHeight = 0.0;
+    int count = 0;
+    for (double dominant = 4.0; dominant < 16.0; dominant += 0.7)
+    {
+        for (double ratio = 0.9; ratio < 1.95; ratio += 0.05)
+        {
+            char text[256];
+            double average = floor(10.0 * dominant / ratio + 0.5) / 10.0;
+            if (average < 3.8) // the buoy ends at 0.485 Hz
+            {
+                continue;
+            }
+            snprintf(text, sizeof(text), "#YY MM DD hh mm WVHT DPD APD MWD\n2022 05 10 10 40 1.7 %.1f %.1f 180\n",
+                     dominant, average);
+            swMeasuredSea* sea = MakeSea(text);
+            swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
+            swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+            double error = fabs((double)seaState.periodTm02 / average - 1.0);
+            if (error > 0.02)
+            {
+                print_message("DPD %.1f s, APD %.1f s: Tm02 %.2f s\n", dominant, average, (double)seaState.periodTm02);
+            }
+            worst = fmax(worst, error);
+            worstPeak =
+                fmax(worstPeak, fabs((double)seaState.peakPeriod / (floor(10.0 * dominant + 0.5) / 10.0) - 1.0));
+            worstHeight = fmax(worstHeight, fabs((double)seaState.significantHeight / 1.7 - 1.0));
+            assert_true(IsNear((double)record.averagePeriod, average, 1e-5));
+            assert_true(record.gamma >= 0.999f && record.gamma <= 20.01f);
+            assert_true(record.tailExponent >= 1.49f && record.tailExponent <= 5.0f);
+            assert_true((error > 0.01) == (s_messages[0] != '\0'));
+            ++count;
+            swDestroyMeasuredSea(sea);
+        }
+    }
+    print_message("%d pairs of periods, worst: Tm02 %.2f %%, Tp %.2f %%, Hs %.3f %%\n", count, 100.0 * worst,
+                  100.0 * worstPeak, 100.0 * worstHeight);
+    assert_true(count > 200 && worst < 0.02 && worstPeak < 0.01 && worstHeight < 1e-3);
+}
+
+static void SwellAndWindSeaHaveTheAveragePeriod(void** state)
+{
+    (void)state;
+    static const double averages[] = {4.6, 4.9, 5.2, 5.5, 5.8, 6.1, 6.4};
+    for (size_t i = 0; i < sizeof(averages) / sizeof(averages[0]); ++i)
+    {
+        char text[256];
+        snprintf(text, sizeof(text), HEADING "2022 05 10 10 40 2.4 1.5 10.0 1.9 6.2 W S STEEP %.1f 270\n", averages[i]);
+        swMeasuredSea* sea = MakeSea(text);
+        swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
+        swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+        assert_true(IsNear((double)seaState.periodTm02, averages[i], 0.02 * averages[i]));
+        assert_true(IsNear((double)seaState.significantHeight, 2.4, 1e-4));
+        double peak = (double)seaState.peakPeriod;
+        assert_true(fabs(peak / 10.0 - 1.0) < 0.03 || fabs(peak / 6.2 - 1.0) < 0.03);
+        swDestroyMeasuredSea(sea);
+    }
+}
+
+static void AveragePeriodsThatNoShapeHasAreTold(void** state)
+{
+    (void)state;
+    swMeasuredSea* sea = MakeSea("#YY MM DD hh mm WVHT DPD APD MWD\n2022 05 10 10 40 1.7 8.0 6.0 180\n"
+                                 "2022 05 10 11 40 1.7 4.0 9.0 180\n2022 05 10 12 40 1.7 12.0 2.5 180\n");
+    assert_int_equal(swMeasuredSea_GetCount(sea), 3);
+    assert_non_null(strstr(s_messages, "s.spec:3: 2 of 3 records have an average period (APD) that no shape"));
+    for (int i = 0; i < 3; ++i)
+    {
+        static const double peaks[] = {8.0, 4.0, 12.0};
+        swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
+        swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+        assert_true(IsNear((double)seaState.peakPeriod, peaks[i], 0.01 * peaks[i]));
+        assert_true(IsNear((double)seaState.significantHeight, 1.7, 1e-4));
+    }
+    swDestroyMeasuredSea(sea);
+}
+
+// Every line that a buoy printed, but those of flat water whose heights have one digit.
+static void CompareAveragePeriods(const char* path, int feasiblePercent)
+{
+    char* text = ReadText(path);
+    if (text == NULL)
+    {
+        print_message("skipped: %s is absent\n", path);
+        return;
+    }
+    swMeasuredSea* sea = MakeSea(text);
+    int count = 0, near = 0;
+    double worst = 0.0, sum = 0.0;
+    for (int i = 0; i < swMeasuredSea_GetCount(sea); ++i)
+    {
+        swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
+        if (record.averagePeriod > 0.0f)
+        {
+            double period = (double)GetSeaState(&record, 0.0f, 0.0f).periodTm02;
+            double error = fabs(period / (double)record.averagePeriod - 1.0);
+            ++count;
+            sum += error;
+            near += error < 0.02 ? 1 : 0;
+            worst = fmax(worst, error);
+        }
+    }
+    print_message("%s: Tm02 is APD within 2 %% in %d of %d records, %.2f %% apart on average, %.1f %% at worst\n", path,
+                  near, count, 100.0 * sum / count, 100.0 * worst);
+    assert_true(count > 100 && 100 * near >= feasiblePercent * count);
+    free(text);
+    swDestroyMeasuredSea(sea);
+}
+
+static void BuoysAveragePeriodsAreKept(void** state)
+{
+    (void)state;
+    CompareAveragePeriods(BUOYS "/ndbc_44013_2022-05/44013.txt", 98);
+    CompareAveragePeriods(BUOYS "/ndbc_44013_2022-05/44013.spec", 96);
+    CompareAveragePeriods(BUOYS "/ndbc_41010_2020-06/41010.spec", 98);
 }
 
 static void CalmHasNoEnergy(void** state)
@@ -566,7 +688,7 @@ static void WrongLinesAreNamed(void** state)
          "s.spec:2: the line has 9 values after its date, the heading 10; it may be cut off"},
         {HEADING "2022 05 10 10 40 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270 1\n",
          "s.spec:2: the line has 11 values after its date, the heading 10."},
-        {HEADING "2022 05 10 10 40 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n\n2022 05 32", "s.spec:4: the day is '32'"},
+        {HEADING "\n\n2022 05 32", "s.spec:4: the day is '32'"},
         {HEADING "2022 05 10 10 60 1.0 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n", "s.spec:2: the minute is '60'"},
         {HEADING "2022 05 10 10 40 high 1.0 8.0 0.0 MM W MM SWELL 6.0 270\n",
          "s.spec:2: WVHT is 'high'; it must be a number, or MM"},
@@ -668,6 +790,10 @@ int main(void)
         cmocka_unit_test(PeaksThatTouchStillMakeATable),
         cmocka_unit_test(MeteorologicalFilesGiveOneSystem),
         cmocka_unit_test(AveragePeriodIsThatOfTheTable),
+        cmocka_unit_test(OneSystemHasHeightPeakAndAveragePeriod),
+        cmocka_unit_test(SwellAndWindSeaHaveTheAveragePeriod),
+        cmocka_unit_test(AveragePeriodsThatNoShapeHasAreTold),
+        cmocka_unit_test(BuoysAveragePeriodsAreKept),
         cmocka_unit_test(CalmHasNoEnergy),
         cmocka_unit_test(RecordsComeInOrderOfTime),
         cmocka_unit_test(BostonsSummaryIsLikeItsSpectra),

@@ -157,9 +157,11 @@ static swResult SaveAndRestore(const swHost* host, swIsa isa, swWorld** world, s
     swResult result = swWorld_Save(*world, NULL, &size);
     void* data = malloc(size);
     swWorld* restored = NULL;
+    swRestoreDef def = swDefaultRestoreDef();
+    def.isa = isa;
     result = data == NULL ? SW_ERROR_NO_MEMORY : result;
     result = result == SW_SUCCESS ? swWorld_Save(*world, data, &size) : result;
-    result = result == SW_SUCCESS ? swRestoreWorld(host, data, size, isa, &restored) : result;
+    result = result == SW_SUCCESS ? swRestoreWorld(host, data, size, &def, &restored) : result;
     free(data);
     if (result != SW_SUCCESS)
     {

@@ -61,7 +61,9 @@ int LLVMFuzzerTestOneInput(const uint8_t* input, size_t size)
     swHost host = swDefaultHost();
     host.log = NULL;
     swWorld* world = NULL;
-    if (swRestoreWorld(&host, data, size, SW_ISA_BEST, &world) == SW_SUCCESS)
+    swRestoreDef def = swDefaultRestoreDef();
+    def.memoryBudget = (size_t)256 << 20;
+    if (swRestoreWorld(&host, data, size, &def, &world) == SW_SUCCESS)
     {
         swWorld_Step(world, 0.1);
         CheckNumbers(world);

@@ -36,6 +36,24 @@ static inline void CheckRecord(const swMeasuredSea* sea, int index)
     }
 }
 
+// A record's own time and a place's own position find them, or others as near; what is found is there.
+static inline void CheckSearch(const swMeasuredSea* sea, int count)
+{
+    for (int i = 0; i < count && i < 4; ++i)
+    {
+        swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
+        swMeasuredLocation place = swMeasuredSea_GetLocation(sea, record.location);
+        int index = -1, location = -1;
+        double distance = -1.0;
+        swResult found = swMeasuredSea_ChooseRecord(sea, record.location, record.time, &index);
+        FUZZ_CHECK((found == SW_SUCCESS) == (record.time[0] != '\0'));
+        FUZZ_CHECK(found != SW_SUCCESS || strcmp(swMeasuredSea_GetRecord(sea, index).time, record.time) == 0);
+        location = swMeasuredSea_FindNearest(sea, place.longitude, place.latitude, &distance);
+        FUZZ_CHECK(location < swMeasuredSea_GetLocationCount(sea));
+        FUZZ_CHECK(location < 0 || (distance >= 0.0 && distance < 1.0));
+    }
+}
+
 static inline void CheckSea(const swMeasuredSea* sea)
 {
     int count = swMeasuredSea_GetCount(sea);
@@ -56,4 +74,5 @@ static inline void CheckSea(const swMeasuredSea* sea)
                                                  after >= before && fraction >= 0.0 && fraction <= 1.0));
     }
     FUZZ_CHECK(records == count);
+    CheckSearch(sea, count);
 }

@@ -217,10 +217,15 @@ static void ViewsComeAndGo(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ADefaultViewAgrees),         cmocka_unit_test(ViewersEverywhereAgree),
-        cmocka_unit_test(TwoSystemsAgreeAfterAMonth), cmocka_unit_test(FreeWavesAgree),
-        cmocka_unit_test(ASeaThatChangesAgrees),      cmocka_unit_test(WaterWithoutWavesIsFlat),
-        cmocka_unit_test(SlicesFollowAMovingViewer),  cmocka_unit_test(ViewsComeAndGo),
+        cmocka_unit_test(ADefaultViewAgrees),
+        cmocka_unit_test(ViewersEverywhereAgree),
+        cmocka_unit_test(ASwellOfParallelTilesAgrees),
+        cmocka_unit_test(TwoSystemsAgreeAfterAMonth),
+        cmocka_unit_test(FreeWavesAgree),
+        cmocka_unit_test(ASeaThatChangesAgrees),
+        cmocka_unit_test(WaterWithoutWavesIsFlat),
+        cmocka_unit_test(SlicesFollowAMovingViewer),
+        cmocka_unit_test(ViewsComeAndGo),
     };
     return cmocka_run_group_tests_name("slices: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

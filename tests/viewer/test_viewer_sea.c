@@ -14,24 +14,31 @@
 static swGpu* s_gpu;
 static swHost s_host;
 
-static void Ignore(void* context, swLogLevel level, const char* message)
+static char s_message[400]; // the last one
+
+static void Keep(void* context, swLogLevel level, const char* message)
 {
     (void)context;
     (void)level;
-    (void)message;
+    snprintf(s_message, sizeof(s_message), "%s", message);
 }
 
-static Sea OpenText(const char* text)
+static bool TryText(const char* text, Sea* sea)
 {
     char path[] = "/tmp/seaway_view_XXXXXX";
     int file = mkstemp(path);
     assert_true(file >= 0);
     assert_int_equal(write(file, text, strlen(text)), (ssize_t)strlen(text));
     close(file);
-    Sea sea;
-    bool isOpen = OpenSea(&sea, &s_host, s_gpu, path);
+    bool isOpen = OpenSea(sea, &s_host, s_gpu, path);
     remove(path);
-    assert_true(isOpen);
+    return isOpen;
+}
+
+static Sea OpenText(const char* text)
+{
+    Sea sea;
+    assert_true(TryText(text, &sea));
     return sea;
 }
 
@@ -67,6 +74,19 @@ static void ChangesRunOverTheTransition(void** state)
     assert_true(between > 2.5f && between < 3.8f);
     StepTo(&sea, 4.0);
     assert_true(IsNear(GetCarriedHeight(&sea), 4.0));
+    CloseSea(&sea);
+}
+
+static void ABrokenSceneLeavesTheSeaBeforeIt(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(BREEZE), fresh;
+    StepTo(&sea, 0.0);
+    assert_false(TryText(BREEZE "bogus: 1\n", &fresh));
+    assert_non_null(strstr(s_message, ":4: 'bogus'")); // with its line
+    assert_null(fresh.world);
+    StepTo(&sea, 1.0);
+    assert_true(IsNear(GetCarriedHeight(&sea), 2.0));
     CloseSea(&sea);
 }
 
@@ -321,6 +341,12 @@ static void AReplayGoesBackToTheFile(void** state)
     StepTo(&sea, 1.0);
     assert_true(GetReplaySeconds(&sea, 0) == filed + 7140.0);
     assert_true(HasReplayChanged(&sea.waves[0]));
+    ChangeReplay(&sea, 0, GetReplaySeconds(&sea, 0), 3600.0); // its speed back, then its moment
+    assert_int_equal(CountChanges(&sea), 1);
+    ResetReplayMoment(&sea, 0);
+    assert_int_equal(CountChanges(&sea), 0);
+    assert_true(GetReplaySeconds(&sea, 0) == filed + 3600.0);
+    ChangeReplay(&sea, 0, filed, 7.0);
     ResetWaves(&sea.waves[0]);
     ApplyChanges(&sea, true);
     StepTo(&sea, 1.0);
@@ -341,7 +367,7 @@ static void AReplayGoesBackToTheFile(void** state)
 int main(void)
 {
     s_host = swDefaultHost();
-    s_host.log = Ignore;
+    s_host.log = Keep;
     swGpuDef def = swDefaultGpuDef();
     def.choice = SW_DEVICE_SOFTWARE;
     if (swCreateGpu(&s_host, &def, &s_gpu) != SW_SUCCESS)
@@ -351,6 +377,7 @@ int main(void)
     }
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ChangesRunOverTheTransition),
+        cmocka_unit_test(ABrokenSceneLeavesTheSeaBeforeIt),
         cmocka_unit_test(FastChangesWaitTheirTurn),
         cmocka_unit_test(RefusedChangesLeaveThePanelAsTheWorldIs),
         cmocka_unit_test(WavesByHandAreTheirOwn),

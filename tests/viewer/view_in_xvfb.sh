@@ -22,10 +22,14 @@ fail() {
     failures=$((failures + 1))
 }
 
-# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code.
+# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code. xvfb-run has an exit
+# code and words of its own when it cannot tidy up behind itself, so the viewer's are taken inside.
 in_window() {
-    timeout "$1" xvfb-run -a -e "$folder/xvfb" -s "-screen 0 1024x768x24" "$seaway" view "${@:2}" 2>"$folder/stderr"
-    code=$?
+    code=124
+    rm -f "$folder/code"
+    timeout "$1" xvfb-run -a -e "$folder/xvfb" -s "-screen 0 1024x768x24" \
+        sh -c '"$@" 2>"$0/stderr"; echo $? >"$0/code"' "$folder" "$seaway" view "${@:2}" 2>"$folder/noise"
+    [ ! -s "$folder/code" ] || code=$(cat "$folder/code")
 }
 
 # Exit code 1, and a sentence on stderr that holds the pattern.
@@ -55,6 +59,31 @@ fi
 
 in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/none/sea.png"
 expect_refusal "a screenshot into no folder" "was not written"
+
+cat >"$folder/hand.yaml" <<'SCENE'
+waves:
+  - components: [{wavelength_m: 60, amplitude_m: 0.5, direction_from_deg: 270}]
+view: {slice_count: 2, resolution: 64}
+SCENE
+in_window 500 "$folder/hand.yaml" --device software --size 640x360 --frames 3 --validate --screenshot "$folder/hand.png"
+if [ "$code" -ne 0 ] || [ -s "$folder/stderr" ]; then
+    fail "waves by hand in the panel: exit code $code, or messages"
+else
+    echo "ok: waves by hand in the panel, and a clean end"
+fi
+
+ln -s /dev/full "$folder/full.png"
+in_window 500 "$scene" --device software --size 320x200 --frames 2 --screenshot "$folder/full.png"
+expect_refusal "a screenshot onto a full device" "was not written"
+[ -L "$folder/full.png" ] && [ -c /dev/full ] || fail "a screenshot onto a full device: link or device is gone"
+
+in_window 500 "$scene" --device software --size 640x360 --frames 3 --validate --debug slices --ui-scale 1.6 \
+    --screenshot "$folder/slices.png"
+if [ "$code" -ne 0 ] || [ -s "$folder/stderr" ] || [ ! -s "$folder/slices.png" ]; then
+    fail "a debug view and a larger panel: exit code $code, or messages"
+else
+    echo "ok: a debug view and a larger panel"
+fi
 
 in_window 60 "$folder/none.yaml" --device software --frames 1
 expect_refusal "no such scene" "none.yaml"

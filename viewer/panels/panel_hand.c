@@ -3,9 +3,19 @@
 
 #include "panels.h"
 
-static bool DrawHandWave(swWaveComponent* wave, const swWaveComponent* filed)
+// The next cell of a row that the file does not have: a slot for a mark, as wide as those of other rows.
+static void NextCell(const swWaveComponent* filed, bool isFirst)
 {
     UiNextCell();
+    if (filed == NULL)
+    {
+        UiMarkNext(isFirst, "This wave is not in the file");
+    }
+}
+
+static bool DrawHandWave(swWaveComponent* wave, const swWaveComponent* filed)
+{
+    NextCell(filed, true);
     bool hasChanged = TurnKnob(&(Knob){.label = "##length",
                                        .low = 0.0625f,
                                        .high = 4096.0f,
@@ -13,7 +23,7 @@ static bool DrawHandWave(swWaveComponent* wave, const swWaveComponent* filed)
                                        .isLogarithmic = true,
                                        .tip = "wavelength, m"},
                                &wave->wavelength, filed != NULL ? &filed->wavelength : NULL);
-    UiNextCell();
+    NextCell(filed, false);
     hasChanged |= TurnKnob(&(Knob){.label = "##height",
                                    .low = 1e-3f,
                                    .high = 40.0f,
@@ -21,14 +31,14 @@ static bool DrawHandWave(swWaveComponent* wave, const swWaveComponent* filed)
                                    .isLogarithmic = true,
                                    .tip = "amplitude, half the height, m"},
                            &wave->amplitude, filed != NULL ? &filed->amplitude : NULL);
-    UiNextCell();
+    NextCell(filed, false);
     hasChanged |= TurnKnob(&(Knob){.label = "##from",
                                    .high = 360.0f,
                                    .format = "%.0f",
                                    .isBearing = true,
                                    .tip = "where it comes from, degrees clockwise from north"},
                            &wave->direction, filed != NULL ? &filed->direction : NULL);
-    UiNextCell();
+    NextCell(filed, false);
     hasChanged |= TurnKnob(&(Knob){.label = "##phase",
                                    .low = -360.0f,
                                    .high = 360.0f,
@@ -94,7 +104,7 @@ bool DrawHandWaves(App* app, int index)
     {
         UiFaint("%d of the file's removed", missing);
         UiSameLine();
-        if (UiButton("bring back"))
+        if (UiSmallButton("bring back"))
         {
             BringBackRows(&app->sea, index);
         }

@@ -81,15 +81,21 @@ static void DrawPlaceInRecords(Sea* sea, int index)
 
 static void DrawReplaySpeed(Sea* sea, int index)
 {
-    const swSeaReplayDef* replay = &sea->waves[index].replayDef;
+    const swSeaReplayDef *replay = &sea->waves[index].replayDef, *filed = &sea->waves[index].filedReplay;
     double seconds = GetReplaySeconds(sea, index);
     float speed = (float)fabs(replay->speed);
     bool isBackwards = replay->speed < 0.0, stands = replay->speed == 0.0;
-    if (UiLogSlider("replay speed", &speed, 0.1f, 1e5f, stands ? "stands still" : "x %.1f"))
+    UiMarkNext(replay->speed != filed->speed, "x %.4g in the file; click to go back to it", filed->speed);
+    bool hasChanged = UiLogSlider("replay speed", &speed, 0.1f, 1e5f, stands ? "stands still" : "x %.1f");
+    UiTip("Seconds of records that pass in one of the sea; the timeline above moves through them");
+    if (UiWasReset())
+    {
+        ChangeReplay(sea, index, seconds, filed->speed);
+    }
+    else if (hasChanged)
     {
         ChangeReplay(sea, index, seconds, isBackwards ? -(double)speed : (double)speed);
     }
-    UiTip("Seconds of records that pass in one of the sea; the timeline above moves through them");
     if (UiCheckbox("records backwards", &isBackwards))
     {
         ChangeReplay(sea, index, seconds, -replay->speed);
@@ -97,8 +103,7 @@ static void DrawReplaySpeed(Sea* sea, int index)
     UiSameLine();
     if (UiCheckbox("halt", &stands))
     {
-        double filed = sea->waves[index].filedReplay.speed;
-        ChangeReplay(sea, index, seconds, stands ? 0.0 : filed != 0.0 ? filed : 1.0);
+        ChangeReplay(sea, index, seconds, stands ? 0.0 : filed->speed != 0.0 ? filed->speed : 1.0);
     }
     UiTip("The records stand still while the waves run on");
 }
@@ -110,32 +115,38 @@ static void DrawReplayMoment(Sea* sea, int index)
     swMeasuredLocation place = swMeasuredSea_GetLocation(waves->measured, waves->replayDef.location);
     double first = swMeasuredSea_GetRecord(waves->measured, place.firstRecord).seconds;
     double last = swMeasuredSea_GetRecord(waves->measured, place.firstRecord + place.recordCount - 1).seconds;
-    double hours = (GetReplaySeconds(sea, index) - first) / 3600.0;
-    if (UiDoubleSlider("moment", &hours, 0.0, (last - first) / 3600.0, "%.2f h"))
+    double now = GetReplaySeconds(sea, index), filed = GetFiledReplaySeconds(sea, index);
+    double hours = (now - first) / 3600.0;
+    UiMarkNext(fabs(now - filed) > 1e-3, "%.2f h by the file now; click to go there", (filed - first) / 3600.0);
+    bool hasChanged = UiDoubleSlider("moment", &hours, 0.0, (last - first) / 3600.0, "%.2f h");
+    UiTip("Hours since the first record; pull to go to another moment of them, the waves run on");
+    if (UiWasReset())
+    {
+        ResetReplayMoment(sea, index);
+    }
+    else if (hasChanged)
     {
         ChangeReplay(sea, index, first + 3600.0 * hours, waves->replayDef.speed);
     }
-    UiTip("Hours since the first record; pull to go to another moment of them, the waves run on");
+}
+
+static void DrawReplayPlace(Sea* sea, int index)
+{
+    SeaWaves* waves = &sea->waves[index];
+    int place = waves->replayDef.location, count = swMeasuredSea_GetLocationCount(waves->measured);
+    if (count > 1 && TurnChoice("place", &place, &waves->filedReplay.location, count, GetPlaceName,
+                                (void*)(uintptr_t)waves->measured))
+    {
+        ChangeReplayPlace(sea, index, place);
+    }
 }
 
 static void DrawReplay(Sea* sea, int index)
 {
-    SeaWaves* waves = &sea->waves[index];
-    int place = waves->replayDef.location;
     DrawPlaceInRecords(sea, index);
-    if (swMeasuredSea_GetLocationCount(waves->measured) > 1 &&
-        UiChoice("place", &place, swMeasuredSea_GetLocationCount(waves->measured), GetPlaceName,
-                 (void*)(uintptr_t)waves->measured))
-    {
-        ChangeReplayPlace(sea, index, place);
-    }
+    DrawReplayPlace(sea, index);
     DrawReplayMoment(sea, index);
     DrawReplaySpeed(sea, index);
-    if (HasReplayChanged(waves) && UiButton("replay as in the file"))
-    {
-        waves->replayDef = waves->filedReplay;
-        waves->hasChanged = true;
-    }
 }
 
 bool DrawMeasured(Sea* sea, int index)

@@ -32,23 +32,30 @@ static int CountModes(const Sea* sea, int index)
     return sum;
 }
 
-static void DrawSystemRow(const Sea* sea, int index)
+// Returns whether it shall go.
+static bool DrawSystemRow(const Sea* sea, int index)
 {
     const SeaWaves* waves = &sea->waves[index];
     bool hasShape = waves->asked.peakPeriod > 0.0f;
-    UiCell("%d", index + 1);
-    UiCell("%s", NameKind(waves));
+    UiCell("%d %s", index + 1, NameKind(waves));
     UiCell("%.2f", (double)(waves->asked.significantHeight * waves->def.weight));
     UiCell(hasShape ? "%.1f" : "-", (double)waves->asked.peakPeriod);
     UiCell(hasShape ? "%.0f" : "-", (double)ToBearing(waves->asked.meanDirection));
     UiCell("%d", CountModes(sea, index));
+    UiNextCell();
+    PushUiScope(waves->serial);
+    bool mustGo = UiSmallButton("-");
+    UiTip("Remove it; its waves run down over the time below");
+    PopUiScope();
+    return mustGo;
 }
 
 // All systems at a glance.
-static void DrawSystems(const Sea* sea)
+static void DrawSystems(Sea* sea)
 {
-    static const UiColumn columns[] = {{"", 2.0f},     {"kind", 0.0f}, {"Hs m", 5.0f},
-                                       {"Tp s", 5.0f}, {"from", 4.0f}, {"waves", 6.0f}};
+    static const UiColumn columns[] = {{"kind", 0.0f}, {"Hs m", 5.0f},  {"Tp s", 4.0f},
+                                       {"from", 4.0f}, {"waves", 5.0f}, {"", 2.0f}};
+    int goes = -1;
     if (!BeginUiTable("systems", 6, columns))
     {
         return;
@@ -57,10 +64,14 @@ static void DrawSystems(const Sea* sea)
     {
         if (!sea->waves[i].isRemoved)
         {
-            DrawSystemRow(sea, i);
+            goes = DrawSystemRow(sea, i) ? i : goes;
         }
     }
     EndUiTable();
+    if (goes >= 0)
+    {
+        RemoveWaves(sea, goes);
+    }
 }
 
 static const char* GetNewName(void* context, int index)
@@ -137,7 +148,7 @@ static void DrawRemoved(App* app, int index)
 {
     UiFaint("Waves %d of the file: removed", index + 1);
     UiSameLine();
-    if (UiButton("bring back") && !BringBackWaves(&app->sea, index))
+    if (UiSmallButton("bring back") && !BringBackWaves(&app->sea, index))
     {
         ShowNote(app, "they were not brought back; see Messages");
     }

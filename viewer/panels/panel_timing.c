@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where time and memory go, and the digest.
 
-#include <stdio.h>
-
 #include "panels.h"
 
 #define MAX_PASSES 48
@@ -19,11 +17,10 @@ static void DrawFrameTimes(const FrameTimes* times)
         worst = time > worst ? time : worst;
         count += time > 0.0f;
     }
-    char label[96];
     float mean = count > 0 ? sum / (float)count : 0.0f;
-    snprintf(label, sizeof(label), "frame %.1f ms, worst %.1f ms, %.1f /s", (double)mean, (double)worst,
-             mean > 0.0f ? 1e3 / (double)mean : 0.0);
-    UiGraph(label, times->milliseconds, FRAME_TIME_COUNT, times->next, worst > 33.4f ? worst : 33.4f);
+    UiWrapped("frame %.1f ms, worst %.1f, %.3g /s", (double)mean, (double)worst,
+              mean > 0.0f ? 1e3 / (double)mean : 0.0);
+    UiGraph(times->milliseconds, FRAME_TIME_COUNT, times->next, worst > 33.4f ? worst : 33.4f);
 }
 
 static void DrawPasses(const swGpu* gpu)
@@ -61,7 +58,7 @@ void DrawTimingPanel(App* app)
     }
     DrawFrameTimes(&app->frameTimes);
     DrawPasses(app->gpu);
-    UiText("%s%s", swGpu_GetDeviceName(app->gpu), swGpu_IsSoftware(app->gpu) ? " (software)" : "");
+    UiWrapped("%s%s", swGpu_GetDeviceName(app->gpu), swGpu_IsSoftware(app->gpu) ? " (software)" : "");
     UiText("core: %s, %.1f MiB", swIsa_GetName(swWorld_GetIsa(sea->world)),
            (double)swWorld_GetMemory(sea->world) * MEBI);
     UiText("device: %.1f MiB", (double)swGpuWorld_GetMemory(sea->gpuWorld) * MEBI);

@@ -91,7 +91,7 @@ static bool DrawKind(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 {
     bool hasChanged = DrawKind(spectrum, filed);
-    hasChanged |= DrawBeaufort(spectrum);
+    hasChanged |= spectrum->kind != SW_SPECTRUM_OCTAVES && DrawBeaufort(spectrum);
     hasChanged |= TurnKnob(&(Knob){.label = "wind", .low = 1.0f, .high = 40.0f, .format = "%.1f m/s"},
                            &spectrum->windSpeed, FILED(windSpeed));
     bool hasGamma = spectrum->kind == SW_SPECTRUM_JONSWAP || spectrum->kind == SW_SPECTRUM_TMA;
@@ -132,7 +132,7 @@ bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 static bool DrawOctave(swOctave* octave, const swOctave* filed, int index)
 {
     PushUiScope(index);
-    UiCell("%.4g", (double)ldexpf(1.0f, index - 4));
+    UiLabelCell("%.4g", (double)ldexpf(1.0f, index - 4));
     UiNextCell();
     bool hasChanged = TurnSwitch("##on", &octave->isEnabled, FILED(isEnabled));
     UiNextCell();

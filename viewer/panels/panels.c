@@ -11,28 +11,35 @@ float ToBearing(float direction)
     return ShowValue(&(Knob){.isBearing = true}, direction);
 }
 
-// How many values differ from the file's, and the way back.
+// These lines are always there, so that nothing below them moves when they have something to say.
 static void DrawChanges(App* app)
 {
     if (app->changeCount == 0)
     {
+        UiFaint("As in %s", GetSceneName(app));
         return;
     }
-    UiWarning("%d value%s from %s.", app->changeCount, app->changeCount == 1 ? " differs" : "s differ",
-              GetSceneName(app));
-    if (UiButton("all as in the file") && !ResetChanges(&app->sea))
+    if (UiSmallButton("reset") && !ResetChanges(&app->sea))
     {
         ShowNote(app, "not all came back; see Messages");
     }
-    UiTip("Each changed value has a dot beside its name: click on it to set that one back");
+    UiTip("Everything as in the file. A dot beside a name sets that value back alone.");
+    UiSameLine();
+    UiMarked("%d change%s from %s", app->changeCount, app->changeCount == 1 ? "" : "s", GetSceneName(app));
 }
 
 static void DrawPace(const App* app)
 {
     if (IsSeaSlow(&app->pace))
     {
-        UiWarning("The sea runs at %.2g x of the clock: frames take %.0f ms.", (double)app->pace.ratio,
-                  (double)app->pace.frameMs);
+        UiMarked("Sea at %.2g x the clock, %.0f ms a frame", (double)app->pace.ratio, (double)app->pace.frameMs);
+        UiTip("Frames take longer than the sea may advance at once, so it runs slower than the clock");
+    }
+    else
+    {
+        UiFaint("%s", app->clock.isPaused       ? "The sea is paused"
+                      : app->pace.ratio == 0.0f ? "Sea and clock are being compared"
+                                                : "The sea keeps up with the clock");
     }
 }
 
@@ -50,8 +57,8 @@ void DrawPanels(App* app)
     BeginUiPanel("Seaway (F1)");
     DrawSummary(app);
     DrawPace(app);
-    DrawMessagePanel(app);
     DrawChanges(app);
+    DrawMessagePanel(app);
     DrawTimePanel(app);
     DrawSeaPanel(app);
     DrawSkyPanel(app);

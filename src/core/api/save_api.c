@@ -37,13 +37,20 @@ static void streamHead(swStream* stream, uint64_t* mark, uint32_t* version, swWo
 }
 
 // Writing reads the world only; streams are one for both ways.
-static void writeWorld(swWorld* world, swStream* stream)
+static swResult writeWorld(swWorld* world, swStream* stream)
 {
     uint64_t mark = SAVE_MARK;
     uint32_t version = SAVE_VERSION;
     swWorldDef def = world->def;
     streamHead(stream, &mark, &version, &def);
-    swStreamState(world, stream);
+    swResult result = swStreamState(world, stream);
+    if (result != SW_SUCCESS || stream->isBroken)
+    {
+        return swFail(&world->host, SW_ERROR_LIMIT,
+                      "the world cannot be saved: after %zu bytes comes a number that a saved world cannot hold",
+                      stream->at);
+    }
+    return SW_SUCCESS;
 }
 
 swResult swWorld_Save(const swWorld* world, void* data, size_t* size)
@@ -55,8 +62,13 @@ swResult swWorld_Save(const swWorld* world, void* data, size_t* size)
         return SW_ERROR_INVALID;
     }
     swStream stream = {.purpose = SW_STREAM_COUNT};
-    writeWorld((swWorld*)world, &stream);
     size_t room = *size;
+    *size = 0;
+    swResult result = writeWorld((swWorld*)world, &stream);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
     *size = stream.at + HASH_SIZE;
     if (data == NULL)
     {
@@ -68,7 +80,11 @@ swResult swWorld_Save(const swWorld* world, void* data, size_t* size)
                       room);
     }
     stream = (swStream){.purpose = SW_STREAM_WRITE, .data = data, .size = *size};
-    writeWorld((swWorld*)world, &stream);
+    result = writeWorld((swWorld*)world, &stream);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
     uint64_t hash = hashBytes(data, stream.at);
     swStreamU64(&stream, &hash);
     return SW_SUCCESS;
@@ -104,9 +120,39 @@ static swResult checkBytes(const swHost* host, const uint8_t* data, size_t size)
     return hash == hashBytes(data, size - HASH_SIZE) ? SW_SUCCESS : failFormat(host, "are damaged");
 }
 
-swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa isa, swWorld** worldOut)
+swRestoreDef swDefaultRestoreDef(void)
 {
-    bool isValid = swIsHostValid(host) && data != NULL && worldOut != NULL;
+    return (swRestoreDef){
+        .isa = SW_ISA_BEST,
+        .memoryBudget = (size_t)1 << 30,
+        .internalValue = SW_DEF_COOKIE,
+    };
+}
+
+// Everything after the head into a world that has its def. All that is made counts against the budget.
+static swResult readState(swWorld* world, swStream* stream, size_t memoryBudget)
+{
+    world->memoryBudget = memoryBudget;
+    swResult result = SW_SUCCESS;
+    if (world->memory > memoryBudget)
+    {
+        world->isOverBudget = true;
+        result = swFailMemory(world, "the world itself");
+    }
+    result = result == SW_SUCCESS ? swStreamState(world, stream) : result;
+    world->memoryBudget = 0;
+    if (result == SW_SUCCESS && stream->at != stream->size)
+    {
+        result = SW_ERROR_FORMAT;
+    }
+    return result == SW_ERROR_FORMAT ? failFormat(&world->host, "hold a state that cannot be") : result;
+}
+
+swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const swRestoreDef* restoreDef,
+                        swWorld** worldOut)
+{
+    bool isValid = swIsHostValid(host) && data != NULL && restoreDef != NULL &&
+                   restoreDef->internalValue == SW_DEF_COOKIE && restoreDef->memoryBudget > 0 && worldOut != NULL;
     SW_ASSERT(isValid);
     if (!isValid)
     {
@@ -123,7 +169,7 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa
     uint32_t version;
     swWorldDef def = swDefaultWorldDef();
     streamHead(&stream, &mark, &version, &def);
-    def.isa = isa;
+    def.isa = restoreDef->isa;
     if (stream.isBroken || swCheckWorldDef(host, &def) != SW_SUCCESS)
     {
         return failFormat(host, "hold a world that cannot be");
@@ -134,15 +180,11 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, swIsa
     {
         return result;
     }
-    result = swStreamState(world, &stream);
-    if (result == SW_SUCCESS && stream.at != stream.size)
-    {
-        result = SW_ERROR_FORMAT;
-    }
+    result = readState(world, &stream, restoreDef->memoryBudget);
     if (result != SW_SUCCESS)
     {
         swDestroyWorld(world);
-        return result == SW_ERROR_FORMAT ? failFormat(host, "hold a state that cannot be") : result;
+        return result;
     }
     *worldOut = world;
     return SW_SUCCESS;

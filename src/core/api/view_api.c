@@ -76,7 +76,8 @@ void swDestroyView(swView* view)
 void swView_SetViewpoint(swView* view, swPos position)
 {
     // Texel indices of the finest lattice must fit: far beyond any planet.
-    bool isValid = view != NULL && fabs(position.x) <= 1e12 && fabs(position.y) <= 1e12 && fabs(position.z) <= 1e12;
+    bool isValid = view != NULL && fabs(position.x) <= SW_FARTHEST_VIEWPOINT &&
+                   fabs(position.y) <= SW_FARTHEST_VIEWPOINT && fabs(position.z) <= SW_FARTHEST_VIEWPOINT;
     SW_ASSERT(isValid);
     if (isValid)
     {

@@ -135,7 +135,7 @@ swResult swWorld_StepTo(swWorld* world, double time)
 
 void swWorld_SetOrigin(swWorld* world, swPosXZ origin)
 {
-    bool isValid = world != NULL && fabs(origin.x) <= 1e9 && fabs(origin.z) <= 1e9;
+    bool isValid = world != NULL && fabs(origin.x) <= SW_FARTHEST_ORIGIN && fabs(origin.z) <= SW_FARTHEST_ORIGIN;
     SW_ASSERT(isValid);
     if (isValid)
     {

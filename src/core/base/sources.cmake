@@ -6,4 +6,5 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/id_pool.c
     ${CMAKE_CURRENT_LIST_DIR}/result.c
     ${CMAKE_CURRENT_LIST_DIR}/stream.c
-    ${CMAKE_CURRENT_LIST_DIR}/tasks.c)
+    ${CMAKE_CURRENT_LIST_DIR}/tasks.c
+    ${CMAKE_CURRENT_LIST_DIR}/trial.c)

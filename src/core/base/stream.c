@@ -114,3 +114,12 @@ void swStreamRange(swStream* stream, int* value, int least, int most)
         *value = least; // when reading: what is written is within its range
     }
 }
+
+bool swStreamHasLeft(swStream* stream, size_t count, size_t size)
+{
+    if (swIsReading(stream) && !stream->isBroken)
+    {
+        stream->isBroken = count > (stream->size - stream->at) / size;
+    }
+    return !stream->isBroken;
+}

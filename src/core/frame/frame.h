@@ -37,6 +37,13 @@ typedef struct swMode
 // Ticks must fit an int64: 8,700 years either way.
 #define SW_LARGEST_TIME 274877906944.0
 
+// Ticks from one time to another. Two legal times may lie 2^63 ticks apart, which is one more than fits.
+static inline int64_t swGetTicksBetween(int64_t from, int64_t to)
+{
+    bool isTooLong = from < 0 && to > INT64_MAX + from;
+    return isTooLong ? INT64_MAX : to - from;
+}
+
 typedef struct swTile
 {
     int system;        // index of the wave system, of several that share the tile the first

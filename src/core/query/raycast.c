@@ -18,6 +18,7 @@
 
 #include "core/frame/asked.h"
 
+#define RAY_BLOCK 32 // rays that march together
 #define MAX_STEPS 100000
 #define MAX_REFINEMENTS 60
 
@@ -48,7 +49,7 @@ static float findReach(const swQuery* query)
     float sum = 0.0f;
     for (int i = 0; i < query->tileCount; ++i)
     {
-        variance += query->tiles[i].variance;
+        variance += swIsTileAsked(query, &query->tiles[i]) ? query->tiles[i].variance : 0.0f;
     }
     for (int i = 0; i < query->waveCount; ++i)
     {
@@ -62,7 +63,8 @@ static double findShortest(const swQuery* query)
     float shortest = INFINITY;
     for (int i = 0; i < query->tileCount; ++i)
     {
-        shortest = fminf(shortest, query->tiles[i].minWavelength);
+        const swTile* tile = &query->tiles[i];
+        shortest = swIsTileAsked(query, tile) ? fminf(shortest, tile->minWavelength) : shortest;
     }
     if (query->waveCount > 0)
     {
@@ -126,7 +128,7 @@ static float makeGap(const swQuery* query, const March* march, const Look* look)
 // The surface below each march's next look. Returns how often it was evaluated.
 static int lookAtOnce(const swQuery* query, int count, March* const* marches, Look* looks)
 {
-    swPosXZ places[SW_QUERY_BLOCK] = {{0.0, 0.0}}; // compilers do not see that count is not 0
+    swPosXZ places[RAY_BLOCK] = {{0.0, 0.0}}; // compilers do not see that count is not 0
     bool needsNormals = false;
     for (int i = 0; i < count; ++i)
     {
@@ -135,10 +137,10 @@ static int lookAtOnce(const swQuery* query, int count, March* const* marches, Lo
     }
     swFound found;
     swFindParticles(query, count, places, &found);
-    float gradients[SW_QUERY_BLOCK][8];
+    float gradients[RAY_BLOCK][8];
     if (needsNormals)
     {
-        float again[SW_QUERY_BLOCK][4];
+        float again[RAY_BLOCK][4];
         const swEvaluation evaluation = {.displacement = again, .gradients = gradients};
         swEvaluate(query, count, found.rest, &evaluation);
         found.evaluations += count;
@@ -278,7 +280,7 @@ static void castBlock(const swQuery* query, double shortest, int count, March* m
 {
     for (int step = 0; step < MAX_STEPS; ++step)
     {
-        March* active[SW_QUERY_BLOCK];
+        March* active[RAY_BLOCK];
         int activeCount = 0;
         for (int i = 0; i < count; ++i)
         {
@@ -289,7 +291,7 @@ static void castBlock(const swQuery* query, double shortest, int count, March* m
         {
             break;
         }
-        Look looks[SW_QUERY_BLOCK];
+        Look looks[RAY_BLOCK];
         stats->iterationCount += look(query, activeCount, active, looks);
         for (int i = 0; i < activeCount; ++i)
         {
@@ -326,7 +328,7 @@ void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hi
     swQueryStats total = {0};
     float reach = findReach(query);
     double shortest = findShortest(query);
-    March marches[SW_QUERY_BLOCK];
+    March marches[RAY_BLOCK];
     int blockCount = 0;
     for (int i = 0; i < count; ++i)
     {
@@ -341,7 +343,7 @@ void swCastRays(const swQuery* query, int count, const swRay* rays, swRayHit* hi
             beginMarch(query, &rays[i], reach, &marches[blockCount]);
             marches[blockCount++].index = i;
         }
-        if (blockCount == SW_QUERY_BLOCK || i + 1 == count)
+        if (blockCount == RAY_BLOCK || i + 1 == count)
         {
             castBlock(query, shortest, blockCount, marches, hits, &total);
             blockCount = 0;

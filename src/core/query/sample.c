@@ -52,15 +52,9 @@ void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* ker
     query->isNow = query->ticks == frame->ticks;
     query->waves = frame->waves;
     query->waveCount = countLongWaves(frame, def->minWavelength);
-    query->tileCount = 0;
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        const swTile* tile = &frame->tiles[i];
-        if (tile->texels != NULL && tile->maxWavelength > def->minWavelength)
-        {
-            query->tiles[query->tileCount++] = *tile;
-        }
-    }
+    query->tiles = frame->tiles;
+    // A world without queries has no texels: it answers sea level.
+    query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
 }
 
 bool swPlacePoint(const swQuery* query, double x, double z, swPosXZ* place)
@@ -71,38 +65,18 @@ bool swPlacePoint(const swQuery* query, double x, double z, swPosXZ* place)
 
 // ---- adding up waves ----
 
-static void addRows(int count, float (*to)[4], float (*rows)[4])
-{
-    for (int i = 0; i < count; ++i)
-    {
-        for (int c = 0; c < 3; ++c)
-        {
-            to[i][c] += rows[i][c];
-        }
-    }
-}
-
-// Waves one by one, added to what is there. The kernel makes velocity and acceleration together.
+// Waves one by one, added to what is there.
 static void sumOneByOne(const swQuery* query, bool withTiles, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     if (!withTiles && query->waveCount == 0)
     {
         return;
     }
-    float unused[SW_QUERY_BLOCK][4];
-    float unusedDisplacement[SW_QUERY_BLOCK][4];
-    bool hasMotion = out->velocity != NULL || out->acceleration != NULL;
-    memset(unused, 0, (size_t)count * sizeof unused[0]);
-    memset(unusedDisplacement, 0, (size_t)count * sizeof unused[0]);
-    const swSurfaceSums sums = {
-        .displacement = out->displacement != NULL ? out->displacement : unusedDisplacement,
-        .gradients = out->gradients,
-        .velocity = hasMotion && out->velocity == NULL ? unused : out->velocity,
-        .acceleration = hasMotion && out->acceleration == NULL ? unused : out->acceleration,
-    };
+    const swSurfaceSums sums = {out->displacement, out->gradients, out->velocity, out->acceleration};
     const swWaveSumJob job = {
         .tileCount = withTiles ? query->tileCount : 0,
         .tiles = query->tiles,
+        .minWavelength = query->def->minWavelength,
         .waveCount = query->waveCount,
         .waves = query->waves,
         .ticks = query->ticks,
@@ -119,32 +93,22 @@ static bool hasField(const swQuery* query, bool isVelocity)
     return query->tileCount == 0 || (isVelocity ? tile->velocity : tile->acceleration) != NULL;
 }
 
-// Displacement of a set of texels: those of velocity or acceleration.
-static void sampleField(const swQuery* query, bool isVelocity, int count, const swPosXZ* rest, float (*out)[4])
+static void sampleField(const swQuery* query, int field, int count, const swPosXZ* rest, float (*out)[4],
+                        float (*gradients)[8])
 {
-    swTile tiles[SW_MAX_TILES];
-    for (int i = 0; i < query->tileCount; ++i)
-    {
-        tiles[i] = query->tiles[i];
-        tiles[i].texels = isVelocity ? query->tiles[i].velocity : query->tiles[i].acceleration;
-    }
-    swSampleTiles(query->kernels, query->tileCount, tiles, count, rest, out[0], NULL);
+    const swTileChoice choice = {query->tileCount, query->tiles, query->def->minWavelength, field};
+    swSampleChosenTiles(query->kernels, &choice, count, rest, out[0], gradients != NULL ? gradients[0] : NULL);
 }
 
 // What tiles have no texels for: motion of tiles wave by wave.
 static void sumTileMotion(const swQuery* query, int count, const swPosXZ* rest, float (*velocity)[4],
                           float (*acceleration)[4])
 {
-    float ignored[3][SW_QUERY_BLOCK][4];
-    memset(ignored, 0, sizeof ignored);
-    const swSurfaceSums sums = {
-        .displacement = ignored[0],
-        .velocity = velocity != NULL ? velocity : ignored[1],
-        .acceleration = acceleration != NULL ? acceleration : ignored[2],
-    };
+    const swSurfaceSums sums = {.velocity = velocity, .acceleration = acceleration};
     const swWaveSumJob job = {
         .tileCount = query->tileCount,
         .tiles = query->tiles,
+        .minWavelength = query->def->minWavelength,
         .ticks = query->ticks,
         .count = count,
         .points = rest,
@@ -162,16 +126,13 @@ static void evaluateMotion(const swQuery* query, int count, const swPosXZ* rest,
         sumTileMotion(query, count, rest, needsVelocity ? out->velocity : NULL,
                       needsAcceleration ? out->acceleration : NULL);
     }
-    float field[SW_QUERY_BLOCK][4];
     if (out->velocity != NULL && !needsVelocity)
     {
-        sampleField(query, true, count, rest, field);
-        addRows(count, out->velocity, field);
+        sampleField(query, 1, count, rest, out->velocity, NULL);
     }
     if (out->acceleration != NULL && !needsAcceleration)
     {
-        sampleField(query, false, count, rest, field);
-        addRows(count, out->acceleration, field);
+        sampleField(query, 2, count, rest, out->acceleration, NULL);
     }
 }
 
@@ -190,8 +151,7 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
     {
         if (out->displacement != NULL)
         {
-            swSampleTiles(query->kernels, query->tileCount, query->tiles, count, rest, out->displacement[0],
-                          out->gradients != NULL ? out->gradients[0] : NULL);
+            sampleField(query, 0, count, rest, out->displacement, out->gradients);
         }
         evaluateMotion(query, count, rest, out);
     }

@@ -10,7 +10,7 @@
 #include "seaway/query.h"
 
 // Points worked on together; everything about a block lives on the stack.
-#define SW_QUERY_BLOCK 128
+#define SW_QUERY_BLOCK 64
 
 // The waves that count for a query, and how to add them up.
 typedef struct swQuery
@@ -24,8 +24,14 @@ typedef struct swQuery
     int waveCount;
     const swFreeWave* waves;
     int tileCount;
-    swTile tiles[SW_MAX_TILES];
+    const swTile* tiles; // of the frame; see swIsTileAsked()
 } swQuery;
+
+// Whether a tile of the query's has waves of at least the shortest length that was asked for.
+static inline bool swIsTileAsked(const swQuery* query, const swTile* tile)
+{
+    return swIsTileChosen(tile, query->def->minWavelength);
+}
 
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin);

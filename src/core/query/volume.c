@@ -33,7 +33,7 @@ static float findBottom(const swQuery* query)
     float bottom = INFINITY;
     for (int i = 0; i < query->tileCount; ++i)
     {
-        bottom = fminf(bottom, query->tiles[i].depth);
+        bottom = swIsTileAsked(query, &query->tiles[i]) ? fminf(bottom, query->tiles[i].depth) : bottom;
     }
     for (int i = 0; i < query->waveCount; ++i)
     {
@@ -128,6 +128,7 @@ static void sumBlock(const swQuery* query, const Block* block, const swDepthSums
     const swWaveSumJob job = {
         .tileCount = query->tileCount,
         .tiles = query->tiles,
+        .minWavelength = query->def->minWavelength,
         .waveCount = query->waveCount,
         .waves = query->waves,
         .ticks = query->ticks,
@@ -245,7 +246,7 @@ swVec2 swFindStokesDrift(const swQuery* query, double depthBelow)
     for (int i = 0; i < query->tileCount; ++i)
     {
         const swTile* tile = &query->tiles[i];
-        for (int m = 0; m < tile->modeCount; ++m)
+        for (int m = 0; m < tile->modeCount && swIsTileAsked(query, tile); ++m)
         {
             addModeDrift(tile, &tile->modes[m], depthBelow, drift);
         }

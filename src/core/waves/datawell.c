@@ -23,8 +23,7 @@
 // Too large for a stack.
 typedef struct Reader
 {
-    swSeaText text;
-    swMeasuredSea* sea;
+    swSeaReader file;
     double largest; // m^2/Hz
     int count;
     double frequencies[SW_SEA_MAX_FREQUENCIES];
@@ -74,12 +73,12 @@ static swResult readHead(Reader* reader)
     for (int i = 0; i < HEAD_LINES && result == SW_SUCCESS; ++i)
     {
         double value = 0.0;
-        result = swNeedSeaLine(&reader->text, "the heading's twelve numbers");
+        result = swNeedSeaLine(&reader->file.text, "the heading's twelve numbers");
         if (result == SW_SUCCESS)
         {
-            result = i == DENSITY_LINE ? swReadSeaRange(&reader->text, "the largest density, m2/Hz,", 0.0,
+            result = i == DENSITY_LINE ? swReadSeaRange(&reader->file.text, "the largest density, m2/Hz,", 0.0,
                                                         0.99 * SW_SEA_MAX_ENERGY, &reader->largest)
-                                       : swReadSeaNumber(&reader->text, "a number of the heading", false, &value);
+                                       : swReadSeaNumber(&reader->file.text, "a number of the heading", false, &value);
         }
     }
     return result;
@@ -116,18 +115,18 @@ static swResult readRows(Reader* reader)
         {"a frequency", 0.0, 100.0}, {"a relative density", 0.0, 1.001}, {"a direction", -360.0, 720.0},
         {"a spread", 0.0, 180.0},    {"a skewness", -1e6, 1e6},          {"a kurtosis", -1e6, 1e6},
     };
-    while (swNextSeaLine(&reader->text))
+    while (swNextSeaLine(&reader->file.text))
     {
         double values[COLUMNS];
         if (reader->count >= SW_SEA_MAX_FREQUENCIES)
         {
-            return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: more than %d frequencies.", reader->text.name,
-                          reader->text.line, SW_SEA_MAX_FREQUENCIES);
+            return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: more than %d frequencies.",
+                          reader->file.text.name, reader->file.text.line, SW_SEA_MAX_FREQUENCIES);
         }
         for (int i = 0; i < COLUMNS; ++i)
         {
             swResult result =
-                swReadSeaRange(&reader->text, columns[i].what, columns[i].low, columns[i].high, &values[i]);
+                swReadSeaRange(&reader->file.text, columns[i].what, columns[i].low, columns[i].high, &values[i]);
             if (result != SW_SUCCESS)
             {
                 return result;
@@ -167,15 +166,16 @@ static double findTime(const char* name)
     return (double)NAN;
 }
 
-static swResult read(Reader* reader)
+static swResult read(void* context)
 {
+    Reader* reader = context;
     swResult result = readHead(reader);
     if (result == SW_SUCCESS)
     {
         result = readRows(reader);
     }
     swMeasuredSpectrumDef def = swDefaultMeasuredSpectrumDef();
-    def.seconds = findTime(reader->text.name);
+    def.seconds = findTime(reader->file.text.name);
     def.frequencyCount = reader->count;
     def.frequencies = reader->frequencies;
     def.energy = reader->energy;
@@ -185,34 +185,12 @@ static swResult read(Reader* reader)
     def.b2 = reader->moments[3];
     if (result == SW_SUCCESS)
     {
-        result = swMeasuredSea_AddSpectrum(reader->sea, &def);
+        result = swMeasuredSea_AddSpectrum(reader->file.sea, &def);
     }
-    return result == SW_SUCCESS ? swMeasuredSea_Finish(reader->sea) : result;
+    return result;
 }
 
 swResult swParseDatawell(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    *sea = NULL;
-    Reader* reader = swAllocateZero(host, sizeof(*reader));
-    if (reader == NULL)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read a Datawell file.");
-    }
-    name = name != NULL ? name : "Datawell file";
-    reader->text = swOpenSeaText(host, text, size, name);
-    swResult result = swCreateMeasuredSea(host, name, &reader->sea);
-    if (result == SW_SUCCESS)
-    {
-        result = read(reader);
-    }
-    if (result == SW_SUCCESS)
-    {
-        *sea = reader->sea;
-    }
-    else
-    {
-        swDestroyMeasuredSea(reader->sea);
-    }
-    swFree(host, reader, sizeof(*reader));
-    return result;
+    return swRunSeaReader(host, text, size, name != NULL ? name : "Datawell file", sizeof(Reader), read, sea);
 }

@@ -41,6 +41,7 @@ void swDestroyMeasuredSea(swMeasuredSea* sea)
     }
     swFreeSeaItems(&host, &sea->records, sizeof(swSeaRecord));
     swFreeSeaItems(&host, &sea->locations, sizeof(swMeasuredLocation));
+    swFreeSeaPlaces(sea);
     swFree(&host, sea, sizeof(*sea));
 }
 
@@ -63,6 +64,11 @@ swResult swMeasuredSea_AddLocation(swMeasuredSea* sea, const char* name, double 
     }
     added->longitude = longitude;
     added->latitude = latitude;
+    if (!swIndexSeaPlace(sea, (int)sea->locations.count - 1))
+    {
+        --sea->locations.count;
+        return swFail(&sea->host, SW_ERROR_NO_MEMORY, "No memory for the places of %s.", sea->name);
+    }
     if (location != NULL)
     {
         *location = (int)sea->locations.count - 1;
@@ -76,6 +82,7 @@ swResult swAddSeaRecord(swMeasuredSea* sea, int frequencyCount, int directionCou
     size_t floatCount = (size_t)frequencyCount * ((size_t)SW_SEA_TABLE + (size_t)directionCount);
     if (sea->floatCount + floatCount > SW_SEA_MAX_FLOATS)
     {
+        sea->isFull = true;
         return swFail(&sea->host, SW_ERROR_FORMAT, "%s: more than %zu values, the most that is read; cut it in time.",
                       sea->name, SW_SEA_MAX_FLOATS);
     }
@@ -273,6 +280,9 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
     result.energy = swGetSeaRow(record, SW_SEA_ENERGY);
     result.correctedCount = record->correctedCount;
     result.partitionCount = record->partitionCount;
+    result.averagePeriod = record->averagePeriod;
+    result.gamma = record->gamma;
+    result.tailExponent = record->tailExponent;
     result.negativeCount = record->negativeCount;
     result.negativePart = getPart(record->negativeVariance, record->variance);
     result.addedPart = getPart(record->addedVariance, record->variance);
@@ -282,6 +292,8 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
         result.r1 = swGetSeaRow(record, SW_SEA_R1);
         result.direction2 = swGetSeaRow(record, SW_SEA_DIRECTION2);
         result.r2 = swGetSeaRow(record, SW_SEA_R2);
+        result.measuredDirection = swGetSeaRow(record, SW_SEA_MEASURED_DIRECTION);
+        result.measuredR1 = swGetSeaRow(record, SW_SEA_MEASURED_R1);
     }
     return result;
 }
@@ -301,17 +313,19 @@ swMeasuredLocation swMeasuredSea_GetLocation(const swMeasuredSea* sea, int locat
     return isThere ? ((const swMeasuredLocation*)sea->locations.data)[location] : none;
 }
 
-int swMeasuredSea_FindLocation(const swMeasuredSea* sea, const char* name)
+swMeasuredDirections swMeasuredSea_GetDirections(const swMeasuredSea* sea)
 {
-    const swMeasuredLocation* locations = sea->locations.data;
-    for (int i = 0; i < (int)sea->locations.count; ++i)
+    swMeasuredDirections none = {0};
+    return sea != NULL ? sea->directions : none;
+}
+
+void swMeasuredSea_SetDirections(swMeasuredSea* sea, const swMeasuredDirections* directions)
+{
+    if (sea != NULL && directions != NULL)
     {
-        if (name != NULL && strcmp(locations[i].name, name) == 0)
-        {
-            return i;
-        }
+        sea->directions = *directions;
+        sea->directions.basis[sizeof(sea->directions.basis) - 1] = '\0';
     }
-    return -1;
 }
 
 // ---- searching ----
@@ -390,47 +404,6 @@ bool swParseMeasuredTime(const char* text, double* seconds)
         return false;
     }
     return isUtc(text) && swMakeSeconds(year, month, day, hour, minute, second, seconds);
-}
-
-int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, const char* time)
-{
-    double seconds = 0.0;
-    if (time != NULL && !swParseMeasuredTime(time, &seconds))
-    {
-        return -1;
-    }
-    const swSeaRecord* records = sea->records.data;
-    int best = -1;
-    for (int i = 0; i < (int)sea->records.count; ++i)
-    {
-        if (location >= 0 && records[i].location != location)
-        {
-            continue;
-        }
-        bool isBetter = best < 0;
-        if (!isBetter && time == NULL)
-        {
-            isBetter = records[i].variance > records[best].variance;
-        }
-        else if (!isBetter)
-        {
-            // By the minute that is printed.
-            double distance = fabs(floor(records[i].seconds / 60.0) * 60.0 - seconds);
-            isBetter = distance < fabs(floor(records[best].seconds / 60.0) * 60.0 - seconds);
-        }
-        best = isBetter ? i : best;
-    }
-    return best;
-}
-
-int swMeasuredSea_FindLargest(const swMeasuredSea* sea)
-{
-    return swMeasuredSea_FindRecord(sea, -1, NULL);
-}
-
-int swMeasuredSea_FindTime(const swMeasuredSea* sea, const char* time)
-{
-    return time != NULL ? swMeasuredSea_FindRecord(sea, -1, time) : -1;
 }
 
 bool swMeasuredSea_Bracket(const swMeasuredSea* sea, int location, double seconds, int* before, int* after,

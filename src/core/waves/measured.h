@@ -22,8 +22,7 @@
 #define SW_SEA_MAX_ENERGY 5e4  // m^2/Hz: less, as all of it may go one way
 #define SW_SEA_MAX_FLOATS ((size_t)1 << 27)
 
-// A record owns its floats: frequencies, bandwidths, energy, meanDirection, r1, direction2, r2, each [frequencyCount],
-// then the table.
+// A record owns its floats: rows of [frequencyCount] as swSeaRow names them, then the table.
 typedef struct swSeaRecord
 {
     bool hasTime;
@@ -35,6 +34,7 @@ typedef struct swSeaRecord
     float firstDirection;
     int correctedCount;
     int partitionCount;
+    float averagePeriod, gamma, tailExponent; // see swMeasuredRecord
     int negativeCount;
     double negativeVariance; // taken away by negative densities, m^2
     double addedVariance;    // which the record has more than the file, m^2
@@ -50,7 +50,10 @@ struct swMeasuredSea
     char name[256];       // for messages
     swSeaArray records;   // swSeaRecord
     swSeaArray locations; // swMeasuredLocation
+    swMeasuredDirections directions;
+    swSeaArray places; // finds them, see sea_places.c
     size_t floatCount;
+    bool isFull; // another record was refused because there are too many: no fault of that record
 };
 
 typedef enum swSeaRow
@@ -62,6 +65,8 @@ typedef enum swSeaRow
     SW_SEA_R1,
     SW_SEA_DIRECTION2,
     SW_SEA_R2,
+    SW_SEA_MEASURED_DIRECTION, // NAN where it was filled in
+    SW_SEA_MEASURED_R1,
     SW_SEA_TABLE
 } swSeaRow;
 
@@ -73,6 +78,17 @@ static inline float* swGetSeaRow(const swSeaRecord* record, swSeaRow row)
 // A record to fill, cleared, of directions from 0 on; valid until the next is added. SW_ERROR_FORMAT if the sea grows
 // too large.
 swResult swAddSeaRecord(swMeasuredSea* sea, int frequencyCount, int directionCount, swSeaRecord** record);
+
+// Makes the last place findable; false if there is no memory. swMeasuredSea_AddLocation() does it.
+bool swIndexSeaPlace(swMeasuredSea* sea, int location);
+void swFreeSeaPlaces(swMeasuredSea* sea);
+
+// Index of the first place of this name and position, NAN where not known; -1 if there is none.
+int swFindSeaPlace(const swMeasuredSea* sea, const char* name, double longitude, double latitude);
+
+// The place of a point by its name, looked for first where it stands in a block; a new one is added.
+swResult swFindSeaPoint(swMeasuredSea* sea, bool isNew, int index, const char* name, double longitude, double latitude,
+                        int* location);
 
 // After the energies: sums the record's variance.
 void swSumSeaRecord(swSeaRecord* record);
@@ -89,6 +105,7 @@ void swClipSeaRow(swSeaRecord* record, double least, double cell, int count, dou
 typedef struct swSeaMoments
 {
     bool hasFirst, hasSecond;
+    bool hasSpread; // the length of the first is told, not assumed
     swMoments moments;
 } swSeaMoments;
 
@@ -96,8 +113,9 @@ typedef struct swSeaMoments
 // frequency. Fills gaps and corrects what is impossible; without any first moments spreads around east.
 void swFillSeaDirections(swSeaRecord* record, const swSeaMoments* moments);
 
-// Keep the moments of frequency i, those of a distribution that integrates to one.
-void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments);
+// Keep the moments of frequency i, those of a distribution that integrates to one, and whether its mean direction and r1
+// were told by the file.
+void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments, bool hasDirection, bool hasSpread);
 
 // The moments of cos^2s stand in for second moments that are missing.
 swMoments swCompleteMoments(const swSeaMoments* moments);

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/trial.h"
 #include "core/math/scalar.h"
 #include "core/waves/direction_grid.h"
 #include "core/waves/measured.h"
@@ -150,6 +150,7 @@ swSeaMoments swMakeSeaMoments(double direction, double spread)
             spread == spread ? 1.0 - 0.5 * spread * spread : SW_SEA_DEFAULT_EXPONENT / (SW_SEA_DEFAULT_EXPONENT + 1.0);
         r1 = r1 < 0.0 ? 0.0 : r1;
         result.hasFirst = true;
+        result.hasSpread = spread == spread;
         result.moments.a1 = r1 * swCos(direction);
         result.moments.b1 = r1 * swSin(direction);
     }
@@ -173,12 +174,17 @@ static int findDirected(const swSeaMoments* moments, int count, int i)
     return i;
 }
 
-void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments)
+void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments, bool hasDirection, bool hasSpread)
 {
     swGetSeaRow(record, SW_SEA_MEAN_DIRECTION)[i] = (float)swAtan2(moments->b1, moments->a1);
     swGetSeaRow(record, SW_SEA_R1)[i] = (float)sqrt(moments->a1 * moments->a1 + moments->b1 * moments->b1);
     swGetSeaRow(record, SW_SEA_DIRECTION2)[i] = (float)(0.5 * swAtan2(moments->b2, moments->a2));
     swGetSeaRow(record, SW_SEA_R2)[i] = (float)sqrt(moments->a2 * moments->a2 + moments->b2 * moments->b2);
+    float unknown = (float)NAN;
+    swGetSeaRow(record, SW_SEA_MEASURED_DIRECTION)[i] =
+        hasDirection ? swGetSeaRow(record, SW_SEA_MEAN_DIRECTION)[i] : unknown;
+    swGetSeaRow(record, SW_SEA_MEASURED_R1)[i] =
+        hasDirection && hasSpread ? swGetSeaRow(record, SW_SEA_R1)[i] : unknown;
 }
 
 static void scaleRow(float* density, int count, float factor)
@@ -217,7 +223,7 @@ void swFillSeaDirections(swSeaRecord* record, const swSeaMoments* moments)
     {
         swMoments whole = swCompleteMoments(&moments[findDirected(moments, count, i)]);
         record->correctedCount += swCorrectMoments(&whole) && moments[i].hasFirst ? 1 : 0;
-        swKeepSeaMoments(record, i, &whole);
+        swKeepSeaMoments(record, i, &whole, moments[i].hasFirst, moments[i].hasSpread);
         if (energy[i] > 0.0f)
         {
             swFillMaximumEntropy(&whole, SW_SEA_DIRECTIONS, density);
@@ -233,6 +239,31 @@ static bool isKnown(const double* values, int row)
     return values != NULL && values[row] == values[row] && fabs(values[row]) <= 1e6;
 }
 
+// Cosine and sine moments of an angle and a length.
+static bool setPair(const double* angles, const double* lengths, int row, double order, double* a, double* b)
+{
+    if (!isKnown(angles, row) || !isKnown(lengths, row))
+    {
+        return false;
+    }
+    *a = lengths[row] * swCos(order * angles[row]);
+    *b = lengths[row] * swSin(order * angles[row]);
+    return true;
+}
+
+static void gatherPolar(const swMeasuredSpectrumDef* def, int row, swSeaMoments* moments)
+{
+    if (!isKnown(def->r1, row) && isKnown(def->meanDirection, row))
+    {
+        *moments = swMakeSeaMoments(def->meanDirection[row], (double)NAN);
+        return;
+    }
+    moments->hasFirst = setPair(def->meanDirection, def->r1, row, 1.0, &moments->moments.a1, &moments->moments.b1);
+    moments->hasSpread = moments->hasFirst;
+    moments->hasSecond =
+        moments->hasFirst && setPair(def->direction2, def->r2, row, 2.0, &moments->moments.a2, &moments->moments.b2);
+}
+
 static void gatherMoments(const swMeasuredSpectrumDef* def, Scratch* scratch)
 {
     for (int i = 0; i < scratch->count; ++i)
@@ -240,13 +271,15 @@ static void gatherMoments(const swMeasuredSpectrumDef* def, Scratch* scratch)
         int row = scratch->order[i].row;
         swSeaMoments* moments = &scratch->moments[i];
         *moments = (swSeaMoments){0};
-        if (isKnown(def->a1, row) && isKnown(def->b1, row))
+        if (!isKnown(def->a1, row) || !isKnown(def->b1, row))
         {
-            moments->hasFirst = true;
-            moments->moments.a1 = def->a1[row];
-            moments->moments.b1 = def->b1[row];
+            gatherPolar(def, row, moments);
+            continue;
         }
-        if (moments->hasFirst && isKnown(def->a2, row) && isKnown(def->b2, row))
+        moments->hasFirst = moments->hasSpread = true;
+        moments->moments.a1 = def->a1[row];
+        moments->moments.b1 = def->b1[row];
+        if (isKnown(def->a2, row) && isKnown(def->b2, row))
         {
             moments->hasSecond = true;
             moments->moments.a2 = def->a2[row];
@@ -334,7 +367,7 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
         }
         energy[i] = (float)sum;
         swMoments moments = sumMoments(record, scratch->table, sum);
-        swKeepSeaMoments(record, i, &moments);
+        swKeepSeaMoments(record, i, &moments, sum > 0.0, sum > 0.0);
     }
     record->hasDirections = true;
     swSumSeaRecord(record);
@@ -424,7 +457,17 @@ swResult swMeasuredSea_AddSpectrum(swMeasuredSea* sea, const swMeasuredSpectrumD
     {
         return swFail(&sea->host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.", sea->name);
     }
+    swHost host = sea->host;
+    swTrial trial;
+    swBeginTrial(&trial, &host);
+    sea->host = trial.host;
     swResult result = addSpectrum(sea, def, scratch);
-    swFree(&sea->host, scratch, sizeof(*scratch));
-    return result;
+    sea->host = host;
+    swFree(&host, scratch, sizeof(*scratch));
+    if (result == SW_ERROR_FORMAT && def->warnOnly)
+    {
+        swLog(&host, SW_LOG_WARNING, "%s", trial.message);
+        return result;
+    }
+    return swEndTrial(&trial, result);
 }

@@ -11,6 +11,50 @@ static swSeaText openText(const char* text, size_t size)
     return swOpenSeaText(NULL, text, size, "");
 }
 
+// ---- one tail for all readers ----
+
+swResult swJudgeRecord(swSeaReader* reader, swResult result, int line)
+{
+    return reader->sea->isFull ? result : swJudgeTrial(&reader->trial, result, "line", line);
+}
+
+// A sea of which nothing is left is told by what was wrong with its first record.
+static swResult finish(const swHost* host, swSeaReader* reader, swResult result)
+{
+    reader->sea->host = *host; // the trial's ends here
+    result = swEndTrial(&reader->trial, result);
+    if (result == SW_SUCCESS && reader->sea->records.count == 0 && reader->trial.leftOutCount > 0)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s Nothing else could be read.", reader->trial.first);
+    }
+    return result == SW_SUCCESS ? swMeasuredSea_Finish(reader->sea) : result;
+}
+
+swResult swRunSeaReader(const swHost* host, const char* text, size_t size, const char* name, size_t readerSize,
+                        swReadSeaFcn read, swMeasuredSea** sea)
+{
+    *sea = NULL;
+    swSeaReader* reader = swAllocateZero(host, readerSize);
+    if (reader == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", name);
+    }
+    swBeginTrial(&reader->trial, host);
+    reader->text = swOpenSeaText(&reader->trial.host, text, size, name);
+    swResult result = swCreateMeasuredSea(&reader->trial.host, name, &reader->sea);
+    result = result == SW_SUCCESS ? finish(host, reader, read(reader)) : swEndTrial(&reader->trial, result);
+    if (result == SW_SUCCESS)
+    {
+        *sea = reader->sea;
+    }
+    else
+    {
+        swDestroyMeasuredSea(reader->sea);
+    }
+    swFree(host, reader, readerSize);
+    return result;
+}
+
 // ---- what a text looks like ----
 
 // NDBC: a heading of dates, or a line that begins with one.
@@ -62,6 +106,10 @@ static const struct
     [SW_MEASURED_PARTITION_TABLE] = {"table of partitions", swIsPartitionTable, swParsePartitionTable},
     [SW_MEASURED_TRIAXYS] = {"TriAxys spectrum", swIsTriaxys, swParseTriaxys},
     [SW_MEASURED_DATAWELL] = {"Datawell spectrum", swIsDatawell, swParseDatawell},
+    [SW_MEASURED_SPOTTER_CSV] = {"Spotter table", swIsSpotterCsv, swParseSpotterCsv},
+    [SW_MEASURED_AWAC] = {"AWAC sentences", swIsAwac, swParseAwac},
+    [SW_MEASURED_OCTOPUS] = {"Octopus spectra", swIsOctopus, swParseOctopus},
+    [SW_MEASURED_OBSCAPE] = {"Obscape spectrum", swIsObscape, swParseObscape},
 };
 
 swMeasuredFormat swFindMeasuredFormat(const char* text, size_t size)
@@ -103,7 +151,7 @@ swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, c
 
 const char* swGetMeasuredFormatList(void)
 {
-    return "spectra and summaries of NDBC; spectra of SWAN, of WAVEWATCH III (text), of TriAxys and Datawell (.spt) "
-           "buoys; "
+    return "spectra and summaries of NDBC; spectra of SWAN, of WAVEWATCH III and Octopus (text), of TriAxys, Datawell "
+           "(.spt), Spotter (table) and Obscape buoys, of AWAC profilers (NMEA); "
            "partitions of WAVEWATCH III and tables of them (time,hs_m,tp_s,direction_from_deg,spread_deg,gamma)";
 }

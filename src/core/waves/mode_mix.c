@@ -259,6 +259,9 @@ void swAddHashMix(swHash* hash, const swModeMix* mix)
 
 // ---- as bytes ----
 
+// Of a mode and its pair: bins, frequency, and what is mixed.
+#define MODE_BYTES (16 + 2 * MIXED * sizeof(float))
+
 // No water is as high or as steep as this.
 #define LARGEST_AMPLITUDE 1e6f
 
@@ -329,7 +332,7 @@ static swResult streamBandMix(swStream* stream, const swHost* host, int most, in
     streamDouble(stream, &mix->variance0);
     streamDouble(stream, &mix->variance1);
     streamDouble(stream, &mix->covariance);
-    if (swIsReading(stream) && count > 0 && !stream->isBroken)
+    if (swIsReading(stream) && swStreamHasLeft(stream, (size_t)count, MODE_BYTES) && count > 0)
     {
         band->modes = swAllocateZero(host, (size_t)count * sizeof(swMode));
         band->modeCount = band->modes != NULL ? count : 0;

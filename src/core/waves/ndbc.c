@@ -16,7 +16,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/trial.h"
 
 typedef struct Reader
 {
@@ -27,6 +27,8 @@ typedef struct Reader
     // Archive layout: from the last heading.
     int headingSet; // -1 before one
     bool hasMinutes;
+
+    swTrial trial;
 } Reader;
 
 void swFreeNdbcFile(const swHost* host, swNdbcFile* file)
@@ -62,7 +64,11 @@ static swResult keepSet(Reader* reader, size_t first, int* set)
             *set = (int)(i - 1);
             return SW_SUCCESS;
         }
-        if (isSame && i == file->sets.count && reader->headingSet < 0)
+        if (isSame && i == file->sets.count && reader->headingSet < 0 && count > other->count)
+        {
+            sets[i - 1].isCut = true;
+        }
+        else if (isSame && i == file->sets.count && reader->headingSet < 0)
         {
             return swFail(
                 reader->text.host, SW_ERROR_FORMAT,
@@ -82,7 +88,7 @@ static swResult keepSet(Reader* reader, size_t first, int* set)
     {
         return failMemory(reader);
     }
-    *added = (swNdbcSet){first, count};
+    *added = (swNdbcSet){first, count, false};
     *set = (int)file->sets.count - 1;
     return SW_SUCCESS;
 }
@@ -117,6 +123,38 @@ static swResult addFrequency(Reader* reader, size_t first, swSeaToken token)
     return SW_SUCCESS;
 }
 
+// What a file of each quantity is called in its heading, in words and by its name.
+static const struct
+{
+    const char *heading, *meaning, *ending;
+} s_quantities[SW_NDBC_QUANTITY_COUNT] = {
+    [SW_NDBC_ENERGY] = {"spec_", "energies", ".data_spec"},
+    [SW_NDBC_ALPHA1] = {"alpha1", "directions (alpha1)", ".swdir"},
+    [SW_NDBC_ALPHA2] = {"alpha2", "directions (alpha2)", ".swdir2"},
+    [SW_NDBC_R1] = {"r1", "lengths of moments (r1)", ".swr1"},
+    [SW_NDBC_R2] = {"r2", "lengths of moments (r2)", ".swr2"},
+};
+
+// A heading that names another quantity than the one that is wanted.
+static swResult checkQuantity(const Reader* reader, swSeaToken label)
+{
+    for (int i = 0; i < SW_NDBC_QUANTITY_COUNT; ++i)
+    {
+        size_t size = strlen(s_quantities[i].heading);
+        bool isNamed = (size_t)label.size >= size && memcmp(label.text, s_quantities[i].heading, size) == 0;
+        if (isNamed && i != (int)reader->quantity)
+        {
+            return swFail(
+                reader->text.host, SW_ERROR_FORMAT,
+                "%s:%d: these are %s, not %s: the heading names '%.*s'. Name the set by its file of energies, "
+                "such as 44013.data_spec or 44013w2021.txt; %s files beside it are found by themselves.",
+                reader->text.name, reader->text.line, s_quantities[i].meaning, s_quantities[reader->quantity].meaning,
+                label.size, label.text, s_quantities[i].ending);
+        }
+    }
+    return SW_SUCCESS;
+}
+
 // A line of names: those of the date's columns, then in archives the frequencies.
 static swResult readHeading(Reader* reader)
 {
@@ -127,9 +165,15 @@ static swResult readHeading(Reader* reader)
     int labelCount = 0;
     double number = 0.0;
     swSeaToken token = swNextSeaToken(&reader->text);
+    bool isOfDate = token.size >= 2 && memcmp(token.text, "YY", 2) == 0;
     for (; token.size > 0 && !swParseSeaNumber(token, &number); token = swNextSeaToken(&reader->text))
     {
         ++labelCount;
+        swResult result = isOfDate ? checkQuantity(reader, token) : SW_SUCCESS;
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
     }
     if (token.size == 0 || (labelCount != 4 && labelCount != 5))
     {
@@ -170,18 +214,13 @@ static swResult addValue(Reader* reader, swSeaToken token)
         return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: '%.*s' is not a number.", reader->text.name,
                       reader->text.line, token.size, token.text);
     }
-    static const double largest[] = {998.0, 360.0, 110.0};
+    static const double largest[SW_NDBC_QUANTITY_COUNT] = {998.0, 360.0, 360.0, 110.0, 110.0};
     bool isMissing = value >= 999.0;
     if (!isMissing && (value < 0.0 || value > largest[reader->quantity]))
     {
         return swFail(reader->text.host, SW_ERROR_FORMAT,
                       "%s:%d: the value is %g; it must be from 0 to %g, or 999 or MM where it is missing.",
                       reader->text.name, reader->text.line, value, largest[reader->quantity]);
-    }
-    if (reader->file->values.count >= SW_NDBC_MAX_VALUES)
-    {
-        return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: more than %d values; cut the file in time.",
-                      reader->text.name, reader->text.line, SW_NDBC_MAX_VALUES);
     }
     float* added = swAppendSeaItems(reader->text.host, &reader->file->values, 1, sizeof(float));
     if (added == NULL)
@@ -310,19 +349,78 @@ static void scaleRatios(swNdbcFile* file)
     }
 }
 
+// What a broken line has left is taken back.
+static swResult readRowOrLeaveOut(Reader* reader)
+{
+    swNdbcFile* file = reader->file;
+    size_t values = file->values.count, frequencies = file->frequencies.count, sets = file->sets.count;
+    swResult room = swCheckNdbcRoom(&reader->text, file->rows.count, values);
+    if (room != SW_SUCCESS)
+    {
+        return room;
+    }
+    swResult row = readRow(reader);
+    swResult result = swJudgeTrial(&reader->trial, row, "line", reader->text.line);
+    if (row != SW_SUCCESS && result == SW_SUCCESS)
+    {
+        file->values.count = values;
+        file->frequencies.count = frequencies;
+        file->sets.count = sets;
+    }
+    return result;
+}
+
+// Lines that were found to be cut off only by longer ones behind them.
+static void dropCutRows(Reader* reader)
+{
+    const swNdbcSet* sets = reader->file->sets.data;
+    swNdbcRow* rows = reader->file->rows.data;
+    size_t kept = 0;
+    for (size_t i = 0; i < reader->file->rows.count; ++i)
+    {
+        if (sets[rows[i].set].isCut)
+        {
+            swResult result = swFail(reader->text.host, SW_ERROR_FORMAT,
+                                     "%s:%d: the line has %d frequencies where others have more; it is cut off.",
+                                     reader->text.name, rows[i].line, sets[rows[i].set].count);
+            swJudgeTrial(&reader->trial, result, "line", rows[i].line);
+            continue;
+        }
+        rows[kept++] = rows[i];
+    }
+    reader->file->rows.count = kept;
+}
+
+static swResult readLines(Reader* reader)
+{
+    swResult result = SW_SUCCESS;
+    while (result == SW_SUCCESS && swNextSeaLine(&reader->text))
+    {
+        result = swIsNdbcHeading(&reader->text) ? readHeading(reader) : readRowOrLeaveOut(reader);
+    }
+    if (result == SW_SUCCESS)
+    {
+        dropCutRows(reader);
+    }
+    return swEndTrial(&reader->trial, result);
+}
+
 swResult swReadNdbcFile(const swHost* host, const char* text, size_t size, const char* name, swNdbcQuantity quantity,
                         swNdbcFile* file)
 {
     memset(file, 0, sizeof(*file));
     file->name = name;
-    Reader reader = {swOpenSeaText(host, text, size, name), file, quantity, -1, false};
-    while (swNextSeaLine(&reader.text))
+    Reader reader = {.file = file, .quantity = quantity, .headingSet = -1};
+    swBeginTrial(&reader.trial, host);
+    reader.text = swOpenSeaText(&reader.trial.host, text, size, name);
+    swResult result = readLines(&reader);
+    if (result != SW_SUCCESS)
     {
-        swResult result = swIsNdbcHeading(&reader.text) ? readHeading(&reader) : readRow(&reader);
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
+        return result;
+    }
+    if (file->rows.count == 0 && reader.trial.leftOutCount > 0)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s Nothing else could be read.", reader.trial.first);
     }
     if (file->rows.count == 0)
     {
@@ -330,7 +428,7 @@ swResult swReadNdbcFile(const swHost* host, const char* text, size_t size, const
                       name, reader.text.line > 0 ? reader.text.line : 1);
     }
     swSortNdbcRows(&reader.text, &file->rows);
-    if (quantity == SW_NDBC_RATIO)
+    if (quantity == SW_NDBC_R1 || quantity == SW_NDBC_R2)
     {
         scaleRatios(file);
     }

@@ -5,12 +5,15 @@
 
 #include "core/waves/sea_text.h"
 
-// What a file holds decides which numbers it may have.
+// What a file holds decides which numbers it may have. Real-time files say in their heading what they hold.
 typedef enum swNdbcQuantity
 {
-    SW_NDBC_ENERGY,    // m^2/Hz
-    SW_NDBC_DIRECTION, // degrees
-    SW_NDBC_RATIO      // r1 and r2: 0 to 1, or 0 to 100 in archives; read as 0 to 1
+    SW_NDBC_ENERGY, // m^2/Hz
+    SW_NDBC_ALPHA1, // degrees
+    SW_NDBC_ALPHA2,
+    SW_NDBC_R1, // 0 to 1, or 0 to 100 in archives; read as 0 to 1
+    SW_NDBC_R2,
+    SW_NDBC_QUANTITY_COUNT
 } swNdbcQuantity;
 
 #define SW_NDBC_MAX_FREQUENCIES 1024
@@ -20,6 +23,7 @@ typedef struct swNdbcSet
 {
     size_t first;
     int count;
+    bool isCut; // a longer list begins as this one: its lines are cut off
 } swNdbcSet;
 
 typedef struct swNdbcFile

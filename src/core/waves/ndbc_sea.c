@@ -128,6 +128,7 @@ static swSeaMoments makeMoments(float alpha1, float alpha2, float r1, float r2)
     double direction1 = (double)SW_DIRECTION_FROM_BEARING((double)alpha1);
     double length = r1 >= 0.0f ? (double)r1 : SW_SEA_DEFAULT_EXPONENT / (SW_SEA_DEFAULT_EXPONENT + 1.0);
     result.hasFirst = true;
+    result.hasSpread = r1 >= 0.0f;
     result.moments.a1 = length * swCos(direction1);
     result.moments.b1 = length * swSin(direction1);
     if (r2 >= 0.0f && alpha2 >= 0.0f)
@@ -228,32 +229,65 @@ static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* s
 
 static swResult readFiles(const swHost* host, const swNdbcTexts* texts, Files* files)
 {
-    swResult result =
-        swReadNdbcFile(host, texts->energy, texts->energySize, texts->energyName != NULL ? texts->energyName : "energy",
-                       SW_NDBC_ENERGY, &files->energy);
-    if (result == SW_SUCCESS && texts->alpha1 != NULL)
+    const struct
     {
-        result =
-            swReadNdbcFile(host, texts->alpha1, texts->alpha1Size,
-                           texts->alpha1Name != NULL ? texts->alpha1Name : "alpha1", SW_NDBC_DIRECTION, &files->alpha1);
-    }
-    if (result == SW_SUCCESS && texts->alpha2 != NULL)
+        const char *text, *name, *fallback;
+        size_t size;
+        swNdbcFile* file;
+    } sources[SW_NDBC_QUANTITY_COUNT] = {
+        [SW_NDBC_ENERGY] = {texts->energy, texts->energyName, "energy", texts->energySize, &files->energy},
+        [SW_NDBC_ALPHA1] = {texts->alpha1, texts->alpha1Name, "alpha1", texts->alpha1Size, &files->alpha1},
+        [SW_NDBC_ALPHA2] = {texts->alpha2, texts->alpha2Name, "alpha2", texts->alpha2Size, &files->alpha2},
+        [SW_NDBC_R1] = {texts->r1, texts->r1Name, "r1", texts->r1Size, &files->r1},
+        [SW_NDBC_R2] = {texts->r2, texts->r2Name, "r2", texts->r2Size, &files->r2},
+    };
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_NDBC_QUANTITY_COUNT && result == SW_SUCCESS; ++i)
     {
-        result =
-            swReadNdbcFile(host, texts->alpha2, texts->alpha2Size,
-                           texts->alpha2Name != NULL ? texts->alpha2Name : "alpha2", SW_NDBC_DIRECTION, &files->alpha2);
-    }
-    if (result == SW_SUCCESS && texts->r1 != NULL)
-    {
-        result = swReadNdbcFile(host, texts->r1, texts->r1Size, texts->r1Name != NULL ? texts->r1Name : "r1",
-                                SW_NDBC_RATIO, &files->r1);
-    }
-    if (result == SW_SUCCESS && texts->r2 != NULL)
-    {
-        result = swReadNdbcFile(host, texts->r2, texts->r2Size, texts->r2Name != NULL ? texts->r2Name : "r2",
-                                SW_NDBC_RATIO, &files->r2);
+        const char* name = sources[i].name != NULL ? sources[i].name : sources[i].fallback;
+        result = sources[i].text != NULL
+                     ? swReadNdbcFile(host, sources[i].text, sources[i].size, name, (swNdbcQuantity)i, sources[i].file)
+                     : SW_SUCCESS;
     }
     return result;
+}
+
+// Mean square slope of the waves that a row would have. The steepest seas have 0.1 up to half a hertz.
+static double getSlope(const swNdbcFile* energy, const swNdbcRow* row)
+{
+    const swNdbcSet* set = (const swNdbcSet*)energy->sets.data + row->set;
+    const float* frequencies = (const float*)energy->frequencies.data + set->first;
+    const float* values = (const float*)energy->values.data + row->first;
+    double slope = 0.0;
+    for (int i = 1; i < set->count; ++i)
+    {
+        double omega = 2.0 * SW_PI * (double)frequencies[i];
+        double width = (double)frequencies[i] - (double)frequencies[i - 1];
+        slope += values[i] > 0.0f ? (double)values[i] * width * omega * omega * omega * omega / (9.81 * 9.81) : 0.0;
+    }
+    return slope;
+}
+
+// Archives do not say what they hold. Directions and lengths times 100, taken for energies, make waves that would be
+// steeper than any by a factor of ten and more.
+static swResult checkSlopes(const swHost* host, const swNdbcFile* energy)
+{
+    const swNdbcRow* rows = energy->rows.data;
+    size_t steepCount = 0;
+    for (size_t i = 0; i < energy->rows.count; ++i)
+    {
+        steepCount += getSlope(energy, &rows[i]) > 1.0 ? 1 : 0;
+    }
+    if (2 * steepCount <= energy->rows.count)
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(
+        host, SW_ERROR_FORMAT,
+        "%s:%d: these can be no energies: waves of such densities would be ten times as steep as any. Is it a "
+        "file of directions or moments? Name the file of energies that belongs to it, such as 44013w2021.txt "
+        "for 44013d2021.txt.",
+        energy->name, rows[0].line);
 }
 
 swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea** sea)
@@ -267,6 +301,10 @@ swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea
     memset(&files, 0, sizeof(files));
     swMeasuredSea* made = NULL;
     swResult result = readFiles(host, texts, &files);
+    if (result == SW_SUCCESS)
+    {
+        result = checkSlopes(host, &files.energy);
+    }
     if (result == SW_SUCCESS)
     {
         result = swCreateMeasuredSea(host, files.energy.name, &made);

@@ -162,6 +162,11 @@ static void fillRecord(const swSeaPartition* partitions, int count, swSeaRecord*
     {
         square += partitions[i].height * partitions[i].height;
     }
+    bool hasSpreads = true; // each is told
+    for (int i = 0; i < count; ++i)
+    {
+        hasSpreads = hasSpreads && (partitions[i].spread == partitions[i].spread || !(partitions[i].height > 0.0));
+    }
     double total = partitions[0].total;
     double scale = total == total && square > 0.0 ? total / sqrt(square) : 1.0;
     for (int i = 0; i < count; ++i)
@@ -179,7 +184,7 @@ static void fillRecord(const swSeaPartition* partitions, int count, swSeaRecord*
     {
         double share = energies[i] > 0.0f ? 1.0 / (double)energies[i] : 0.0;
         swMoments mean = {share * moments[i].a1, share * moments[i].b1, share * moments[i].a2, share * moments[i].b2};
-        swKeepSeaMoments(record, i, &mean);
+        swKeepSeaMoments(record, i, &mean, true, hasSpreads);
     }
     swSumSeaRecord(record);
 }

@@ -30,29 +30,52 @@
 
 typedef struct Reader
 {
-    swSeaText text;
-    swMeasuredSea* sea;
+    swSeaReader file;
     swSeaArray partitions; // swSeaPartition
-    int lastLocation;
+    bool isHeld;           // the line at hand is still to be read
+    int emptyCount;        // partitions of no height or period
+    int firstEmpty;        // line of the first
 } Reader;
-
-typedef swResult (*ReadFcn)(Reader* reader);
 
 static swResult keep(Reader* reader, const swSeaPartition* partition)
 {
     if (reader->partitions.count >= MAX_PARTITIONS)
     {
-        return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: more than %d partitions; cut the file in time.",
-                      reader->text.name, reader->text.line, MAX_PARTITIONS);
+        reader->file.sea->isFull = true;
+        return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: more than %d partitions; cut the file in time.",
+                      reader->file.text.name, reader->file.text.line, MAX_PARTITIONS);
     }
-    swSeaPartition* added = swAppendSeaItems(reader->text.host, &reader->partitions, 1, sizeof(*added));
+    swSeaPartition* added = swAppendSeaItems(reader->file.text.host, &reader->partitions, 1, sizeof(*added));
     if (added == NULL)
     {
-        return swFail(reader->text.host, SW_ERROR_NO_MEMORY, "No memory for the contents of %s.", reader->text.name);
+        return swFail(reader->file.text.host, SW_ERROR_NO_MEMORY, "No memory for the contents of %s.",
+                      reader->file.text.name);
     }
     *added = *partition;
     added->order = (int)reader->partitions.count - 1;
     return SW_SUCCESS;
+}
+
+static void countEmpty(Reader* reader)
+{
+    reader->firstEmpty = reader->emptyCount++ > 0 ? reader->firstEmpty : reader->file.text.line;
+}
+
+// Makes records of the partitions that were kept.
+static swResult finish(Reader* reader, swResult result)
+{
+    if (reader->emptyCount > 0)
+    {
+        swLog(reader->file.text.host, SW_LOG_WARNING,
+              "%s:%d: %d partitions have no height or period and are left out; this line is the first.",
+              reader->file.text.name, reader->firstEmpty, reader->emptyCount);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swAddPartitions(reader->file.sea, reader->partitions.data, reader->partitions.count);
+    }
+    swFreeSeaItems(reader->file.text.host, &reader->partitions, sizeof(swSeaPartition));
+    return result;
 }
 
 // ---- WAVEWATCH III ----
@@ -65,30 +88,41 @@ bool swIsWavewatchPartitions(const char* text, size_t size)
     return swNextSeaLine(&lines) && swHasSeaPrefix(&lines, s_head);
 }
 
-// Number, hs, tp, lp, theta, sp, wf of one line.
+// A number, or NAN for a word that says that there is none, or the stars of a number too long for its column.
+static swResult readNumber(Reader* reader, const char* what, double* value)
+{
+    swSeaToken token = swNextSeaToken(&reader->file.text);
+    *value = (double)NAN;
+    bool isNothing = token.size > 0 && (swIsSeaMissing(token) || *token.text == '*');
+    if (isNothing || swParseSeaNumber(token, value))
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: %s should be a number, not '%.*s'.",
+                  reader->file.text.name, reader->file.text.line, what, token.size, token.text);
+}
+
+// Number, hs, tp, lp, theta, sp, wf of the line at hand.
 static swResult readSystem(Reader* reader, int expected, swSeaPartition* partition)
 {
-    static const struct
-    {
-        const char* what;
-        double low, high;
-    } columns[7] = {{"a partition's number", 0.0, 1000.0},
-                    {"a height", 0.0, MAX_HEIGHT},
-                    {"a period", 0.0, 1000.0},
-                    {"a wavelength", 0.0, 1e7},
-                    {"a direction", -1e6, 1e6},
-                    {"a spread", -1e6, 1e6},
-                    {"a part that the wind drives", -1e6, 1e6}};
+    static const char* const columns[7] = {
+        "a partition's number",       "a height", "a period", "a wavelength", "a direction", "a spread",
+        "a part that the wind drives"};
     double values[7];
-    swResult result = swNeedSeaLine(&reader->text, "a partition");
+    swResult result = SW_SUCCESS;
     for (int i = 0; i < 7 && result == SW_SUCCESS; ++i)
     {
-        result = swReadSeaRange(&reader->text, columns[i].what, columns[i].low, columns[i].high, &values[i]);
+        result = readNumber(reader, columns[i], &values[i]);
     }
     if (result == SW_SUCCESS && values[0] != expected)
     {
-        result = swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: partition %g stands where %d should.",
-                        reader->text.name, reader->text.line, values[0], expected);
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: partition %g stands where %d should.",
+                        reader->file.text.name, reader->file.text.line, values[0], expected);
+    }
+    if (result == SW_SUCCESS && values[1] > MAX_HEIGHT)
+    {
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: a height is %g m; at most %g is read.",
+                        reader->file.text.name, reader->file.text.line, values[1], MAX_HEIGHT);
     }
     if (result == SW_SUCCESS)
     {
@@ -108,7 +142,7 @@ static swResult readPoint(Reader* reader, swSeaPartition* partition, int* count)
 {
     double place[2] = {0.0, 0.0};
     char name[64];
-    swSeaText* text = &reader->text;
+    swSeaText* text = &reader->file.text;
     swResult result = swReadPackedTime(text, &partition->seconds);
     if (result == SW_SUCCESS)
     {
@@ -126,57 +160,110 @@ static swResult readPoint(Reader* reader, swSeaPartition* partition, int* count)
     {
         result = swReadSeaCount(text, "the number of partitions", 0, 1000, count);
     }
-    // Points of a grid have no name of their own: they are told apart by where they are. Times have them in one order.
-    int knownCount = swMeasuredSea_GetLocationCount(reader->sea);
-    for (int i = 0; result == SW_SUCCESS && i < knownCount; ++i)
+    if (result != SW_SUCCESS)
     {
-        int candidate = (reader->lastLocation + 1 + i) % knownCount;
-        swMeasuredLocation known = swMeasuredSea_GetLocation(reader->sea, candidate);
-        if (known.latitude == place[0] && known.longitude == place[1] && strcmp(known.name, name) == 0)
+        return result;
+    }
+    // Points of a grid have no name of their own: they are told apart by where they are.
+    partition->location = swFindSeaPlace(reader->file.sea, name, place[1], place[0]);
+    return partition->location >= 0
+               ? SW_SUCCESS
+               : swMeasuredSea_AddLocation(reader->file.sea, name, place[1], place[0], &partition->location);
+}
+
+// The next line of a point; false, and the line is held, if another point begins there or the text ends.
+static bool nextSystem(Reader* reader)
+{
+    swSeaText* text = &reader->file.text;
+    reader->isHeld = swNextSeaLine(text);
+    if (reader->isHeld && !swIsPackedTime(text))
+    {
+        reader->isHeld = false;
+        return true;
+    }
+    return false;
+}
+
+// The whole sea and its partitions, a line each. One that is broken is left out.
+static swResult readSystems(Reader* reader, swSeaPartition partition, int count)
+{
+    swSeaText* text = &reader->file.text;
+    swSeaPartition whole = partition;
+    whole.height = 0.0;
+    double sum = 0.0;
+    bool hasWhole = false;
+    for (int i = 0; i <= count; ++i)
+    {
+        if (!nextSystem(reader))
         {
-            partition->location = reader->lastLocation = candidate;
-            return SW_SUCCESS;
+            swResult cut = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: partition %d of %d is missing before this line.",
+                                  text->name, text->line, i, count);
+            cut = swJudgeRecord(&reader->file, cut, text->line);
+            if (cut != SW_SUCCESS)
+            {
+                return cut;
+            }
+            break;
+        }
+        swSeaPartition* system = i == 0 ? &whole : &partition;
+        swResult part = readSystem(reader, i, system);
+        swResult result = swJudgeRecord(&reader->file, part, text->line);
+        if (i == 0)
+        {
+            hasWhole = part == SW_SUCCESS;
+            partition.total = whole.total = whole.height > 0.0 && part == SW_SUCCESS ? whole.height : (double)NAN;
+        }
+        else if (part == SW_SUCCESS && partition.height > 0.0)
+        {
+            sum += partition.height;
+            result = keep(reader, &partition);
+        }
+        else if (part == SW_SUCCESS)
+        {
+            countEmpty(reader);
+        }
+        if (result != SW_SUCCESS)
+        {
+            return result;
         }
     }
-    return result == SW_SUCCESS ? swMeasuredSea_AddLocation(reader->sea, name, place[1], place[0], &partition->location)
-                                : result;
+    return sum == 0.0 && hasWhole ? keep(reader, &whole) : SW_SUCCESS;
 }
 
-static swResult readSystems(Reader* reader)
+// A point, or a line of names between the points.
+static swResult readBlock(Reader* reader)
 {
+    swSeaText* text = &reader->file.text;
+    char first = swPeekSeaChar(text);
+    if ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z'))
+    {
+        return SW_SUCCESS;
+    }
     swSeaPartition partition = {.hasTime = true, .gamma = (double)NAN};
-    int count = 0;
-    swResult result = readPoint(reader, &partition, &count);
-    reader->text.at = reader->text.lineEnd;
-    swSeaPartition whole = partition;
-    if (result == SW_SUCCESS)
+    int count = 0, line = text->line;
+    swResult part = readPoint(reader, &partition, &count);
+    if (part == SW_SUCCESS)
     {
-        result = readSystem(reader, 0, &whole);
+        return readSystems(reader, partition, count);
     }
-    partition.total = whole.height > 0.0 ? whole.height : (double)NAN;
-    whole.total = partition.total;
-    double sum = 0.0;
-    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
+    swResult result = swJudgeRecord(&reader->file, part, line);
+    while (result == SW_SUCCESS && nextSystem(reader))
     {
-        reader->text.at = reader->text.lineEnd;
-        result = readSystem(reader, i + 1, &partition);
-        sum += partition.height;
-        result = result == SW_SUCCESS ? keep(reader, &partition) : result;
-    }
-    reader->text.at = reader->text.lineEnd;
-    return result == SW_SUCCESS && sum == 0.0 ? keep(reader, &whole) : result;
-}
-
-static swResult readWavewatch(Reader* reader)
-{
-    swResult result = swNeedSeaLine(&reader->text, "the heading");
-    while (result == SW_SUCCESS && swNextSeaLine(&reader->text))
-    {
-        char first = swPeekSeaChar(&reader->text);
-        bool isHeading = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
-        result = isHeading ? SW_SUCCESS : readSystems(reader);
+        // of a point that is left out
     }
     return result;
+}
+
+static swResult readWavewatch(void* context)
+{
+    Reader* reader = context;
+    swResult result = swNeedSeaLine(&reader->file.text, "the heading");
+    while (result == SW_SUCCESS && (reader->isHeld || swNextSeaLine(&reader->file.text)))
+    {
+        reader->isHeld = false;
+        result = readBlock(reader);
+    }
+    return finish(reader, result);
 }
 
 // ---- the table ----
@@ -207,29 +294,6 @@ static const struct
     [LOCATION] = {"location", 0.0, 0.0},
 };
 
-// The next field of a line, without spaces around; false at its end.
-static bool nextField(swSeaText* text, swSeaToken* field)
-{
-    if (text->at > text->lineEnd)
-    {
-        return false;
-    }
-    const char* end = text->at < text->lineEnd ? memchr(text->at, ',', (size_t)(text->lineEnd - text->at)) : NULL;
-    end = end != NULL ? end : text->lineEnd;
-    const char* begin = text->at;
-    text->at = end + 1;
-    while (begin < end && (*begin == ' ' || *begin == '\t' || *begin == '"'))
-    {
-        ++begin;
-    }
-    while (end > begin && (end[-1] == ' ' || end[-1] == '\t' || end[-1] == '\r' || end[-1] == '"'))
-    {
-        --end;
-    }
-    *field = (swSeaToken){begin, (int)(end - begin < 80 ? end - begin : 80)};
-    return true;
-}
-
 static bool nextRow(swSeaText* text)
 {
     while (swNextSeaLine(text))
@@ -248,7 +312,7 @@ static bool readHeading(swSeaText* text, int columns[64], int* count)
     bool has[COLUMN_COUNT + 1] = {false};
     swSeaToken field;
     *count = 0;
-    while (*count < 64 && nextField(text, &field))
+    while (*count < 64 && swNextSeaField(text, &field))
     {
         int column = 0;
         while (column < COLUMN_COUNT && !swIsSeaToken(field, s_columns[column].name))
@@ -274,8 +338,8 @@ bool swIsPartitionTable(const char* text, size_t size)
 
 static swResult failField(const Reader* reader, int column, swSeaToken field, const char* wish)
 {
-    return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be %s.", reader->text.name,
-                  reader->text.line, s_columns[column].name, field.size, field.text, wish);
+    return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be %s.",
+                  reader->file.text.name, reader->file.text.line, s_columns[column].name, field.size, field.text, wish);
 }
 
 static void copyField(swSeaToken field, char text[64])
@@ -298,105 +362,98 @@ static swResult readField(Reader* reader, int column, swSeaToken field, swSeaPar
     }
     if (column == LOCATION)
     {
-        partition->location = swMeasuredSea_FindLocation(reader->sea, text);
+        partition->location = swMeasuredSea_FindLocation(reader->file.sea, text);
         return partition->location >= 0
                    ? SW_SUCCESS
-                   : swMeasuredSea_AddLocation(reader->sea, text, (double)NAN, (double)NAN, &partition->location);
+                   : swMeasuredSea_AddLocation(reader->file.sea, text, (double)NAN, (double)NAN, &partition->location);
     }
-    if (column == COLUMN_COUNT || (field.size == 0 && column != HEIGHT))
+    if (column == COLUMN_COUNT)
     {
         return SW_SUCCESS;
     }
     double value = 0.0;
-    if (!swParseSeaNumber(field, &value) || value < s_columns[column].low || value > s_columns[column].high)
+    bool isNumber = swParseSeaNumber(field, &value);
+    bool isAngle = column == BEARING && isNumber && value >= s_columns[BEARING].low; // -9 degrees are 351
+    if ((swIsSeaMissing(field) && !isAngle) || (column == PERIOD && isNumber && value == 0.0))
     {
-        return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be a number from %g to %g.",
-                      reader->text.name, reader->text.line, s_columns[column].name, field.size, field.text,
-                      s_columns[column].low, s_columns[column].high);
+        return SW_SUCCESS;
+    }
+    if (!isNumber || value < s_columns[column].low || value > s_columns[column].high)
+    {
+        return swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                      "%s:%d: %s is '%.*s'; it must be a number from %g to %g.", reader->file.text.name,
+                      reader->file.text.line, s_columns[column].name, field.size, field.text, s_columns[column].low,
+                      s_columns[column].high);
     }
     *values[column] = column == PERIOD ? 1.0 / value : column == SPREAD ? value * DEGREE : value;
     return SW_SUCCESS;
 }
 
+// A partition of no height is one that the hour does not have; one of height 0 still tells the hour.
+static swResult keepRow(Reader* reader, const swSeaPartition* partition)
+{
+    if (!(partition->height > 0.0))
+    {
+        countEmpty(reader);
+        return partition->height == 0.0 ? keep(reader, partition) : SW_SUCCESS;
+    }
+    if (!(partition->peak > 0.0))
+    {
+        return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: there is a height but no tp_s.",
+                      reader->file.text.name, reader->file.text.line);
+    }
+    return keep(reader, partition);
+}
+
 static swResult readRow(Reader* reader, const int* columns, int count)
 {
-    swSeaPartition partition = {
-        .total = (double)NAN, .bearing = (double)NAN, .spread = (double)NAN, .gamma = (double)NAN};
+    swSeaPartition partition = {.height = (double)NAN,
+                                .total = (double)NAN,
+                                .bearing = (double)NAN,
+                                .spread = (double)NAN,
+                                .gamma = (double)NAN};
     swSeaToken field;
     int fields = 0;
     swResult result = SW_SUCCESS;
-    for (; result == SW_SUCCESS && nextField(&reader->text, &field); ++fields)
+    for (; result == SW_SUCCESS && swNextSeaField(&reader->file.text, &field); ++fields)
     {
         result = fields < count ? readField(reader, columns[fields], field, &partition) : SW_SUCCESS;
     }
     if (result == SW_SUCCESS && fields != count)
     {
-        result = swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: the line has %d fields, the heading %d.",
-                        reader->text.name, reader->text.line, fields, count);
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: the line has %d fields, the heading %d.",
+                        reader->file.text.name, reader->file.text.line, fields, count);
     }
-    if (result == SW_SUCCESS && partition.height > 0.0 && !(partition.peak > 0.0))
-    {
-        result = swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: there is a height but no tp_s.", reader->text.name,
-                        reader->text.line);
-    }
-    return result == SW_SUCCESS ? keep(reader, &partition) : result;
+    return result == SW_SUCCESS ? keepRow(reader, &partition) : result;
 }
 
-static swResult readTable(Reader* reader)
+static swResult readTable(void* context)
 {
+    Reader* reader = context;
     int columns[64], count = 0;
-    if (!nextRow(&reader->text) || !readHeading(&reader->text, columns, &count))
-    {
-        return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: the heading must name time, hs_m and tp_s once each.",
-                      reader->text.name, reader->text.line);
-    }
     swResult result = SW_SUCCESS;
-    while (result == SW_SUCCESS && nextRow(&reader->text))
+    if (!nextRow(&reader->file.text) || !readHeading(&reader->file.text, columns, &count))
     {
-        result = readRow(reader, columns, count);
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                        "%s:%d: the heading must name time, hs_m and tp_s once each.", reader->file.text.name,
+                        reader->file.text.line);
     }
-    return result;
+    while (result == SW_SUCCESS && nextRow(&reader->file.text))
+    {
+        result = swJudgeRecord(&reader->file, readRow(reader, columns, count), reader->file.text.line);
+    }
+    return finish(reader, result);
 }
 
 // ---- the whole file ----
 
-static swResult parse(const swHost* host, const char* text, size_t size, const char* name, ReadFcn read,
-                      swMeasuredSea** sea)
-{
-    *sea = NULL;
-    Reader reader = {swOpenSeaText(host, text, size, name != NULL ? name : "partitions"), NULL, {0}, 0};
-    swResult result = swCreateMeasuredSea(host, reader.text.name, &reader.sea);
-    if (result == SW_SUCCESS)
-    {
-        result = read(&reader);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swAddPartitions(reader.sea, reader.partitions.data, reader.partitions.count);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swMeasuredSea_Finish(reader.sea);
-    }
-    swFreeSeaItems(host, &reader.partitions, sizeof(swSeaPartition));
-    if (result == SW_SUCCESS)
-    {
-        *sea = reader.sea;
-    }
-    else
-    {
-        swDestroyMeasuredSea(reader.sea);
-    }
-    return result;
-}
-
 swResult swParseWavewatchPartitions(const swHost* host, const char* text, size_t size, const char* name,
                                     swMeasuredSea** sea)
 {
-    return parse(host, text, size, name, readWavewatch, sea);
+    return swRunSeaReader(host, text, size, name != NULL ? name : "partitions", sizeof(Reader), readWavewatch, sea);
 }
 
 swResult swParsePartitionTable(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return parse(host, text, size, name, readTable, sea);
+    return swRunSeaReader(host, text, size, name != NULL ? name : "partitions", sizeof(Reader), readTable, sea);
 }

@@ -48,7 +48,9 @@ void swFreeSeaItems(const swHost* host, swSeaArray* array, size_t itemSize)
 
 swSeaText swOpenSeaText(const swHost* host, const char* text, size_t size, const char* name)
 {
-    return (swSeaText){host, name, text, text + size, 0, text, text};
+    bool hasMark = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0; // UTF-8's byte order mark
+    const char* begin = hasMark ? text + 3 : text;
+    return (swSeaText){host, name, begin, text + size, 0, begin, begin, begin};
 }
 
 static bool isSpace(char c)
@@ -62,11 +64,15 @@ static bool nextLine(swSeaText* text)
     {
         return false;
     }
-    size_t left = (size_t)(text->end - text->next);
-    const char* newline = memchr(text->next, '\n', left);
-    text->at = text->next;
-    text->lineEnd = newline != NULL ? newline : text->end;
-    text->next = newline != NULL ? newline + 1 : text->end;
+    const char* end = text->next;
+    while (end < text->end && *end != '\n' && *end != '\r')
+    {
+        ++end;
+    }
+    bool isPair = end + 1 < text->end && end[0] == '\r' && end[1] == '\n';
+    text->lineBegin = text->at = text->next;
+    text->lineEnd = end;
+    text->next = end < text->end ? end + (isPair ? 2 : 1) : end;
     ++text->line;
     return true;
 }
@@ -93,6 +99,22 @@ char swPeekSeaChar(swSeaText* text)
     return text->at < text->lineEnd ? *text->at : '\0';
 }
 
+static char toLower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c;
+}
+
+// 9, 99, 999, ... whatever their decimals: 999.9 as well.
+static bool isNines(double value)
+{
+    double nines = 9.0;
+    while (nines < value && floor(value) != nines && nines < 1e6)
+    {
+        nines = 10.0 * nines + 9.0;
+    }
+    return floor(value) == nines;
+}
+
 swSeaToken swNextSeaToken(swSeaText* text)
 {
     swPeekSeaChar(text);
@@ -111,6 +133,47 @@ swSeaToken swNextSeaToken(swSeaText* text)
         }
     }
     return (swSeaToken){begin, (int)(text->at - begin < 80 ? text->at - begin : 80)};
+}
+
+bool swNextSeaField(swSeaText* text, swSeaToken* field)
+{
+    if (text->at > text->lineEnd)
+    {
+        return false;
+    }
+    const char* end = text->at < text->lineEnd ? memchr(text->at, ',', (size_t)(text->lineEnd - text->at)) : NULL;
+    end = end != NULL ? end : text->lineEnd;
+    const char* begin = text->at;
+    text->at = end + 1;
+    while (begin < end && (isSpace(*begin) || *begin == '"'))
+    {
+        ++begin;
+    }
+    while (end > begin && (isSpace(end[-1]) || end[-1] == '"'))
+    {
+        --end;
+    }
+    *field = (swSeaToken){begin, (int)(end - begin < 80 ? end - begin : 80)};
+    return true;
+}
+
+bool swIsSeaMissing(swSeaToken token)
+{
+    static const char* const words[] = {"", "nan", "na", "n/a", "null", "none", "mm", "-"};
+    for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); ++i)
+    {
+        int same = 0;
+        while (same < token.size && words[i][same] != '\0' && toLower(token.text[same]) == words[i][same])
+        {
+            ++same;
+        }
+        if (same == token.size && words[i][same] == '\0')
+        {
+            return true;
+        }
+    }
+    double value = 0.0;
+    return swParseSeaNumber(token, &value) && value <= -9.0 && isNines(-value);
 }
 
 bool swIsSeaToken(swSeaToken token, const char* word)
@@ -373,13 +436,19 @@ swResult swReadNdbcDate(swSeaText* text, bool hasMinutes, int64_t* minutes)
 
 // ---- rows ----
 
+swResult swCheckNdbcRoom(const swSeaText* text, size_t rowCount, size_t valueCount)
+{
+    bool hasRows = rowCount < SW_NDBC_MAX_ROWS;
+    if (hasRows && valueCount < SW_NDBC_MAX_VALUES)
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: more than %d %s; cut the file in time.", text->name, text->line,
+                  hasRows ? SW_NDBC_MAX_VALUES : SW_NDBC_MAX_ROWS, hasRows ? "values" : "records");
+}
+
 swResult swAppendNdbcRow(const swSeaText* text, swSeaArray* rows, const swNdbcRow* row)
 {
-    if (rows->count >= SW_NDBC_MAX_ROWS)
-    {
-        return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: more than %d records; cut the file in time.", text->name,
-                      text->line, SW_NDBC_MAX_ROWS);
-    }
     swNdbcRow* added = swAppendSeaItems(text->host, rows, 1, sizeof(swNdbcRow));
     if (added == NULL)
     {

@@ -40,6 +40,7 @@ typedef struct swSeaText
     const char* next; // first character of the next line
     const char* end;
     int line; // of `at`, from 1
+    const char* lineBegin;
     const char* at;
     const char* lineEnd;
 } swSeaText;
@@ -50,6 +51,7 @@ typedef struct swSeaToken
     int size; // at most 80
 } swSeaToken;
 
+// Passes over the byte order mark that some editors write. Lines end in LF, CR LF or CR; the last may lack its end.
 swSeaText swOpenSeaText(const swHost* host, const char* text, size_t size, const char* name);
 
 // To the next line that holds more than spaces; false at the end.
@@ -60,6 +62,12 @@ char swPeekSeaChar(swSeaText* text);
 
 // Empty at the end of the line. Parentheses stand alone.
 swSeaToken swNextSeaToken(swSeaText* text);
+
+// The next field of a line with commas, without the spaces and quotes around it; false behind the last.
+bool swNextSeaField(swSeaText* text, swSeaToken* field);
+
+// Whether a field says that nothing is known: empty, NaN, MM, N/A, null, or -9, -99, -999, ...
+bool swIsSeaMissing(swSeaToken token);
 
 bool swIsSeaToken(swSeaToken token, const char* word);
 bool swParseSeaNumber(swSeaToken token, double* value);
@@ -111,7 +119,10 @@ typedef struct swNdbcRow
     int line;
 } swNdbcRow;
 
-// SW_ERROR_FORMAT if there are too many rows.
+// SW_ERROR_FORMAT if a file holds too much for another row: it is refused as a whole.
+swResult swCheckNdbcRoom(const swSeaText* text, size_t rowCount, size_t valueCount);
+
+// SW_ERROR_NO_MEMORY if there is no room.
 swResult swAppendNdbcRow(const swSeaText* text, swSeaArray* rows, const swNdbcRow* row);
 
 // Ascending in time. Of two rows of one time the first in the file stays, with a warning.

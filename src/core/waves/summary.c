@@ -14,7 +14,7 @@
 
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/trial.h"
 #include "seaway/measured.h"
 
 #define MAX_COLUMNS 64
@@ -241,33 +241,45 @@ static swResult readRow(swSeaText* text, const Columns* columns, swSummaryFile* 
     return SW_SUCCESS;
 }
 
+// A heading, a comment, or a record, which is left out if it is broken.
+static swResult readLine(swSeaText* lines, swTrial* trial, Columns* columns, swSummaryFile* file)
+{
+    if (!swIsNdbcHeading(lines))
+    {
+        swResult room = swCheckNdbcRoom(lines, file->rows.count, 0);
+        return room == SW_SUCCESS ? swJudgeTrial(trial, readRow(lines, columns, file), "line", lines->line) : room;
+    }
+    Columns read;
+    *columns = readHeading(lines, &read) ? read : *columns; // or a comment
+    if (columns->count > MAX_COLUMNS)
+    {
+        return swFail(lines->host, SW_ERROR_FORMAT, "%s:%d: the heading names %d columns; at most %d are read.",
+                      lines->name, lines->line, columns->count, MAX_COLUMNS);
+    }
+    return SW_SUCCESS;
+}
+
 swResult swReadSummaryFile(const swHost* host, const char* text, size_t size, const char* name, swSummaryFile* file)
 {
     memset(file, 0, sizeof(*file));
     file->name = name;
-    swSeaText lines = swOpenSeaText(host, text, size, name);
+    swTrial trial;
+    swBeginTrial(&trial, host);
+    swSeaText lines = swOpenSeaText(&trial.host, text, size, name);
     Columns columns = {0};
-    while (swNextSeaLine(&lines))
+    swResult result = SW_SUCCESS;
+    while (result == SW_SUCCESS && swNextSeaLine(&lines))
     {
-        swResult result = SW_SUCCESS;
-        if (swIsNdbcHeading(&lines))
-        {
-            Columns read;
-            columns = readHeading(&lines, &read) ? read : columns; // or a comment
-            if (columns.count > MAX_COLUMNS)
-            {
-                result = swFail(host, SW_ERROR_FORMAT, "%s:%d: the heading names %d columns; at most %d are read.",
-                                name, lines.line, columns.count, MAX_COLUMNS);
-            }
-        }
-        else
-        {
-            result = readRow(&lines, &columns, file);
-        }
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
+        result = readLine(&lines, &trial, &columns, file);
+    }
+    result = swEndTrial(&trial, result);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (file->rows.count == 0 && trial.leftOutCount > 0)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s Nothing else could be read.", trial.first);
     }
     if (file->rows.count == 0)
     {

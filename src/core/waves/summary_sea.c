@@ -5,12 +5,13 @@
 // with E the JONSWAP shape [Hasselmann 1973] and D = cos^2s [Longuet-Higgins 1963], and the sum is scaled so that its
 // height is that of the whole sea, which is printed too (the parts' squares add up to it but for their rounding).
 //
-// A summary says nothing of the shapes. gamma was chosen among 1, 2, 3.3, 5, 6, 7, 10 on the 287 records of two buoys
-// (44013 in May 2022, 41010 in June 2020) whose spectra are known as well: 3.3 for swell and 2 for wind sea misplace the
-// least energy, 21 % on average, and find the bin of the spectrum's peak in 92 % of the records. (2 lies between the
-// growing and the grown sea; a swell's 5 to 10 after a long way is washed out by the buoy's bins.) Spreading is narrowest
-// at the peak, s = s_max (f / f_peak)^5 below and s_max (f / f_peak)^-2.5 above [Mitsuyasu 1975], with s_max = 25 for
-// swell that has not come far and 10 for wind sea [Goda 1985].
+// A summary says nothing of the shapes but the average period, APD, which is Tm02. Where it is there, the shape is chosen
+// that has it (core/waves/summary_shape.h). Where it is not, the usual gamma is 3.3 for swell and 2 for wind sea: of 1, 2,
+// 3.3, 5, 6, 7 and 10 those that misplaced the least energy in the 287 records of two buoys (44013 in May 2022, 41010 in
+// June 2020) whose spectra are known as well. (2 lies between the growing and the grown sea; a swell's 5 to 10 after a long
+// way is washed out by the buoy's bins.) Spreading is narrowest at the peak, s = s_max (f / f_peak)^5 below and
+// s_max (f / f_peak)^-2.5 above [Mitsuyasu 1975], with s_max = 25 for swell that has not come far and 10 for wind sea
+// [Goda 1985].
 //
 // Directions of parts are rounded to a point of the compass. The mean direction is that at the peak, in degrees: the
 // part with the higher peak takes it if it lies within its point's sector (in 273 of the 287 records it does).
@@ -20,35 +21,35 @@
 
 #include "core/base/host.h"
 #include "core/math/scalar.h"
-#include "core/waves/compiled.h"
 #include "core/waves/measured.h"
 #include "core/waves/spreading.h"
 #include "core/waves/summary.h"
+#include "core/waves/summary_shape.h"
 
 #define SWELL_GAMMA 3.3
 #define SWELL_SHARPNESS 25.0
 #define WIND_GAMMA 2.0
 #define WIND_SHARPNESS 10.0
 
-#define FREQUENCIES 64
+#define FREQUENCIES SW_SHAPE_FREQUENCIES
 #define MAX_RECORDS (SW_NDBC_MAX_VALUES / FREQUENCIES)
 
 // Where buoys end. Tables go on to 1.25 peak frequencies where that is more.
 #define LAST_FREQUENCY 0.485
 #define LAST_OF_PEAK 1.25
-#define FIRST_OF_PEAK 0.55 // below, JONSWAP has 1e-7 of its energy
+#define FIRST_OF_PEAK 0.55  // below, JONSWAP has 1e-7 of its energy
+#define FIRST_OF_SHELF 0.33 // where a shelf of longer waves is needed
 
 // Half a sector of 16 points, and half a degree of the printed mean direction.
 #define HALF_SECTOR 11.75
 
+// Average periods that differ by less are the same: half of a buoy's last digit at 5 s.
+#define SAME_PERIOD 0.01
+
 typedef struct Partition
 {
-    double height;    // m
-    double peak;      // Hz
-    double direction; // degrees, where waves come from; SW_NDBC_MISSING
-    double gamma;
+    double direction;             // degrees, where waves come from; SW_NDBC_MISSING
     double sharpness;             // s at the peak
-    double energy[FREQUENCIES];   // m^2/Hz
     double exponent[FREQUENCIES]; // s
 } Partition;
 
@@ -56,6 +57,8 @@ typedef struct Sea
 {
     int count; // 0 where it is calm
     double height;
+    bool isMissed; // no shape has the average period
+    swShape shapes[2];
     Partition partitions[2];
 } Sea;
 
@@ -93,11 +96,12 @@ static void addPartition(Sea* sea, const float* values, swSummaryField height, d
 {
     if (hasWaves(values[height]))
     {
+        swShape* shape = &sea->shapes[sea->count];
         Partition* partition = &sea->partitions[sea->count++];
-        partition->height = (double)values[height];
-        partition->peak = 1.0 / (double)values[height + 1];
+        shape->height = (double)values[height];
+        shape->peak = 1.0 / (double)values[height + 1];
+        shape->usualGamma = gamma;
         partition->direction = (double)values[height + 2];
-        partition->gamma = gamma;
         partition->sharpness = sharpness;
     }
 }
@@ -109,12 +113,12 @@ static void splitSea(Sea* sea, const float* values)
     double square = 0.0;
     for (int i = 0; i < sea->count; ++i)
     {
-        square += sea->partitions[i].height * sea->partitions[i].height;
+        square += sea->shapes[i].height * sea->shapes[i].height;
     }
     sea->height = values[SW_SUMMARY_HEIGHT] < 0.0f ? sqrt(square) : (double)values[SW_SUMMARY_HEIGHT];
     for (int i = 0; i < sea->count; ++i)
     {
-        sea->partitions[i].height *= sea->height / sqrt(square);
+        sea->shapes[i].height *= sea->height / sqrt(square);
     }
 }
 
@@ -138,17 +142,17 @@ static int countSteps(double low, double high, double step)
 }
 
 // About equal ratios, with a frequency at each peak: the period of the table's peak is then the printed one.
-static void fillFrequencies(const Sea* sea, float* frequencies)
+static void fillFrequencies(const Sea* sea, double firstOfPeak, float* frequencies)
 {
-    double low = sea->count > 0 ? sea->partitions[0].peak : 0.1;
+    double low = sea->count > 0 ? sea->shapes[0].peak : 0.1;
     double high = low;
     for (int i = 1; i < sea->count; ++i)
     {
-        double peak = sea->partitions[i].peak;
+        double peak = sea->shapes[i].peak;
         low = peak < low ? peak : low;
         high = peak > high ? peak : high;
     }
-    double begin = FIRST_OF_PEAK * low;
+    double begin = firstOfPeak * low;
     double end = LAST_OF_PEAK * high > LAST_FREQUENCY ? LAST_OF_PEAK * high : LAST_FREQUENCY;
     double step = swLn(end / begin) / (FREQUENCIES - 1);
     int used = fillSteps(begin, low, countSteps(begin, low, step), frequencies);
@@ -163,73 +167,54 @@ static void fillFrequencies(const Sea* sea, float* frequencies)
 
 // ---- energy ----
 
-// A JONSWAP of the partition's height, as the sum over these bins.
-static void fillEnergy(Partition* partition, const float* frequencies, const float* widths)
+// With the shapes that are usual.
+static void fillPartitions(Sea* sea, double firstOfPeak, float* frequencies, float* widths)
 {
-    swCompiledSpectrum shape;
-    memset(&shape, 0, sizeof(shape));
-    shape.level = 1.0;
-    shape.peakOmega = SW_TURN * partition->peak;
-    shape.gamma = partition->gamma;
-    double variance = 0.0;
-    for (int i = 0; i < FREQUENCIES; ++i)
-    {
-        partition->energy[i] = swGetFormulaDensity(&shape, SW_TURN * (double)frequencies[i]);
-        variance += partition->energy[i] * (double)widths[i];
-    }
-    double scale = partition->height * partition->height / (16.0 * variance);
-    for (int i = 0; i < FREQUENCIES; ++i)
-    {
-        partition->energy[i] *= scale;
-    }
-}
-
-static void fillPartitions(Sea* sea, float* frequencies, float* widths)
-{
-    fillFrequencies(sea, frequencies);
+    fillFrequencies(sea, firstOfPeak, frequencies);
     swFillBandwidths(FREQUENCIES, frequencies, widths);
     for (int i = 0; i < sea->count; ++i)
     {
-        fillEnergy(&sea->partitions[i], frequencies, widths);
+        swPrepareShape(&sea->shapes[i], frequencies);
     }
+    swFillShapes(sea->shapes, sea->count, 0.0, widths);
 }
 
-// Tm02 = sqrt(m0 / m2) of these bins.
-static double getAveragePeriod(const Partition* partition, const float* frequencies, const float* widths)
+// Without the dominant period a peak is sought whose usual spectrum, cut off where the buoy's is, has the average period;
+// each round brings the two closer by half or more.
+static void findPeak(Sea* sea, double average, float* frequencies, float* widths)
 {
-    double zero = 0.0;
-    double two = 0.0;
-    for (int i = 0; i < FREQUENCIES; ++i)
+    swShape* shape = &sea->shapes[0];
+    for (int round = 0; round < 12; ++round)
     {
-        double variance = partition->energy[i] * (double)widths[i];
-        zero += variance;
-        two += variance * (double)frequencies[i] * (double)frequencies[i];
+        double period = average / (shape->peak * swGetAveragePeriod(shape, 1, frequencies, widths));
+        period = period < 1.0 ? 1.0 : period > 60.0 ? 60.0 : period;
+        shape->peak = 1.0 / period;
+        fillPartitions(sea, FIRST_OF_PEAK, frequencies, widths);
     }
-    return sqrt(zero / two);
 }
 
-// One system where the line does not tell swell from wind sea. Without the dominant period, a peak is sought whose
-// spectrum, cut off where the buoy's is, has the average period; each round brings the two closer by half or more.
-static void fillSingle(Sea* sea, const float* values, float* frequencies, float* widths)
+// Shapes that give the sea the average period that the buoy printed, perhaps with longer waves beside the peak.
+static void fitPeriod(Sea* sea, double average, float* frequencies, float* widths)
+{
+    double found = swFitShapes(sea->shapes, sea->count, average, 1.0, frequencies, widths);
+    if (found < average * (1.0 - SAME_PERIOD))
+    {
+        fillPartitions(sea, FIRST_OF_SHELF, frequencies, widths);
+        found = swFitShapes(sea->shapes, sea->count, average, SW_SHAPE_MOST, frequencies, widths);
+    }
+    sea->isMissed = fabs(found / average - 1.0) > SAME_PERIOD;
+}
+
+// One system where the line does not tell swell from wind sea.
+static void makeSingle(Sea* sea, const float* values)
 {
     double dominant = (double)values[SW_SUMMARY_DOMINANT_PERIOD];
-    double average = (double)values[SW_SUMMARY_AVERAGE_PERIOD];
     sea->count = 1;
-    sea->height = (double)values[SW_SUMMARY_HEIGHT];
-    Partition* partition = &sea->partitions[0];
-    partition->height = sea->height;
-    partition->peak = 1.0 / (dominant > 0.0 ? dominant : 1.3 * average);
-    partition->direction = (double)values[SW_SUMMARY_MEAN_DIRECTION];
-    partition->gamma = WIND_GAMMA;
-    partition->sharpness = WIND_SHARPNESS;
-    fillPartitions(sea, frequencies, widths);
-    for (int round = 0; round < 12 && dominant < 0.0; ++round)
-    {
-        double period = average / (partition->peak * getAveragePeriod(partition, frequencies, widths));
-        period = period < 1.0 ? 1.0 : period > 60.0 ? 60.0 : period;
-        partition->peak = 1.0 / period;
-        fillPartitions(sea, frequencies, widths);
-    }
+    sea->height = sea->shapes[0].height = (double)values[SW_SUMMARY_HEIGHT];
+    sea->shapes[0].peak = 1.0 / (dominant > 0.0 ? dominant : 1.3 * (double)values[SW_SUMMARY_AVERAGE_PERIOD]);
+    sea->shapes[0].usualGamma = WIND_GAMMA;
+    sea->partitions[0].direction = (double)values[SW_SUMMARY_MEAN_DIRECTION];
+    sea->partitions[0].sharpness = WIND_SHARPNESS;
 }
 
 // ---- directions ----
@@ -256,7 +241,7 @@ static bool findDirections(Sea* sea, double meanDirection)
 {
     Partition* first = &sea->partitions[0];
     Partition* second = &sea->partitions[1];
-    bool isFirstHigher = sea->count < 2 || getLargest(first->energy) >= getLargest(second->energy);
+    bool isFirstHigher = sea->count < 2 || getLargest(sea->shapes[0].energy) >= getLargest(sea->shapes[1].energy);
     Partition* higher = isFirstHigher ? first : second;
     if (meanDirection >= 0.0 && (higher->direction < 0.0 || isInSector(meanDirection, higher->direction)))
     {
@@ -279,7 +264,7 @@ static void fillExponents(Sea* sea, bool hasDirections, const float* frequencies
         Partition* partition = &sea->partitions[i];
         for (int j = 0; j < FREQUENCIES; ++j)
         {
-            double ratio = (double)frequencies[j] / partition->peak;
+            double ratio = (double)frequencies[j] / sea->shapes[i].peak;
             double square = ratio * ratio;
             double decay = ratio < 1.0 ? square * square * ratio : 1.0 / (square * sqrt(ratio));
             partition->exponent[j] = hasDirections ? partition->sharpness * decay : SW_SEA_DEFAULT_EXPONENT;
@@ -290,12 +275,11 @@ static void fillExponents(Sea* sea, bool hasDirections, const float* frequencies
 // ---- records ----
 
 // Circular moments of one frequency times its energy.
-static void addMoments(swMoments* moments, const Partition* partition, int index)
+static void addMoments(swMoments* moments, const Partition* partition, double energy, int index)
 {
     double r1 = 0.0;
     double r2 = 0.0;
     double direction = (double)SW_DIRECTION_FROM_BEARING(partition->direction);
-    double energy = partition->energy[index];
     swGetCosineMoments(partition->exponent[index], &r1, &r2);
     moments->a1 += energy * r1 * swCos(direction);
     moments->b1 += energy * r1 * swSin(direction);
@@ -305,23 +289,17 @@ static void addMoments(swMoments* moments, const Partition* partition, int index
 
 static void fillMoments(const Sea* sea, swSeaRecord* record)
 {
-    float* meanDirection = swGetSeaRow(record, SW_SEA_MEAN_DIRECTION);
-    float* r1 = swGetSeaRow(record, SW_SEA_R1);
-    float* direction2 = swGetSeaRow(record, SW_SEA_DIRECTION2);
-    float* r2 = swGetSeaRow(record, SW_SEA_R2);
     for (int i = 0; i < FREQUENCIES; ++i)
     {
         double energy = 0.0;
-        swMoments moments = {0};
+        swMoments sum = {0};
         for (int j = 0; j < sea->count; ++j)
         {
-            energy += sea->partitions[j].energy[i];
-            addMoments(&moments, &sea->partitions[j], i);
+            energy += sea->shapes[j].energy[i];
+            addMoments(&sum, &sea->partitions[j], sea->shapes[j].energy[i], i);
         }
-        meanDirection[i] = (float)swAtan2(moments.b1, moments.a1);
-        r1[i] = (float)(sqrt(moments.a1 * moments.a1 + moments.b1 * moments.b1) / energy);
-        direction2[i] = (float)(0.5 * swAtan2(moments.b2, moments.a2));
-        r2[i] = (float)(sqrt(moments.a2 * moments.a2 + moments.b2 * moments.b2) / energy);
+        swMoments mean = {sum.a1 / energy, sum.b1 / energy, sum.a2 / energy, sum.b2 / energy};
+        swKeepSeaMoments(record, i, &mean, true, false); // spreads are assumed
     }
 }
 
@@ -337,11 +315,11 @@ static void fillTable(const Sea* sea, bool hasDirections, swSeaRecord* record)
         {
             const Partition* partition = &sea->partitions[j];
             double direction = hasDirections ? (double)SW_DIRECTION_FROM_BEARING(partition->direction) : 0.0;
-            energy += partition->energy[i];
+            energy += sea->shapes[j].energy[i];
             swFillCosineSpread(partition->exponent[i], direction, SW_SEA_DIRECTIONS, spread);
             for (int k = 0; k < SW_SEA_DIRECTIONS; ++k)
             {
-                density[k] += (float)(partition->energy[i] * (double)spread[k]);
+                density[k] += (float)(sea->shapes[j].energy[i] * (double)spread[k]);
             }
         }
         energies[i] = (float)energy;
@@ -349,25 +327,51 @@ static void fillTable(const Sea* sea, bool hasDirections, swSeaRecord* record)
     swSumSeaRecord(record);
 }
 
-static void fillRecord(const float* values, Sea* sea, swSeaRecord* record)
+static void fillEnergies(const float* values, Sea* sea, float* frequencies, float* widths)
 {
-    float* frequencies = swGetSeaRow(record, SW_SEA_FREQUENCIES);
-    float* widths = swGetSeaRow(record, SW_SEA_BANDWIDTHS);
+    bool isSplit = canSplit(values);
+    double average = (double)values[SW_SUMMARY_AVERAGE_PERIOD];
     memset(sea, 0, sizeof(*sea));
     if (values[SW_SUMMARY_HEIGHT] == 0.0f)
     {
-        fillPartitions(sea, frequencies, widths);
+        fillPartitions(sea, FIRST_OF_PEAK, frequencies, widths);
+        return;
     }
-    else if (canSplit(values))
+    if (isSplit)
     {
         splitSea(sea, values);
-        fillPartitions(sea, frequencies, widths);
     }
     else
     {
-        fillSingle(sea, values, frequencies, widths);
+        makeSingle(sea, values);
     }
+    fillPartitions(sea, FIRST_OF_PEAK, frequencies, widths);
+    if (!isSplit && values[SW_SUMMARY_DOMINANT_PERIOD] < 0.0f)
+    {
+        findPeak(sea, average, frequencies, widths);
+    }
+    else if (average > 0.0)
+    {
+        fitPeriod(sea, average, frequencies, widths);
+    }
+}
+
+// What was told and what was assumed, of the larger system.
+static void keepShape(const float* values, const Sea* sea, swSeaRecord* record)
+{
+    const swShape* shape = &sea->shapes[sea->count > 1 && sea->shapes[1].height > sea->shapes[0].height ? 1 : 0];
     record->partitionCount = sea->count;
+    record->gamma = sea->count > 0 ? (float)shape->gamma : 0.0f;
+    record->tailExponent = sea->count > 0 ? (float)shape->tail : 0.0f;
+    bool isTold = sea->count > 0 && values[SW_SUMMARY_AVERAGE_PERIOD] > 0.0f;
+    record->averagePeriod = isTold ? values[SW_SUMMARY_AVERAGE_PERIOD] : 0.0f;
+}
+
+static void fillRecord(const float* values, Sea* sea, swSeaRecord* record)
+{
+    float* frequencies = swGetSeaRow(record, SW_SEA_FREQUENCIES);
+    fillEnergies(values, sea, frequencies, swGetSeaRow(record, SW_SEA_BANDWIDTHS));
+    keepShape(values, sea, record);
     record->hasDirections = sea->count > 0 && findDirections(sea, (double)values[SW_SUMMARY_MEAN_DIRECTION]);
     fillExponents(sea, record->hasDirections, frequencies);
     if (record->hasDirections)
@@ -417,6 +421,8 @@ static swResult fillSea(const swHost* host, const swSummaryFile* file, swMeasure
     }
     const swNdbcRow* rows = file->rows.data;
     swResult result = SW_SUCCESS;
+    size_t missedCount = 0;
+    int firstMissed = 0;
     for (size_t i = 0; i < file->rows.count && result == SW_SUCCESS; ++i)
     {
         const float* values = (const float*)file->values.data + rows[i].first;
@@ -431,9 +437,19 @@ static swResult fillSea(const swHost* host, const swSummaryFile* file, swMeasure
             record->hasTime = true;
             record->seconds = 60.0 * (double)rows[i].minutes;
             fillRecord(values, scratch, record);
+            firstMissed = scratch->isMissed && missedCount == 0 ? rows[i].line : firstMissed;
+            missedCount += scratch->isMissed ? 1 : 0;
         }
     }
     swFree(host, scratch, sizeof(*scratch));
+    if (missedCount > 0)
+    {
+        swLog(
+            host, SW_LOG_WARNING,
+            "%s:%d: %zu of %zu records have an average period (APD) that no shape with their peak and height has; they "
+            "come as near as one can. This line is the first.",
+            file->name, firstMissed, missedCount, sea->records.count);
+    }
     return result;
 }
 

@@ -38,8 +38,7 @@ typedef enum Quantity
 // Too large for a stack.
 typedef struct Reader
 {
-    swSeaText text;
-    swMeasuredSea* sea;
+    swSeaReader file;
     int timeCoding; // 0: stationary
     int locationCount;
     int frequencyCount;
@@ -50,8 +49,10 @@ typedef struct Reader
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double directions[SW_SEA_MAX_DIRECTIONS];
     double energy[SW_SEA_MAX_FREQUENCIES];
-    double moments[2][SW_SEA_MAX_FREQUENCIES];
+    double moments[2][SW_SEA_MAX_FREQUENCIES]; // mean direction and r1
     double* density;
+    int quantitiesLeft; // keywords to pass over, of a spectrum that is left out
+    bool isHeld;        // the line at hand is still to be read
 } Reader;
 
 bool swIsSwan(const char* text, size_t size)
@@ -65,10 +66,10 @@ bool swIsSwan(const char* text, size_t size)
 // To the next line that is no comment.
 static swResult nextLine(Reader* reader, const char* what)
 {
-    swResult result = swNeedSeaLine(&reader->text, what);
-    while (result == SW_SUCCESS && swPeekSeaChar(&reader->text) == '$')
+    swResult result = swNeedSeaLine(&reader->file.text, what);
+    while (result == SW_SUCCESS && swPeekSeaChar(&reader->file.text) == '$')
     {
-        result = swNeedSeaLine(&reader->text, what);
+        result = swNeedSeaLine(&reader->file.text, what);
     }
     return result;
 }
@@ -77,7 +78,7 @@ static swResult nextLine(Reader* reader, const char* what)
 static swResult readLeading(Reader* reader, const char* what, double low, double high, double* value)
 {
     swResult result = nextLine(reader, what);
-    return result == SW_SUCCESS ? swReadSeaRange(&reader->text, what, low, high, value) : result;
+    return result == SW_SUCCESS ? swReadSeaRange(&reader->file.text, what, low, high, value) : result;
 }
 
 static swResult readCount(Reader* reader, const char* what, int low, int high, int* value)
@@ -90,7 +91,8 @@ static swResult readCount(Reader* reader, const char* what, int low, int high, i
 
 static swResult fail(const Reader* reader, const char* sentence)
 {
-    return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: %s", reader->text.name, reader->text.line, sentence);
+    return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: %s", reader->file.text.name, reader->file.text.line,
+                  sentence);
 }
 
 // ---- heading ----
@@ -104,11 +106,11 @@ static swResult readLocations(Reader* reader, bool isSpherical)
         result = readLeading(reader, "a location's x", -1e12, 1e12, &x);
         if (result == SW_SUCCESS)
         {
-            result = swReadSeaRange(&reader->text, "a location's y", -1e12, 1e12, &y);
+            result = swReadSeaRange(&reader->file.text, "a location's y", -1e12, 1e12, &y);
         }
         if (result == SW_SUCCESS)
         {
-            result = swMeasuredSea_AddLocation(reader->sea, NULL, isSpherical ? x : (double)NAN,
+            result = swMeasuredSea_AddLocation(reader->file.sea, NULL, isSpherical ? x : (double)NAN,
                                                isSpherical ? y : (double)NAN, NULL);
         }
     }
@@ -166,7 +168,7 @@ static swResult readQuantities(Reader* reader)
         result = nextLine(reader, "a quantity's name");
         if (result == SW_SUCCESS)
         {
-            reader->quantities[i] = findQuantity(swNextSeaToken(&reader->text));
+            reader->quantities[i] = findQuantity(swNextSeaToken(&reader->file.text));
             energyCount += reader->quantities[i] == VARIANCE || reader->quantities[i] == ENERGY ? 1 : 0;
             result = nextLine(reader, "a quantity's unit");
         }
@@ -190,7 +192,7 @@ static swResult readPart(Reader* reader, bool* isLast)
     {
         return result;
     }
-    swSeaToken key = swNextSeaToken(&reader->text);
+    swSeaToken key = swNextSeaToken(&reader->file.text);
     if (swIsSeaToken(key, "TIME"))
     {
         return readCount(reader, "the time coding option", 1, 6, &reader->timeCoding);
@@ -213,10 +215,10 @@ static swResult readPart(Reader* reader, bool* isLast)
         *isLast = true;
         return readQuantities(reader);
     }
-    return swFail(reader->text.host, SW_ERROR_FORMAT,
+    return swFail(reader->file.text.host, SW_ERROR_FORMAT,
                   "%s:%d: '%.*s' is not understood; TIME, LONLAT, LOCATIONS, AFREQ, RFREQ, NDIR, CDIR or QUANT should "
                   "stand there.",
-                  reader->text.name, reader->text.line, key.size, key.text);
+                  reader->file.text.name, reader->file.text.line, key.size, key.text);
 }
 
 static swResult readHead(Reader* reader)
@@ -234,10 +236,10 @@ static swResult readHead(Reader* reader)
     if (result == SW_SUCCESS && reader->directionCount > 0)
     {
         size_t count = (size_t)reader->frequencyCount * (size_t)reader->directionCount;
-        reader->density = swAllocate(reader->text.host, count * sizeof(double));
+        reader->density = swAllocate(reader->file.text.host, count * sizeof(double));
         result = reader->density != NULL ? SW_SUCCESS
-                                         : swFail(reader->text.host, SW_ERROR_NO_MEMORY,
-                                                  "No memory for a spectrum of %s.", reader->text.name);
+                                         : swFail(reader->file.text.host, SW_ERROR_NO_MEMORY,
+                                                  "No memory for a spectrum of %s.", reader->file.text.name);
     }
     return result;
 }
@@ -309,16 +311,15 @@ static bool parseDate(int coding, const char* text, int size, double* seconds)
     return false;
 }
 
-static swResult readTime(Reader* reader, double* seconds)
+// How many characters of a line are its time.
+static int measureTime(const Reader* reader, const char* text)
 {
-    swPeekSeaChar(&reader->text);
-    const char* text = reader->text.at;
-    int left = (int)(reader->text.lineEnd - text < 40 ? reader->text.lineEnd - text : 40);
+    int left = (int)(reader->file.text.lineEnd - text < 40 ? reader->file.text.lineEnd - text : 40);
     int words = reader->timeCoding == 1 || reader->timeCoding == 6 ? 1 : 2;
     int size = 0;
     for (; size < left; ++size)
     {
-        bool isGap = text[size] == ' ' || text[size] == '\t' || text[size] == '\r';
+        bool isGap = text[size] == ' ' || text[size] == '\t';
         bool isWordEnd = isGap && size > 0 && text[size - 1] != ' ' && text[size - 1] != '\t';
         words -= isWordEnd ? 1 : 0;
         if (words == 0)
@@ -326,11 +327,27 @@ static swResult readTime(Reader* reader, double* seconds)
             break;
         }
     }
+    return size;
+}
+
+static bool isTime(Reader* reader)
+{
+    double ignored = 0.0;
+    swPeekSeaChar(&reader->file.text);
+    const char* text = reader->file.text.at;
+    return reader->timeCoding > 0 && parseDate(reader->timeCoding, text, measureTime(reader, text), &ignored);
+}
+
+static swResult readTime(Reader* reader, double* seconds)
+{
+    swPeekSeaChar(&reader->file.text);
+    const char* text = reader->file.text.at;
+    int size = measureTime(reader, text);
     if (!parseDate(reader->timeCoding, text, size, seconds))
     {
-        return swFail(reader->text.host, SW_ERROR_FORMAT,
+        return swFail(reader->file.text.host, SW_ERROR_FORMAT,
                       "%s:%d: '%.*s' is no time of SWAN's coding %d; codings 1, 2, 3, 5 and 6 are read.",
-                      reader->text.name, reader->text.line, size, text, reader->timeCoding);
+                      reader->file.text.name, reader->file.text.line, size, text, reader->timeCoding);
     }
     return SW_SUCCESS;
 }
@@ -350,21 +367,25 @@ static swResult readMatrix(Reader* reader, int quantity)
     bool isKept = isEnergy(reader->quantities[quantity]);
     double scale = factor / DEGREE / (reader->quantities[quantity] == ENERGY ? WEIGHT : 1.0);
     int count = reader->frequencyCount * reader->directionCount;
-    reader->text.at = reader->text.lineEnd; // a remark
+    reader->file.text.at = reader->file.text.lineEnd; // a remark
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         double value = 0.0;
-        result = swReadSeaNumber(&reader->text, "a density", true, &value);
+        result = swReadSeaNumber(&reader->file.text, "a density", true, &value);
         if (result == SW_SUCCESS && isKept)
         {
             reader->density[i] = value == reader->exceptions[quantity] ? 0.0 : value * scale;
             if (!(reader->density[i] <= SW_SEA_MAX_DENSITY))
             {
-                result =
-                    swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: a density is %g m2/Hz/rad; at most %g is read.",
-                           reader->text.name, reader->text.line, reader->density[i], SW_SEA_MAX_DENSITY);
+                result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                                "%s:%d: a density is %g m2/Hz/rad; at most %g is read.", reader->file.text.name,
+                                reader->file.text.line, reader->density[i], SW_SEA_MAX_DENSITY);
             }
         }
+    }
+    if (result == SW_SUCCESS && swPeekSeaChar(&reader->file.text) != '\0')
+    {
+        result = fail(reader, "the spectrum has more numbers than frequencies times directions.");
     }
     return result;
 }
@@ -379,8 +400,8 @@ static swResult checkDegrees(const Reader* reader, int quantity, double value)
     {
         return SW_SUCCESS;
     }
-    return swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: a %s is %g degrees; it must be from %g to %g.",
-                  reader->text.name, reader->text.line, isSpread ? "spread" : "direction", value, low, high);
+    return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: a %s is %g degrees; it must be from %g to %g.",
+                  reader->file.text.name, reader->file.text.line, isSpread ? "spread" : "direction", value, low, high);
 }
 
 static void keepValue(Reader* reader, int quantity, int row, double value, double direction[1], double spread[1])
@@ -412,14 +433,14 @@ static void keepValue(Reader* reader, int quantity, int row, double value, doubl
 static swResult readLines(Reader* reader)
 {
     swResult result = SW_SUCCESS;
-    reader->text.at = reader->text.lineEnd;
+    reader->file.text.at = reader->file.text.lineEnd;
     for (int i = 0; i < reader->frequencyCount && result == SW_SUCCESS; ++i)
     {
         double direction = (double)NAN, spread = (double)NAN;
         for (int j = 0; j < reader->quantityCount && result == SW_SUCCESS; ++j)
         {
             double value = 0.0;
-            result = swReadSeaNumber(&reader->text, "a value", true, &value);
+            result = swReadSeaNumber(&reader->file.text, "a value", true, &value);
             result = result == SW_SUCCESS ? checkDegrees(reader, j, value) : result;
             if (result == SW_SUCCESS)
             {
@@ -430,9 +451,9 @@ static swResult readLines(Reader* reader)
         {
             result = fail(reader, "an energy is above 5e4 m2/Hz, the most that is read.");
         }
-        swSeaMoments moments = swMakeSeaMoments(direction, spread);
-        reader->moments[0][i] = moments.hasFirst ? moments.moments.a1 : (double)NAN;
-        reader->moments[1][i] = moments.hasFirst ? moments.moments.b1 : (double)NAN;
+        double r1 = 1.0 - 0.5 * spread * spread;
+        reader->moments[0][i] = direction;
+        reader->moments[1][i] = r1 < 0.0 ? 0.0 : r1; // NAN without a spread
     }
     return result;
 }
@@ -462,26 +483,34 @@ static swResult addSpectrum(Reader* reader, int location, double seconds)
     def.directions = reader->directions;
     def.density = reader->density;
     def.energy = reader->energy;
-    def.a1 = reader->moments[0];
-    def.b1 = reader->moments[1];
-    return swMeasuredSea_AddSpectrum(reader->sea, &def);
+    def.meanDirection = reader->moments[0];
+    def.r1 = reader->moments[1];
+    return swMeasuredSea_AddSpectrum(reader->file.sea, &def);
 }
 
+// Whether the line begins a spectrum, or a quantity of one.
+static bool isKeyword(swSeaText* text)
+{
+    return swHasSeaPrefix(text, "FACTOR") || swHasSeaPrefix(text, "ZERO") || swHasSeaPrefix(text, "NODATA") ||
+           swHasSeaPrefix(text, "LOCATION");
+}
+
+// From the line of the first quantity's keyword on. What was not read for a fault is counted in quantitiesLeft.
 static swResult readSpectrum(Reader* reader, int location, double seconds)
 {
     bool hasData = true;
+    int count = reader->directionCount > 0 ? reader->quantityCount : 1;
+    swResult result = SW_SUCCESS;
     clear(reader);
-    for (int i = 0; i < (reader->directionCount > 0 ? reader->quantityCount : 1); ++i)
+    for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
-        swResult result = nextLine(reader, "FACTOR, ZERO, NODATA or LOCATION");
-        swSeaToken key = result == SW_SUCCESS ? swNextSeaToken(&reader->text) : (swSeaToken){"", 0};
-        if (swIsSeaToken(key, "NODATA"))
+        reader->quantitiesLeft = count - i - 1;
+        result = i > 0 ? nextLine(reader, "FACTOR, ZERO, NODATA or LOCATION") : SW_SUCCESS;
+        swSeaToken key = result == SW_SUCCESS ? swNextSeaToken(&reader->file.text) : (swSeaToken){"", 0};
+        bool isNothing = swIsSeaToken(key, "NODATA");
+        if (isNothing || swIsSeaToken(key, "ZERO"))
         {
-            hasData = false;
-            break;
-        }
-        if (swIsSeaToken(key, "ZERO"))
-        {
+            hasData = !isNothing;
             break;
         }
         if (swIsSeaToken(key, "FACTOR") && reader->directionCount > 0)
@@ -494,76 +523,130 @@ static swResult readSpectrum(Reader* reader, int location, double seconds)
         }
         else if (result == SW_SUCCESS)
         {
-            result = swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: %s, ZERO or NODATA should follow, not '%.*s'.",
-                            reader->text.name, reader->text.line, reader->directionCount > 0 ? "FACTOR" : "LOCATION",
-                            key.size, key.text);
-        }
-        if (result != SW_SUCCESS)
-        {
-            return result;
+            result =
+                swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: %s, ZERO or NODATA should follow, not '%.*s'.",
+                       reader->file.text.name, reader->file.text.line,
+                       reader->directionCount > 0 ? "FACTOR" : "LOCATION", key.size, key.text);
         }
     }
-    return hasData ? addSpectrum(reader, location, seconds) : SW_SUCCESS;
+    reader->quantitiesLeft = result == SW_SUCCESS ? 0 : reader->quantitiesLeft;
+    return result == SW_SUCCESS && hasData ? addSpectrum(reader, location, seconds) : result;
 }
 
-static swResult readSpectra(Reader* reader)
+// To the line at hand or the next one where a spectrum or a time begins; beyond line `line` in any case.
+static void skipBroken(Reader* reader, int line)
 {
-    swResult result = SW_SUCCESS;
-    double seconds = (double)NAN;
-    bool isTimeless = reader->timeCoding == 0;
-    while (result == SW_SUCCESS && (isTimeless || swNextSeaLine(&reader->text)))
+    swSeaText* text = &reader->file.text;
+    bool isMore = text->line > line || swNextSeaLine(text);
+    text->at = text->lineBegin;
+    while (isMore && !isKeyword(text) && !isTime(reader))
     {
-        result = isTimeless ? SW_SUCCESS : readTime(reader, &seconds);
-        for (int i = 0; i < reader->locationCount && result == SW_SUCCESS; ++i)
-        {
-            result = readSpectrum(reader, i, seconds);
-        }
-        if (isTimeless)
-        {
-            break;
-        }
+        isMore = swNextSeaLine(text);
+    }
+    reader->isHeld = isMore;
+}
+
+// To the next line that is no comment; false at the end of the text.
+static bool nextPart(Reader* reader)
+{
+    bool isMore = reader->isHeld || swNextSeaLine(&reader->file.text);
+    reader->isHeld = false;
+    while (isMore && swPeekSeaChar(&reader->file.text) == '$')
+    {
+        isMore = swNextSeaLine(&reader->file.text);
+    }
+    return isMore;
+}
+
+// Which spectrum comes next.
+typedef struct Place
+{
+    bool hasTime; // or needs none
+    int location;
+    double seconds;
+} Place;
+
+// Before a time, and at the end: each place must have had its spectrum.
+static swResult checkWhole(Reader* reader, const Place* place)
+{
+    if (!place->hasTime || place->location >= reader->locationCount)
+    {
+        return SW_SUCCESS;
+    }
+    swResult result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                             "%s:%d: only %d of %d locations have a spectrum before this line; is the file cut off?",
+                             reader->file.text.name, reader->file.text.line, place->location, reader->locationCount);
+    return swJudgeRecord(&reader->file, result, reader->file.text.line);
+}
+
+// A line where a time should stand. Without it the spectra behind it are of no use.
+static swResult readMoment(Reader* reader, Place* place)
+{
+    swResult result = checkWhole(reader, place);
+    if (result == SW_SUCCESS)
+    {
+        result = readTime(reader, &place->seconds);
+        place->hasTime = result == SW_SUCCESS;
+        place->location = 0;
     }
     return result;
 }
 
-static swResult read(Reader* reader)
+static swResult readPlace(Reader* reader, Place* place)
 {
+    if (!place->hasTime)
+    {
+        skipBroken(reader, reader->file.text.line);
+        return SW_SUCCESS;
+    }
+    if (place->location >= reader->locationCount)
+    {
+        return fail(reader, "there are more spectra than locations.");
+    }
+    return readSpectrum(reader, place->location++, place->seconds);
+}
+
+static swResult readSpectra(Reader* reader)
+{
+    bool isTimeless = reader->timeCoding == 0;
+    Place place = {isTimeless, isTimeless ? 0 : reader->locationCount, (double)NAN};
+    swResult result = SW_SUCCESS;
+    while (result == SW_SUCCESS && nextPart(reader))
+    {
+        int line = reader->file.text.line;
+        if (isKeyword(&reader->file.text) && reader->quantitiesLeft > 0)
+        {
+            --reader->quantitiesLeft; // of a spectrum that is left out
+            skipBroken(reader, reader->file.text.line);
+            continue;
+        }
+        bool isSpectrum = isKeyword(&reader->file.text) ||
+                          (!isTime(reader) && place.hasTime && place.location < reader->locationCount);
+        swResult part = isSpectrum || isTimeless ? readPlace(reader, &place) : readMoment(reader, &place);
+        reader->quantitiesLeft = isSpectrum ? reader->quantitiesLeft : 0;
+        result = swJudgeRecord(&reader->file, part, line);
+        if (part != SW_SUCCESS && result == SW_SUCCESS)
+        {
+            skipBroken(reader, line);
+        }
+    }
+    return result == SW_SUCCESS ? checkWhole(reader, &place) : result;
+}
+
+static swResult read(void* context)
+{
+    Reader* reader = context;
     swResult result = readHead(reader);
     if (result == SW_SUCCESS)
     {
         result = readSpectra(reader);
     }
-    if (reader->density != NULL)
-    {
-        swFree(reader->text.host, reader->density,
-               (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double));
-    }
-    return result == SW_SUCCESS ? swMeasuredSea_Finish(reader->sea) : result;
+    swFree(reader->file.text.host, reader->density,
+           (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double));
+    return result;
 }
 
 swResult swParseSwan(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    *sea = NULL;
-    Reader* reader = swAllocateZero(host, sizeof(*reader));
-    if (reader == NULL)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read a SWAN file.");
-    }
-    name = name != NULL ? name : "SWAN file";
-    reader->text = swOpenSeaText(host, text, size, name);
-    swResult result = swCreateMeasuredSea(host, name, &reader->sea);
-    if (result == SW_SUCCESS)
-    {
-        result = read(reader);
-    }
-    if (result == SW_SUCCESS)
-    {
-        *sea = reader->sea;
-    }
-    else
-    {
-        swDestroyMeasuredSea(reader->sea);
-    }
-    swFree(host, reader, sizeof(*reader));
-    return result;
+    return swRunSeaReader(host, text, size, name != NULL ? name : "SWAN file", sizeof(Reader), read, sea);
 }

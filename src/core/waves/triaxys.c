@@ -21,8 +21,7 @@
 // Too large for a stack.
 typedef struct Reader
 {
-    swSeaText text;
-    swMeasuredSea* sea;
+    swSeaReader file;
     bool isKnown; // TYPE was there
     bool isDirectional;
     double seconds;
@@ -65,7 +64,7 @@ static bool parseAngle(const char* letter, const char* begin, double* degrees)
 
 static void findPosition(Reader* reader)
 {
-    const swSeaText* text = &reader->text;
+    const swSeaText* text = &reader->file.text;
     for (const char* at = text->at + 1; at < text->lineEnd; ++at)
     {
         bool isBehindDigit = at[-1] >= '0' && at[-1] <= '9';
@@ -109,16 +108,16 @@ static int readDatePart(const char** text, const char* end)
 static swResult readDate(Reader* reader)
 {
     int parts[5];
-    const char* at = reader->text.at;
+    const char* at = reader->file.text.at;
     for (int i = 0; i < 5; ++i)
     {
-        parts[i] = readDatePart(&at, reader->text.lineEnd);
+        parts[i] = readDatePart(&at, reader->file.text.lineEnd);
     }
     if (!swMakeSeconds(parts[0], parts[1], parts[2], parts[3], parts[4], 0.0, &reader->seconds))
     {
-        return swFail(reader->text.host, SW_ERROR_FORMAT,
-                      "%s:%d: DATE should be as 2018-01-31 21:00(UTC) or 2018 Jan 31 21:00(UTC).", reader->text.name,
-                      reader->text.line);
+        return swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                      "%s:%d: DATE should be as 2018-01-31 21:00(UTC) or 2018 Jan 31 21:00(UTC).",
+                      reader->file.text.name, reader->file.text.line);
     }
     return SW_SUCCESS;
 }
@@ -147,7 +146,7 @@ static swResult readField(Reader* reader)
         {"DIRECTION SPACING", 0.1, 90.0, &reader->directionStep},
         {"COLUMNS", -360.0, 360.0, &reader->firstDirection},
     };
-    swSeaText* text = &reader->text;
+    swSeaText* text = &reader->file.text;
     for (size_t i = 0; i < sizeof(fields) / sizeof(fields[0]); ++i)
     {
         if (swHasSeaPrefix(text, fields[i].key) && skipEquals(text))
@@ -179,18 +178,18 @@ static bool isHeading(swSeaText* text)
 
 static swResult readHead(Reader* reader)
 {
-    swResult result = swNeedSeaLine(&reader->text, "the heading");
+    swResult result = swNeedSeaLine(&reader->file.text, "the heading");
     if (result == SW_SUCCESS)
     {
         findPosition(reader);
-        result = swNeedSeaLine(&reader->text, "the heading");
+        result = swNeedSeaLine(&reader->file.text, "the heading");
     }
-    while (result == SW_SUCCESS && isHeading(&reader->text))
+    while (result == SW_SUCCESS && isHeading(&reader->file.text))
     {
         result = readField(reader);
         if (result == SW_SUCCESS)
         {
-            result = swNeedSeaLine(&reader->text, "the spectrum");
+            result = swNeedSeaLine(&reader->file.text, "the spectrum");
         }
     }
     bool isWhole = reader->isKnown && reader->frequencyCount > 0.0 &&
@@ -198,10 +197,10 @@ static swResult readHead(Reader* reader)
                     (reader->directionCount > 0.0 && reader->directionStep > 0.0 && reader->frequencyStep > 0.0));
     if (result == SW_SUCCESS && !isWhole)
     {
-        result = swFail(reader->text.host, SW_ERROR_FORMAT,
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
                         "%s:%d: the heading lacks TYPE, NUMBER OF FREQUENCIES, FREQUENCY SPACING, NUMBER OF DIRECTIONS "
                         "or DIRECTION SPACING.",
-                        reader->text.name, reader->text.line);
+                        reader->file.text.name, reader->file.text.line);
     }
     return result;
 }
@@ -210,12 +209,12 @@ static swResult readHead(Reader* reader)
 
 static swResult readDensity(Reader* reader, const char* what, double scale, double most, double* value)
 {
-    swResult result = swReadSeaNumber(&reader->text, what, true, value);
+    swResult result = swReadSeaNumber(&reader->file.text, what, true, value);
     *value *= scale;
     if (result == SW_SUCCESS && !(*value <= most))
     {
-        result = swFail(reader->text.host, SW_ERROR_FORMAT, "%s:%d: %s is %g; at most %g is read.", reader->text.name,
-                        reader->text.line, what, *value, most);
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: %s is %g; at most %g is read.",
+                        reader->file.text.name, reader->file.text.line, what, *value, most);
     }
     return result;
 }
@@ -238,7 +237,7 @@ static swResult readRows(Reader* reader)
         }
         if (!reader->isDirectional)
         {
-            result = swReadSeaRange(&reader->text, "a frequency", 0.0, 100.0, &reader->frequencies[i]);
+            result = swReadSeaRange(&reader->file.text, "a frequency", 0.0, 100.0, &reader->frequencies[i]);
         }
         if (!reader->isDirectional && result == SW_SUCCESS)
         {
@@ -258,25 +257,28 @@ static swResult addSpectrum(Reader* reader)
     def.directions = reader->directions;
     def.density = reader->density;
     def.energy = reader->energy;
-    swResult result = swMeasuredSea_AddLocation(reader->sea, NULL, reader->longitude, reader->latitude, &def.location);
+    swResult result =
+        swMeasuredSea_AddLocation(reader->file.sea, NULL, reader->longitude, reader->latitude, &def.location);
     if (result == SW_SUCCESS)
     {
-        result = swMeasuredSea_AddSpectrum(reader->sea, &def);
+        result = swMeasuredSea_AddSpectrum(reader->file.sea, &def);
     }
-    return result == SW_SUCCESS ? swMeasuredSea_Finish(reader->sea) : result;
+    return result;
 }
 
-static swResult read(Reader* reader)
+static swResult read(void* context)
 {
+    Reader* reader = context;
+    reader->seconds = reader->latitude = reader->longitude = (double)NAN;
     swResult result = readHead(reader);
     size_t size = 0;
     if (result == SW_SUCCESS && reader->isDirectional)
     {
         size = (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double);
-        reader->density = swAllocate(reader->text.host, size);
+        reader->density = swAllocate(reader->file.text.host, size);
         result = reader->density != NULL ? SW_SUCCESS
-                                         : swFail(reader->text.host, SW_ERROR_NO_MEMORY,
-                                                  "No memory for the spectrum of %s.", reader->text.name);
+                                         : swFail(reader->file.text.host, SW_ERROR_NO_MEMORY,
+                                                  "No memory for the spectrum of %s.", reader->file.text.name);
     }
     if (result == SW_SUCCESS)
     {
@@ -286,34 +288,11 @@ static swResult read(Reader* reader)
     {
         result = addSpectrum(reader);
     }
-    swFree(reader->text.host, reader->density, size);
+    swFree(reader->file.text.host, reader->density, size);
     return result;
 }
 
 swResult swParseTriaxys(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    *sea = NULL;
-    Reader* reader = swAllocateZero(host, sizeof(*reader));
-    if (reader == NULL)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read a TriAxys file.");
-    }
-    name = name != NULL ? name : "TriAxys file";
-    reader->text = swOpenSeaText(host, text, size, name);
-    reader->seconds = reader->latitude = reader->longitude = (double)NAN;
-    swResult result = swCreateMeasuredSea(host, name, &reader->sea);
-    if (result == SW_SUCCESS)
-    {
-        result = read(reader);
-    }
-    if (result == SW_SUCCESS)
-    {
-        *sea = reader->sea;
-    }
-    else
-    {
-        swDestroyMeasuredSea(reader->sea);
-    }
-    swFree(host, reader, sizeof(*reader));
-    return result;
+    return swRunSeaReader(host, text, size, name != NULL ? name : "TriAxys file", sizeof(Reader), read, sea);
 }

@@ -564,7 +564,14 @@ void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texe
 void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,
                    float* out, float* gradients)
 {
-    kernels->sampleTiles(tileCount, tiles, count, points, out, gradients);
+    const swTileChoice all = {.count = tileCount, .tiles = tiles};
+    kernels->sampleTiles(&all, count, points, out, gradients);
+}
+
+void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choice, int count, const swPosXZ* points,
+                         float* out, float* gradients)
+{
+    kernels->sampleTiles(choice, count, points, out, gradients);
 }
 
 void swSampleRow(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const double* x, double z,

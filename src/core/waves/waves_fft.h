@@ -73,6 +73,24 @@ size_t swGetTileScratchSize(int resolution);
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
                       int64_t ticks, int order, void* scratch);
 
+// Which tiles of a list count, and which of their texels.
+typedef struct swTileChoice
+{
+    int count;
+    const swTile* tiles;
+    float minWavelength; // tiles whose waves are all shorter than this do not count; 0: all do
+    int field;           // 0: displacement, 1: velocity, 2: acceleration
+} swTileChoice;
+
+static inline bool swIsTileChosen(const swTile* tile, float minWavelength)
+{
+    return minWavelength <= 0.0f || tile->maxWavelength > minWavelength;
+}
+
+// As swSampleTiles() below, of some tiles of a list.
+void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choice, int count, const swPosXZ* points,
+                         float* out, float* gradients);
+
 // Evaluate the spline sum of tiles at `count` rest points (double, metres), out[count][4] = x, y, z displacement, 0;
 // gradients (may be NULL) [count][8] = dDx/dx, dDx/dz, dDz/dx, dDz/dz, dh/dx, dh/dz, 0, 0.
 // Order of summation: tiles in the order given, then within a tile as in shaders/shared/spline.h.

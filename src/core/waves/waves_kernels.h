@@ -11,8 +11,7 @@ struct swWaveKernels
     swIsa isa;
     void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
                            void* scratch);
-    void (*sampleTiles)(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
-                        float* gradients);
+    void (*sampleTiles)(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients);
     void (*sampleRow)(int tileCount, const swTile* tiles, int count, const double* x, double z, float* out,
                       float (*gradients)[8]);
     void (*sumWaves)(const swWaveSumJob* job);

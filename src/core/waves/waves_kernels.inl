@@ -348,9 +348,9 @@ static void transformTiles(const swTile* a, float* texelsA, const swTile* b, flo
 
 // ---- Sampling ----
 
-// Points that go through the tiles together: few enough for the nearest cache, many enough that a tile's texels stay in
-// the next one while it is their turn.
-#define POINT_BLOCK 128
+// Points that go through the tiles together: few enough for the nearest cache and for the stacks of fibres, many enough that
+// a tile's texels stay in the next cache while it is their turn.
+#define POINT_BLOCK 64
 
 static inline int padToEight(int count)
 {
@@ -479,7 +479,8 @@ static inline void addSlopes(const float* window, int pitch4, const Weights* w, 
 }
 
 // Add one tile to the sums of `count` points. `u` goes on to a multiple of eight points.
-static void addTile(const swTile* tile, int count, const double* u, bool withSlopes, Cells* cells, PointSums* sums)
+static void addTile(const swTile* tile, const float* texels, int count, const double* u, bool withSlopes, Cells* cells,
+                    PointSums* sums)
 {
     double scale = tile->resolution / tile->side;
     int pitch4 = (tile->resolution + 3) * 4;
@@ -496,7 +497,7 @@ static void addTile(const swTile* tile, int count, const double* u, bool withSlo
         for (int i = 0; i < last; ++i)
         {
             const int32_t* cell = cells->cell + 2 * (first + i);
-            const float* window = tile->texels + (size_t)cell[1] * (size_t)pitch4 + (size_t)cell[0] * 4;
+            const float* window = texels + (size_t)cell[1] * (size_t)pitch4 + (size_t)cell[0] * 4;
             if (withSlopes)
             {
                 addSlopes(window, pitch4, &weights, 2 * i, 2 * i + 1, sums + first + i);
@@ -507,6 +508,11 @@ static void addTile(const swTile* tile, int count, const double* u, bool withSlo
             }
         }
     }
+}
+
+static const float* getFieldTexels(const swTile* tile, int field)
+{
+    return field == 0 ? tile->texels : field == 1 ? tile->velocity : tile->acceleration;
 }
 
 // `gradients` may be NULL.
@@ -523,8 +529,7 @@ static inline void storeSums(const PointSums* sums, float* out, float* gradients
     }
 }
 
-static void sampleTiles(int tileCount, const swTile* tiles, int count, const swPosXZ* points, float* out,
-                        float* gradients)
+static void sampleTiles(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients)
 {
     double u[2 * POINT_BLOCK];
     Cells cells;
@@ -542,9 +547,13 @@ static void sampleTiles(int tileCount, const swTile* tiles, int count, const swP
         {
             sums[i] = (PointSums){0};
         }
-        for (int tile = 0; tile < tileCount; ++tile)
+        for (int i = 0; i < choice->count; ++i)
         {
-            addTile(tiles + tile, blockCount, u, gradients != NULL, &cells, sums);
+            const swTile* tile = &choice->tiles[i];
+            if (swIsTileChosen(tile, choice->minWavelength))
+            {
+                addTile(tile, getFieldTexels(tile, choice->field), blockCount, u, gradients != NULL, &cells, sums);
+            }
         }
         for (int i = 0; i < blockCount; ++i)
         {

@@ -9,8 +9,7 @@
 // The tables of one instruction set, see waves_fft.h.
 typedef struct swWaveKernels swWaveKernels;
 
-// The surface at points, added to what is there: arrays of as many elements as points. Only displacement is required;
-// velocity and acceleration come together.
+// The surface at points, added to what is there: arrays of as many elements as points, or NULL.
 typedef struct swSurfaceSums
 {
     float (*displacement)[4]; // x, y, z, 0
@@ -19,7 +18,7 @@ typedef struct swSurfaceSums
     float (*acceleration)[4];
 } swSurfaceSums;
 
-// The water below by linear theory [Dean and Dalrymple 1991], added to what is there. All are required.
+// The water below by linear theory [Dean and Dalrymple 1991], added to what is there.
 typedef struct swDepthSums
 {
     float (*velocity)[4];     // x, y, z, 0
@@ -31,6 +30,7 @@ typedef struct swWaveSumJob
 {
     int tileCount;
     const swTile* tiles; // their modes; texels are not read
+    float minWavelength; // tiles whose waves are all shorter than this do not count; 0: all do
     int waveCount;
     const swFreeWave* waves;
     int64_t ticks;

@@ -15,18 +15,29 @@
 #include "core/waves/waves_sum.h"
 
 #define SUM_LANES 8
-#define SUM_CHUNK 64
-#define SUM_POINTS 64
+#define SUM_CHUNK 32
 
-// Outputs that a point collects.
+// Points that share a chunk: at most so many, and as many as their sums have room for. It bounds the stack of a query.
+#define SUM_POINTS 64
+#define SUM_FLOATS 2048
+
+// Outputs that a point of the surface collects, in order; how many depends on the kind.
 enum
 {
     SUM_DISPLACEMENT,      // 3
     SUM_GRADIENTS = 3,     // 6
     SUM_VELOCITY = 9,      // 3
     SUM_ACCELERATION = 12, // 3
-    SUM_COUNT = 15,
-    SUM_HEAD = SUM_DISPLACEMENT // of the water below
+    SUM_COUNT = 15
+};
+
+// The same of the water below.
+enum
+{
+    SUM_HEAD,
+    SUM_BELOW_VELOCITY,         // 3
+    SUM_BELOW_ACCELERATION = 4, // 3
+    SUM_BELOW_COUNT = 7
 };
 
 typedef enum SumKind
@@ -53,10 +64,32 @@ typedef struct WaveChunk
     double turnsX[SUM_CHUNK], turnsZ[SUM_CHUNK]; // of free waves, turns per metre
 } WaveChunk;
 
-typedef struct PointSum
+static inline int countOutputs(SumKind kind)
 {
-    float lanes[SUM_COUNT][SUM_LANES];
-} PointSum;
+    switch (kind)
+    {
+    case SUM_SURFACE:
+        return SUM_GRADIENTS;
+    case SUM_SURFACE_GRADIENTS:
+        return SUM_VELOCITY;
+    case SUM_SURFACE_ALL:
+        return SUM_COUNT;
+    default:
+        return SUM_BELOW_COUNT;
+    }
+}
+
+// Sums of a block of points: [point][output][SUM_LANES].
+typedef struct BlockSums
+{
+    SumKind kind;
+    float lanes[SUM_FLOATS];
+} BlockSums;
+
+static inline float* getLanes(BlockSums* sums, int point)
+{
+    return sums->lanes + point * countOutputs(sums->kind) * SUM_LANES;
+}
 
 static void clearTail(WaveChunk* chunk, int count)
 {
@@ -187,12 +220,14 @@ static inline void fillFreePhases(const WaveChunk* chunk, double x, double z, ui
 
 // One point's sums in lanes [lane, lane + SW_WIDTH) over the chunk. `kind` is a constant where this is inlined.
 static inline void addLanes(const WaveChunk* w, SumKind kind, const uint32_t* phases, float height, float twiceDepth,
-                            int lane, PointSum* sum)
+                            int lane, float* lanes)
 {
+    const int outputs = countOutputs(kind);
+    const int motion = kind >= SUM_BELOW ? SUM_BELOW_VELOCITY : SUM_VELOCITY;
     swWide acc[SUM_COUNT];
-    for (int o = 0; o < SUM_COUNT; ++o)
+    for (int o = 0; o < outputs; ++o)
     {
-        acc[o] = swLoadW(sum->lanes[o] + lane);
+        acc[o] = swLoadW(lanes + o * SUM_LANES + lane);
     }
     for (int i = lane; i < w->count; i += SUM_LANES)
     {
@@ -246,41 +281,41 @@ static inline void addLanes(const WaveChunk* w, SumKind kind, const uint32_t* ph
                 dz = swMulW(swLoadW(w->unitZ + i), horizontal);
             }
             swWide squareS = swMulW(square, s), squareC = swMulW(square, c);
-            acc[9] = swSubW(acc[9], swMulW(dx, rateS));
-            acc[10] = swAddW(acc[10], swMulW(vertical, rateC));
-            acc[11] = swSubW(acc[11], swMulW(dz, rateS));
-            acc[12] = swAddW(acc[12], swMulW(dx, squareS));
-            acc[13] = swSubW(acc[13], swMulW(vertical, squareC));
-            acc[14] = swAddW(acc[14], swMulW(dz, squareS));
+            acc[motion] = swSubW(acc[motion], swMulW(dx, rateS));
+            acc[motion + 1] = swAddW(acc[motion + 1], swMulW(vertical, rateC));
+            acc[motion + 2] = swSubW(acc[motion + 2], swMulW(dz, rateS));
+            acc[motion + 3] = swAddW(acc[motion + 3], swMulW(dx, squareS));
+            acc[motion + 4] = swSubW(acc[motion + 4], swMulW(vertical, squareC));
+            acc[motion + 5] = swAddW(acc[motion + 5], swMulW(dz, squareS));
         }
     }
-    for (int o = 0; o < SUM_COUNT; ++o)
+    for (int o = 0; o < outputs; ++o)
     {
-        swStoreW(sum->lanes[o] + lane, acc[o]);
+        swStoreW(lanes + o * SUM_LANES + lane, acc[o]);
     }
 }
 
 static void addChunk(const WaveChunk* chunk, SumKind kind, const uint32_t* phases, float height, float depth,
-                     PointSum* sum)
+                     float* lanes)
 {
     for (int lane = 0; lane < SUM_LANES; lane += SW_WIDTH)
     {
         switch (kind)
         {
         case SUM_SURFACE:
-            addLanes(chunk, SUM_SURFACE, phases, 0.0f, 0.0f, lane, sum);
+            addLanes(chunk, SUM_SURFACE, phases, 0.0f, 0.0f, lane, lanes);
             break;
         case SUM_SURFACE_GRADIENTS:
-            addLanes(chunk, SUM_SURFACE_GRADIENTS, phases, 0.0f, 0.0f, lane, sum);
+            addLanes(chunk, SUM_SURFACE_GRADIENTS, phases, 0.0f, 0.0f, lane, lanes);
             break;
         case SUM_SURFACE_ALL:
-            addLanes(chunk, SUM_SURFACE_ALL, phases, 0.0f, 0.0f, lane, sum);
+            addLanes(chunk, SUM_SURFACE_ALL, phases, 0.0f, 0.0f, lane, lanes);
             break;
         case SUM_BELOW:
-            addLanes(chunk, SUM_BELOW, phases, height, 0.0f, lane, sum);
+            addLanes(chunk, SUM_BELOW, phases, height, 0.0f, lane, lanes);
             break;
         case SUM_BELOW_FINITE:
-            addLanes(chunk, SUM_BELOW_FINITE, phases, height, 2.0f * depth, lane, sum);
+            addLanes(chunk, SUM_BELOW_FINITE, phases, height, 2.0f * depth, lane, lanes);
             break;
         }
     }
@@ -291,39 +326,45 @@ static float addUpLanes(const float* lanes)
     return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
 }
 
-static void addVector(const PointSum* sum, int first, float* to)
+static void addVector(const float* lanes, int first, float* to)
 {
     for (int c = 0; c < 3; ++c)
     {
-        to[c] += addUpLanes(sum->lanes[first + c]);
+        to[c] += addUpLanes(lanes + (first + c) * SUM_LANES);
     }
 }
 
-static void addSurface(const PointSum* sum, const swSurfaceSums* to, int point)
+static void addSurface(const float* lanes, const swSurfaceSums* to, int point)
 {
-    addVector(sum, SUM_DISPLACEMENT, to->displacement[point]);
+    if (to->displacement != NULL)
+    {
+        addVector(lanes, SUM_DISPLACEMENT, to->displacement[point]);
+    }
     if (to->gradients != NULL)
     {
-        addVector(sum, SUM_GRADIENTS, to->gradients[point]);
-        addVector(sum, SUM_GRADIENTS + 3, to->gradients[point] + 3);
+        addVector(lanes, SUM_GRADIENTS, to->gradients[point]);
+        addVector(lanes, SUM_GRADIENTS + 3, to->gradients[point] + 3);
     }
     if (to->velocity != NULL)
     {
-        addVector(sum, SUM_VELOCITY, to->velocity[point]);
-        addVector(sum, SUM_ACCELERATION, to->acceleration[point]);
+        addVector(lanes, SUM_VELOCITY, to->velocity[point]);
+    }
+    if (to->acceleration != NULL)
+    {
+        addVector(lanes, SUM_ACCELERATION, to->acceleration[point]);
     }
 }
 
-static void addBelow(const PointSum* sum, const swDepthSums* to, int point)
+static void addBelow(const float* lanes, const swDepthSums* to, int point)
 {
-    to->head[point] += addUpLanes(sum->lanes[SUM_HEAD]);
-    addVector(sum, SUM_VELOCITY, to->velocity[point]);
-    addVector(sum, SUM_ACCELERATION, to->acceleration[point]);
+    to->head[point] += addUpLanes(lanes + SUM_HEAD * SUM_LANES);
+    addVector(lanes, SUM_BELOW_VELOCITY, to->velocity[point]);
+    addVector(lanes, SUM_BELOW_ACCELERATION, to->acceleration[point]);
 }
 
 static SumKind chooseSurface(const swSurfaceSums* sums)
 {
-    if (sums->velocity != NULL)
+    if (sums->velocity != NULL || sums->acceleration != NULL)
     {
         return SUM_SURFACE_ALL;
     }
@@ -354,8 +395,8 @@ static int listReached(float wavelength, int count, const float* heights, int re
     return reachedCount;
 }
 
-static void addTileToBlock(const swTile* tile, SumKind kind, int64_t ticks, int count, const swPosXZ* points,
-                           const float* heights, PointSum* sums)
+static void addTileToBlock(const swTile* tile, int64_t ticks, int count, const swPosXZ* points, const float* heights,
+                           BlockSums* sums)
 {
     int reached[SUM_POINTS];
     int reachedCount = listReached(tile->maxWavelength, count, heights, reached);
@@ -372,7 +413,7 @@ static void addTileToBlock(const swTile* tile, SumKind kind, int64_t ticks, int 
     }
     int64_t tileTicks = swGetTileTicks(tile, ticks);
     bool isFinite = tile->depth < 1e9f;
-    kind = kind == SUM_BELOW && isFinite ? SUM_BELOW_FINITE : kind;
+    SumKind kind = sums->kind == SUM_BELOW && isFinite ? SUM_BELOW_FINITE : sums->kind;
     for (int first = 0; first < tile->modeCount; first += SUM_CHUNK)
     {
         int left = tile->modeCount - first;
@@ -384,13 +425,13 @@ static void addTileToBlock(const swTile* tile, SumKind kind, int64_t ticks, int 
             uint32_t phases[SUM_CHUNK];
             fillLatticePhases(&chunk, places.x[i], places.z[i], phases);
             float height = heights != NULL ? swClampHeight(heights[i], tile->depth) : 0.0f;
-            addChunk(&chunk, kind, phases, height, tile->depth, &sums[i]);
+            addChunk(&chunk, kind, phases, height, tile->depth, getLanes(sums, i));
         }
     }
 }
 
-static void addFreeToBlock(int waveCount, const swFreeWave* waves, SumKind kind, int64_t ticks, int count,
-                           const swPosXZ* points, const float* heights, PointSum* sums)
+static void addFreeToBlock(int waveCount, const swFreeWave* waves, int64_t ticks, int count, const swPosXZ* points,
+                           const float* heights, BlockSums* sums)
 {
     for (int first = 0; first < waveCount;)
     {
@@ -408,45 +449,54 @@ static void addFreeToBlock(int waveCount, const swFreeWave* waves, SumKind kind,
         {
             fillFreeChunk(waves + first, end - first, ticks, &chunk);
         }
-        SumKind chunkKind = kind == SUM_BELOW && depth < 1e9f ? SUM_BELOW_FINITE : kind;
+        SumKind kind = sums->kind == SUM_BELOW && depth < 1e9f ? SUM_BELOW_FINITE : sums->kind;
         for (int r = 0; r < reachedCount; ++r)
         {
             int i = reached[r];
             uint32_t phases[SUM_CHUNK];
             fillFreePhases(&chunk, points[i].x, points[i].z, phases);
             float height = heights != NULL ? swClampHeight(heights[i], depth) : 0.0f;
-            addChunk(&chunk, chunkKind, phases, height, depth, &sums[i]);
+            addChunk(&chunk, kind, phases, height, depth, getLanes(sums, i));
         }
         first = end;
+    }
+}
+
+static void writeBlock(BlockSums* sums, const swWaveSumJob* job, int first, int count)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        if (job->surface != NULL)
+        {
+            addSurface(getLanes(sums, i), job->surface, first + i);
+        }
+        else
+        {
+            addBelow(getLanes(sums, i), job->below, first + i);
+        }
     }
 }
 
 // Tiles, or free waves where there are none; the surface, or the water below.
 static void sumWaves(const swWaveSumJob* job)
 {
-    SumKind kind = job->surface != NULL ? chooseSurface(job->surface) : SUM_BELOW;
-    for (int first = 0; first < job->count; first += SUM_POINTS)
+    BlockSums sums = {.kind = job->surface != NULL ? chooseSurface(job->surface) : SUM_BELOW};
+    int pointFloats = countOutputs(sums.kind) * SUM_LANES;
+    int most = SUM_FLOATS / pointFloats < SUM_POINTS ? SUM_FLOATS / pointFloats : SUM_POINTS;
+    for (int first = 0; first < job->count; first += most)
     {
-        int count = job->count - first < SUM_POINTS ? job->count - first : SUM_POINTS;
+        int count = job->count - first < most ? job->count - first : most;
         const swPosXZ* points = job->points + first;
         const float* heights = job->heights != NULL ? job->heights + first : NULL;
-        PointSum sums[SUM_POINTS];
-        memset(sums, 0, (size_t)count * sizeof sums[0]);
+        memset(sums.lanes, 0, (size_t)(count * pointFloats) * sizeof(float));
         for (int tile = 0; tile < job->tileCount; ++tile)
         {
-            addTileToBlock(job->tiles + tile, kind, job->ticks, count, points, heights, sums);
-        }
-        addFreeToBlock(job->waveCount, job->waves, kind, job->ticks, count, points, heights, sums);
-        for (int i = 0; i < count; ++i)
-        {
-            if (job->surface != NULL)
+            if (swIsTileChosen(&job->tiles[tile], job->minWavelength))
             {
-                addSurface(&sums[i], job->surface, first + i);
-            }
-            else
-            {
-                addBelow(&sums[i], job->below, first + i);
+                addTileToBlock(job->tiles + tile, job->ticks, count, points, heights, &sums);
             }
         }
+        addFreeToBlock(job->waveCount, job->waves, job->ticks, count, points, heights, &sums);
+        writeBlock(&sums, job, first, count);
     }
 }

@@ -18,12 +18,12 @@
 // Too large for a stack.
 typedef struct Reader
 {
-    swSeaText text;
-    swMeasuredSea* sea;
+    swSeaReader file;
     int frequencyCount;
     int directionCount;
     int pointCount;
     bool hasBlock; // the points of one time are known
+    bool isHeld;   // the line at hand is still to be read
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double directions[SW_SEA_MAX_DIRECTIONS];
     double* density;
@@ -39,7 +39,7 @@ bool swIsWavewatch(const char* text, size_t size)
 
 static swResult readHead(Reader* reader)
 {
-    swSeaText* text = &reader->text;
+    swSeaText* text = &reader->file.text;
     swResult result = swNeedSeaLine(text, "the heading");
     text->at += result == SW_SUCCESS ? strlen(s_head) : 0;
     if (result == SW_SUCCESS)
@@ -111,29 +111,12 @@ swResult swReadSeaName(swSeaText* text, char name[64])
     return SW_SUCCESS;
 }
 
-swResult swFindSeaPoint(swMeasuredSea* sea, bool isNew, int index, const char* name, double longitude, double latitude,
-                        int* location)
-{
-    *location = -1;
-    if (!isNew)
-    {
-        bool isHere = strcmp(swMeasuredSea_GetLocation(sea, index).name, name) == 0;
-        *location =
-            isHere && index < swMeasuredSea_GetLocationCount(sea) ? index : swMeasuredSea_FindLocation(sea, name);
-    }
-    return *location >= 0 ? SW_SUCCESS : swMeasuredSea_AddLocation(sea, name, longitude, latitude, location);
-}
-
 static swResult readPoint(Reader* reader, int index, int* location)
 {
     char name[64];
     double latitude = 0.0, longitude = 0.0;
-    swSeaText* text = &reader->text;
-    swResult result = swNeedSeaLine(text, "a point");
-    if (result == SW_SUCCESS)
-    {
-        result = swReadSeaName(text, name);
-    }
+    swSeaText* text = &reader->file.text;
+    swResult result = swReadSeaName(text, name);
     if (result == SW_SUCCESS)
     {
         result = swReadSeaNumber(text, "a point's latitude", false, &latitude);
@@ -148,13 +131,13 @@ static swResult readPoint(Reader* reader, int index, int* location)
     }
     text->at = text->lineEnd; // depth, wind, current
     return result == SW_SUCCESS
-               ? swFindSeaPoint(reader->sea, !reader->hasBlock, index, name, longitude, latitude, location)
+               ? swFindSeaPoint(reader->file.sea, !reader->hasBlock, index, name, longitude, latitude, location)
                : result;
 }
 
 static swResult readDensity(Reader* reader)
 {
-    swSeaText* text = &reader->text;
+    swSeaText* text = &reader->file.text;
     swResult result = SW_SUCCESS;
     for (int j = 0; j < reader->directionCount; ++j)
     {
@@ -168,6 +151,12 @@ static swResult readDensity(Reader* reader)
                                 text->name, text->line, *value, SW_SEA_MAX_DENSITY);
             }
         }
+    }
+    if (result == SW_SUCCESS && swPeekSeaChar(text) != '\0')
+    {
+        result =
+            swFail(text->host, SW_ERROR_FORMAT,
+                   "%s:%d: the spectrum has more numbers than frequencies times directions.", text->name, text->line);
     }
     return result;
 }
@@ -188,7 +177,7 @@ static swResult readSpectrum(Reader* reader, int index, double seconds)
     def.directionCount = reader->directionCount;
     def.directions = reader->directions;
     def.density = reader->density;
-    return result == SW_SUCCESS ? swMeasuredSea_AddSpectrum(reader->sea, &def) : result;
+    return result == SW_SUCCESS ? swMeasuredSea_AddSpectrum(reader->file.sea, &def) : result;
 }
 
 swResult swReadPackedTime(swSeaText* text, double* seconds)
@@ -207,62 +196,97 @@ swResult swReadPackedTime(swSeaText* text, double* seconds)
     return result;
 }
 
-static swResult readSpectra(Reader* reader)
+bool swIsPackedTime(const swSeaText* line)
 {
-    swResult result = SW_SUCCESS;
-    while (result == SW_SUCCESS && swNextSeaLine(&reader->text))
+    swSeaText copy = *line;
+    double date = 0.0, time = 0.0, ignored = 0.0;
+    swSeaToken token = swNextSeaToken(&copy);
+    return token.size == 8 && swParseSeaNumber(token, &date) && swParseSeaNumber(swNextSeaToken(&copy), &time) &&
+           swMakePackedSeconds(date, time, &ignored);
+}
+
+// After a fault: to the next line where a point or a time begins, or this one if it is not the line of the fault's part.
+static void skipBroken(Reader* reader, int line)
+{
+    swSeaText* text = &reader->file.text;
+    bool isMore = text->line > line || swNextSeaLine(text);
+    text->at = text->lineBegin;
+    while (isMore && swPeekSeaChar(text) != '\'' && !swIsPackedTime(text))
     {
-        double seconds = 0.0;
-        result = swReadPackedTime(&reader->text, &seconds);
-        reader->text.at = reader->text.lineEnd;
-        for (int i = 0; i < reader->pointCount && result == SW_SUCCESS; ++i)
-        {
-            result = readSpectrum(reader, i, seconds);
-            reader->text.at = reader->text.lineEnd;
-        }
-        reader->hasBlock = true;
+        isMore = swNextSeaLine(text);
     }
+    reader->isHeld = isMore;
+}
+
+// Before a time and at the end: every point must have been there.
+static swResult checkWhole(Reader* reader, int found)
+{
+    int line = reader->file.text.line;
+    if (found >= reader->pointCount)
+    {
+        return SW_SUCCESS;
+    }
+    swResult result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                             "%s:%d: only %d of %d points stand before this line; is the file cut off?",
+                             reader->file.text.name, line, found, reader->pointCount);
+    return swJudgeRecord(&reader->file, result, line);
+}
+
+// A point, or the time of those that follow. *found counts the points of a time; -1 before one that could be read.
+static swResult readPart(Reader* reader, int* found, double* seconds)
+{
+    swSeaText* text = &reader->file.text;
+    if (swPeekSeaChar(text) == '\'' && *found < 0)
+    {
+        skipBroken(reader, text->line); // its time is not known, which was said
+        return SW_SUCCESS;
+    }
+    if (swPeekSeaChar(text) == '\'' || (*found >= 0 && *found < reader->pointCount && !swIsPackedTime(text)))
+    {
+        return readSpectrum(reader, (*found)++, *seconds);
+    }
+    swResult result = *found >= 0 ? checkWhole(reader, *found) : SW_SUCCESS;
+    reader->hasBlock = reader->hasBlock || *found > 0;
+    *found = -1;
+    result = result == SW_SUCCESS ? swReadPackedTime(text, seconds) : result;
+    *found = result == SW_SUCCESS ? 0 : -1;
     return result;
 }
 
-static swResult read(Reader* reader)
+static swResult readSpectra(Reader* reader)
 {
+    swSeaText* text = &reader->file.text;
+    double seconds = 0.0;
+    int found = -1;
+    swResult result = SW_SUCCESS;
+    while (result == SW_SUCCESS && (reader->isHeld || swNextSeaLine(text)))
+    {
+        int line = text->line;
+        reader->isHeld = false;
+        swResult part = readPart(reader, &found, &seconds);
+        result = swJudgeRecord(&reader->file, part, line);
+        if (part != SW_SUCCESS && result == SW_SUCCESS)
+        {
+            skipBroken(reader, line);
+        }
+    }
+    return result == SW_SUCCESS && found >= 0 ? checkWhole(reader, found) : result;
+}
+
+static swResult read(void* context)
+{
+    Reader* reader = context;
     swResult result = readHead(reader);
     if (result == SW_SUCCESS)
     {
         result = readSpectra(reader);
     }
-    if (reader->density != NULL)
-    {
-        swFree(reader->text.host, reader->density,
-               (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double));
-    }
-    return result == SW_SUCCESS ? swMeasuredSea_Finish(reader->sea) : result;
+    swFree(reader->file.text.host, reader->density,
+           (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double));
+    return result;
 }
 
 swResult swParseWavewatch(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    *sea = NULL;
-    Reader* reader = swAllocateZero(host, sizeof(*reader));
-    if (reader == NULL)
-    {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read a WAVEWATCH III file.");
-    }
-    name = name != NULL ? name : "WAVEWATCH III file";
-    reader->text = swOpenSeaText(host, text, size, name);
-    swResult result = swCreateMeasuredSea(host, name, &reader->sea);
-    if (result == SW_SUCCESS)
-    {
-        result = read(reader);
-    }
-    if (result == SW_SUCCESS)
-    {
-        *sea = reader->sea;
-    }
-    else
-    {
-        swDestroyMeasuredSea(reader->sea);
-    }
-    swFree(host, reader, sizeof(*reader));
-    return result;
+    return swRunSeaReader(host, text, size, name != NULL ? name : "WAVEWATCH III file", sizeof(Reader), read, sea);
 }

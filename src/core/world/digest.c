@@ -80,6 +80,34 @@ uint64_t swHashSet(const swWaveSet* set)
     return swEndHash(&hash);
 }
 
+static void addBand(swHash* hash, const swBandModes* band)
+{
+    const float bounds[] = {band->minWavelength, band->maxWavelength, band->depth};
+    swAddHashFloats(hash, bounds, 3);
+}
+
+// Waves alone do not tell over what depth they run, which decides the motion below, nor from which wavelength on a query
+// leaves their band out.
+uint64_t swIdentifySet(const swWaveSet* set)
+{
+    swHash hash = swBeginHash();
+    swAddHash(&hash, set->hash);
+    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    {
+        addBand(&hash, &set->bands[i]);
+    }
+    for (int i = 0; i < set->waveCount; ++i)
+    {
+        const float bounds[] = {set->waves[i].wavelength, set->waves[i].depth};
+        swAddHashFloats(&hash, bounds, 2);
+    }
+    if (set->to != NULL)
+    {
+        swAddHash(&hash, set->to->identity);
+    }
+    return swEndHash(&hash);
+}
+
 // ---- systems ----
 
 static void addRamp(swHash* hash, const swRamp* ramp, int64_t ticks)

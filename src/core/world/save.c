@@ -10,9 +10,11 @@
 #include "core/world/world.h"
 
 #define MAX_SETS (2 * SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS)
+#define MAX_SET_TILES (2 * SW_MAX_TILES) // of what is seen, and of what mixes become
+#define LEAST_SET_BYTES 16
 #define MAX_TABLE_FREQUENCIES 1024
 #define MAX_TABLE_DIRECTIONS 720
-#define LARGEST_TICKS ((int64_t)1 << 62) // SW_LARGEST_TIME
+#define LARGEST_TICKS ((int64_t)1 << 62) // of SW_LARGEST_TIME
 
 // ---- defs ----
 
@@ -75,14 +77,14 @@ typedef struct Arrays
     swSpectrumTable table;
 } Arrays;
 
-static swResult makeArrays(const swHost* host, size_t count, Arrays* arrays)
+static swResult makeArrays(const swWorld* world, size_t count, Arrays* arrays)
 {
     arrays->size = count * sizeof(float);
-    arrays->floats = swAllocateZero(host, arrays->size);
-    return arrays->floats != NULL || count == 0 ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
+    arrays->floats = swAllocateZero(&world->countedHost, arrays->size);
+    return arrays->floats != NULL || count == 0 ? SW_SUCCESS : swFailMemory(world, "a spectrum's table or components");
 }
 
-static swResult streamTable(swStream* stream, const swHost* host, swSpectrumDef* def, Arrays* arrays)
+static swResult streamTable(swStream* stream, const swWorld* world, swSpectrumDef* def, Arrays* arrays)
 {
     swSpectrumTable table = {0};
     if (!swIsReading(stream))
@@ -101,11 +103,11 @@ static swResult streamTable(swStream* stream, const swHost* host, swSpectrumDef*
         swStreamFloats(stream, (float*)table.density, densities);
         return SW_SUCCESS;
     }
-    if (stream->isBroken || stream->size - stream->at < densities * sizeof(float))
+    if (!swStreamHasLeft(stream, 2 * frequencies + densities, sizeof(float)))
     {
         return SW_ERROR_FORMAT;
     }
-    swResult result = makeArrays(host, 2 * frequencies + densities, arrays);
+    swResult result = makeArrays(world, 2 * frequencies + densities, arrays);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -119,7 +121,7 @@ static swResult streamTable(swStream* stream, const swHost* host, swSpectrumDef*
     return SW_SUCCESS;
 }
 
-static swResult streamComponents(swStream* stream, const swHost* host, swWaveSystemDef* def, Arrays* arrays)
+static swResult streamComponents(swStream* stream, const swWorld* world, swWaveSystemDef* def, Arrays* arrays)
 {
     int count = def->componentCount;
     swStreamRange(stream, &count, 0, SW_MAX_FREE_WAVES);
@@ -130,7 +132,11 @@ static swResult streamComponents(swStream* stream, const swHost* host, swWaveSys
         swStreamFloats(stream, (float*)def->components, floats);
         return SW_SUCCESS;
     }
-    swResult result = makeArrays(host, floats, arrays);
+    if (!swStreamHasLeft(stream, floats, sizeof(float)))
+    {
+        return SW_ERROR_FORMAT;
+    }
+    swResult result = makeArrays(world, floats, arrays);
     if (result == SW_SUCCESS)
     {
         swStreamFloats(stream, arrays->floats, floats);
@@ -140,7 +146,7 @@ static swResult streamComponents(swStream* stream, const swHost* host, swWaveSys
 }
 
 // `arrays` are freed by the caller, whatever the result.
-static swResult streamSystemDef(swStream* stream, const swHost* host, swWaveSystemDef* def, Arrays arrays[2])
+static swResult streamSystemDef(swStream* stream, const swWorld* world, swWaveSystemDef* def, Arrays arrays[2])
 {
     streamSpectrum(stream, &def->spectrum);
     int method = (int)def->method;
@@ -161,9 +167,9 @@ static swResult streamSystemDef(swStream* stream, const swHost* host, swWaveSyst
     swResult result = stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
     if (result == SW_SUCCESS && def->spectrum.kind == SW_SPECTRUM_TABLE)
     {
-        result = streamTable(stream, host, &def->spectrum, &arrays[0]);
+        result = streamTable(stream, world, &def->spectrum, &arrays[0]);
     }
-    return result == SW_SUCCESS ? streamComponents(stream, host, def, &arrays[1]) : result;
+    return result == SW_SUCCESS ? streamComponents(stream, world, def, &arrays[1]) : result;
 }
 
 // ---- sets ----
@@ -172,6 +178,7 @@ typedef struct SetList
 {
     int count;
     swWaveSet* sets[MAX_SETS];
+    int tileCount; // of all that were read
 } SetList;
 
 static int findInList(const SetList* list, const swWaveSet* set)
@@ -217,7 +224,7 @@ static swResult streamPlainSet(swWorld* world, swStream* stream, swWaveSet** set
     {
         def = (*set)->def;
     }
-    swResult result = streamSystemDef(stream, &world->countedHost, &def, arrays);
+    swResult result = streamSystemDef(stream, world, &def, arrays);
     if (result == SW_SUCCESS && swIsReading(stream))
     {
         bool isFine = !stream->isBroken && swCheckWaveSystemDef(&world->host, &def) == SW_SUCCESS;
@@ -228,7 +235,7 @@ static swResult streamPlainSet(swWorld* world, swStream* stream, swWaveSet** set
     return result;
 }
 
-// Ahead of each set stand its hash, by which a world that has it already knows it, and the number of its bytes.
+// Ahead of each set stand its identity, by which a world that has it already knows it, and the number of its bytes.
 static size_t beginSet(swStream* stream, uint64_t* hash, uint32_t* size)
 {
     swStreamU64(stream, hash);
@@ -249,7 +256,7 @@ static void endSet(swStream* stream, size_t begin)
 static swResult streamSet(swWorld* world, swStream* stream, SetList* list, int index)
 {
     swWaveSet* set = swIsReading(stream) ? NULL : list->sets[index];
-    uint64_t hash = set != NULL ? set->hash : 0;
+    uint64_t hash = set != NULL ? set->identity : 0;
     uint32_t size = 0;
     size_t begin = beginSet(stream, &hash, &size);
     int to = set != NULL && set->to != NULL ? findInList(list, set->to) : -1;
@@ -272,6 +279,8 @@ static swResult streamSet(swWorld* world, swStream* stream, SetList* list, int i
     {
         list->sets[index] = set;
         list->count = swIsReading(stream) ? index + 1 : list->count;
+        list->tileCount += set->tileCount;
+        result = list->tileCount <= MAX_SET_TILES ? SW_SUCCESS : SW_ERROR_FORMAT;
     }
     return result;
 }
@@ -281,7 +290,8 @@ static swResult streamSets(swWorld* world, swStream* stream, SetList* list)
 {
     int count = list->count;
     swStreamRange(stream, &count, 0, MAX_SETS);
-    for (int i = 0; i < count; ++i)
+    swStreamHasLeft(stream, (size_t)count, LEAST_SET_BYTES);
+    for (int i = 0; i < count && !stream->isBroken; ++i)
     {
         swResult result = streamSet(world, stream, list, i);
         if (result != SW_SUCCESS)
@@ -300,8 +310,7 @@ static void streamRamp(swStream* stream, swRamp* ramp)
     swStreamF32(stream, &ramp->to);
     swStreamI64(stream, &ramp->begin);
     swStreamI64(stream, &ramp->length);
-    // Ticks of times in range, so that differences of two fit.
-    bool isTime = ramp->begin < LARGEST_TICKS && ramp->begin > -LARGEST_TICKS && ramp->length >= 0 &&
+    bool isTime = ramp->begin <= LARGEST_TICKS && ramp->begin >= -LARGEST_TICKS && ramp->length >= 0 &&
                   ramp->length <= (int64_t)(SW_MAX_TRANSITION * SW_TICKS_PER_SECOND);
     bool isFine = isTime && ramp->from >= 0.0f && ramp->from <= 10.0f && ramp->to >= 0.0f && ramp->to <= 10.0f;
     stream->isBroken = stream->isBroken || !isFine;
@@ -403,8 +412,8 @@ static void streamPlace(swStream* stream, swPos* place)
     swStreamF64(stream, &place->x);
     swStreamF64(stream, &place->y);
     swStreamF64(stream, &place->z);
-    bool isNear = place->x <= 1e12 && place->x >= -1e12 && place->y <= 1e12 && place->y >= -1e12 && place->z <= 1e12 &&
-                  place->z >= -1e12;
+    const double farthest = SW_FARTHEST_VIEWPOINT + SW_FARTHEST_ORIGIN; // it counts from the sea's origin
+    bool isNear = fabs(place->x) <= farthest && fabs(place->y) <= farthest && fabs(place->z) <= farthest;
     stream->isBroken = stream->isBroken || !isNear;
 }
 
@@ -429,7 +438,7 @@ static void streamViewState(swStream* stream, int maxScaleLevel, ViewState* stat
     swStreamI64(stream, &foam->clock);
     swStreamU32(stream, &foam->resetCount);
     bool isClock = foam->remainder >= 0 && foam->remainder < (int64_t)SW_TICKS_PER_SECOND && foam->clock >= 0 &&
-                   foam->clock < LARGEST_TICKS;
+                   foam->clock <= LARGEST_TICKS;
     stream->isBroken = stream->isBroken || !isClock;
 }
 
@@ -488,7 +497,7 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
     {
         // Before memory for layers is asked for: their foam must be there.
         bool isFine = !stream->isBroken && swCheckViewDef(world, &def) == SW_SUCCESS &&
-                      stream->size - stream->at >= countTexels(&def) * sizeof(float);
+                      (countTexels(&def) == 0 || swStreamHasLeft(stream, countTexels(&def), sizeof(float)));
         swResult result = isFine ? swAddView(world, &def, &view) : SW_ERROR_FORMAT;
         if (result != SW_SUCCESS)
         {
@@ -580,7 +589,7 @@ static void streamClocks(swStream* stream, Clocks* clocks)
     swStreamF64(stream, &clocks->origin.z);
     swStreamBool(stream, &clocks->isChanged);
     bool isFine = isWithin(clocks->time, SW_LARGEST_TIME) && isWithin(clocks->stepped, SW_LARGEST_TIME) &&
-                  isWithin(clocks->origin.x, 1e9) && isWithin(clocks->origin.z, 1e9) &&
+                  isWithin(clocks->origin.x, SW_FARTHEST_ORIGIN) && isWithin(clocks->origin.z, SW_FARTHEST_ORIGIN) &&
                   clocks->ticks == (int64_t)floor(clocks->stepped * SW_TICKS_PER_SECOND + 0.5);
     stream->isBroken = stream->isBroken || !isFine;
 }
@@ -633,7 +642,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
             finishReading(world, &clocks, last);
         }
     }
-    return result;
+    return result == SW_SUCCESS && stream->isBroken ? SW_ERROR_FORMAT : result;
 }
 
 // ---- back to a state of this world ----
@@ -669,7 +678,7 @@ static swResult findSets(swWorld* world, swStream* stream, SetList* found)
         stream->at += stream->isBroken ? 0 : size;
         for (int k = 0; k < own.count; ++k)
         {
-            found->sets[i] = own.sets[k]->hash == hash ? own.sets[k] : found->sets[i];
+            found->sets[i] = own.sets[k]->identity == hash ? own.sets[k] : found->sets[i];
         }
         if (found->sets[i] == NULL && !stream->isBroken)
         {

@@ -17,7 +17,7 @@ static void beginFrame(swWorld* world, double time)
     world->frame.dt = dt;
     swAdvanceSystems(world);
     swListTiles(world);
-    swPlaceViews(world, world->frame.ticks - before);
+    swPlaceViews(world, swGetTicksBetween(before, world->frame.ticks));
 }
 
 static float* getTexels(const swWorld* world, int tile, int field)

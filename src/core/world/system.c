@@ -27,7 +27,7 @@ static swRamp makeRamp(const swWorld* world, float from, float to, double second
 // How far a ramp has come, 0 to 1.
 static double getProgress(const swRamp* ramp, int64_t ticks)
 {
-    int64_t passed = ticks - ramp->begin;
+    int64_t passed = swGetTicksBetween(ramp->begin, ticks);
     if (ramp->length <= 0 || passed >= ramp->length)
     {
         return 1.0;

@@ -41,7 +41,7 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     swView* view = swAllocateZero(&world->countedHost, sizeof *view);
     if (view == NULL)
     {
-        return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for a view");
+        return swFailMemory(world, "a view");
     }
     view->world = world;
     view->def = *def;
@@ -51,8 +51,7 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     {
         freeLayers(view);
         swFree(&world->countedHost, view, sizeof *view);
-        return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for the layers of %d slices of %d x %d texels",
-                      def->sliceCount, def->resolution, def->resolution);
+        return swFailMemory(world, "the layers of a view's slices");
     }
     world->version += 1;
     view->version = world->version;

@@ -204,7 +204,7 @@ static swResult failSet(swWorld* world, swWaveSet* set, swResult result)
     }
     if (result == SW_ERROR_NO_MEMORY)
     {
-        swFail(&world->host, result, "no memory for the waves of a system");
+        return swFailMemory(world, "the waves of a system");
     }
     return result;
 }
@@ -232,6 +232,7 @@ static void numberSet(swWorld* world, swWaveSet* set)
     world->version += 1;
     set->version = world->version;
     set->hash = swHashSet(set);
+    set->identity = swIdentifySet(set);
     set->useCount = 1;
 }
 
@@ -310,7 +311,7 @@ swResult swStreamMix(swWorld* world, swStream* stream, swWaveSet* to, swWaveSet*
     set = swAllocateZero(host, sizeof *set);
     if (set == NULL)
     {
-        return SW_ERROR_NO_MEMORY;
+        return failSet(world, set, SW_ERROR_NO_MEMORY);
     }
     set->def = *def;
     memcpy(set->response, to->response, sizeof set->response);
@@ -321,8 +322,7 @@ swResult swStreamMix(swWorld* world, swStream* stream, swWaveSet* to, swWaveSet*
     }
     if (result != SW_SUCCESS)
     {
-        freeSet(world, set);
-        return result;
+        return failSet(world, set, result);
     }
     set->to = to;
     to->useCount += 1;

@@ -6,8 +6,14 @@
 static void* allocateCounted(void* context, size_t size, size_t alignment)
 {
     swWorld* world = context;
-    void* memory = world->host.allocate(world->host.memoryContext, size, alignment);
-    world->memory += memory != NULL ? size : 0;
+    size_t held = atomic_fetch_add(&world->memory, size) + size;
+    bool isOver = world->memoryBudget != 0 && held > world->memoryBudget;
+    void* memory = isOver ? NULL : world->host.allocate(world->host.memoryContext, size, alignment);
+    world->memory -= memory == NULL ? size : 0;
+    if (isOver)
+    {
+        world->isOverBudget = true;
+    }
     return memory;
 }
 
@@ -44,6 +50,18 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     };
     *worldOut = world;
     return SW_SUCCESS;
+}
+
+swResult swFailMemory(const swWorld* world, const char* what)
+{
+    if (world->isOverBudget)
+    {
+        return swFail(&world->host, SW_ERROR_LIMIT,
+                      "%s would take the saved world beyond the %zu bytes of memory that it may hold "
+                      "(swRestoreDef::memoryBudget)",
+                      what, world->memoryBudget);
+    }
+    return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for %s", what);
 }
 
 void swFreeWorld(swWorld* world)

@@ -31,7 +31,8 @@ typedef struct swWaveSet
     struct swWaveSet* nextRetired;
     int useCount; // layers, and mixes made of it
     uint32_t version;
-    uint64_t hash;       // of its waves at weight 1, or of what a mix is made from
+    uint64_t hash;       // of its waves at weight 1, or of what a mix is made from; part of digests
+    uint64_t identity;   // the same and all else that decides what the set answers; by it saved sets are known
     swWaveSystemDef def; // its table and components are in `copies`
     void* copies;
     size_t copiesSize;
@@ -73,6 +74,10 @@ typedef struct swWaveLayer
 
 #define SW_MAX_WAVE_LAYERS 4
 
+// Farthest that a viewpoint may be from the host's origin, and the host's origin from the sea's, m.
+#define SW_FARTHEST_VIEWPOINT 1e12
+#define SW_FARTHEST_ORIGIN 1e9
+
 typedef struct swWaveSystem
 {
     int layerCount;
@@ -112,6 +117,8 @@ struct swWorld
     swHost host;          // the caller's
     swHost countedHost;   // the same with memory counted; everything but the world itself comes from it
     atomic_size_t memory; // bytes held; workers allocate too
+    size_t memoryBudget;  // of bytes held while a saved world is read; 0: none
+    atomic_bool isOverBudget;
     swWorldDef def;
     const swWaveKernels* kernels;
 
@@ -146,6 +153,8 @@ struct swWorld
 // world.c
 swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKernels* kernels, swWorld** world);
 void swFreeWorld(swWorld* world);
+// The world got no memory for something; SW_ERROR_LIMIT if that was because of its budget. A sentence in the log.
+swResult swFailMemory(const swWorld* world, const char* what);
 
 // wave_set.c
 swResult swAcquireSet(swWorld* world, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one
@@ -199,3 +208,4 @@ swResult swRewindState(swWorld* world, swStream* stream); // the same, read into
 // digest.c
 uint64_t swHashWorld(const swWorld* world);
 uint64_t swHashSet(const swWaveSet* set);
+uint64_t swIdentifySet(const swWaveSet* set); // `hash` is there already
