@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app.h"
+#include "text.h"
 #include "tuning.h"
 
 #define STAMP_INTERVAL 0.5 // s between looks at the scene file
@@ -96,7 +97,9 @@ bool OpenFirstSea(App* app)
     }
     else if (app->options.viewName != NULL)
     {
-        fprintf(stderr, "seaway: the scene has no view named \"%s\"\n", app->options.viewName);
+        char name[256];
+        fprintf(stderr, "seaway: the scene has no view named \"%s\"\n",
+                CopyPrintable(name, sizeof(name), app->options.viewName));
         return false;
     }
     return true;

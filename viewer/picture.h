@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The order of a frame on the GPU, and the images that it goes through: HDR and depth, the finished picture, the window.
+// The order of a frame on the GPU, and the images that it goes through: HDR and depth, the finished picture, the
+// window.
 
 #include "screen.h"
 #include "sea.h"
 #include "ui_draw.h"
 
-// The picture holds sRGB bytes in a UNORM image: the panel blends them as they are, tone mapping encodes through a second
-// view in the renderer's output format.
+// The picture holds sRGB bytes in a UNORM image: the panel blends them as they are, tone mapping encodes through a
+// second view in the renderer's output format.
 #define PICTURE_FORMAT VK_FORMAT_R8G8B8A8_UNORM
 
 typedef struct Targets

@@ -27,7 +27,7 @@ static void DescribeOpenSea(Sea* sea)
 
 static bool TakeHandWaves(SeaWaves* waves, const swSceneWaves* from)
 {
-    waves->hand = malloc(sizeof(HandWaves));
+    waves->hand = calloc(1, sizeof(HandWaves));
     if (waves->hand == NULL)
     {
         return false;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "panels.h"
 
@@ -155,7 +156,9 @@ bool DrawMeasured(Sea* sea, int index)
     swSpectrumDef* spectrum = &waves->def.spectrum;
     const swSpectrumDef* filed = &waves->filedDef.spectrum;
     bool hasChanged = false;
-    UiFaint("%s", waves->file);
+    const char* slash = strrchr(waves->file, '/');
+    UiFaint("%s", slash != NULL ? slash + 1 : waves->file);
+    UiTip(waves->file);
     if (waves->replay != NULL)
     {
         DrawReplay(sea, index);
