@@ -235,6 +235,10 @@ swResult swReadNetcdfFrequencies(swNetcdfAxes* axes)
     char name[257];
     swGetNetcdfVariableName(&axes->file, variable.id, name);
     swGetNetcdfText(&axes->file, variable.id, "units", true, unit, sizeof(unit));
+    if (strcmp(unit, "s") == 0 || strncmp(unit, "sec", 3) == 0)
+    {
+        return fail(axes, "its frequencies have the unit of periods, s; Hz and rad/s are read.");
+    }
     axes->isAngular = strncmp(unit, "rad", 3) == 0 || strcmp(name, "spsig") == 0 || strcmp(name, "omega") == 0 ||
                       strcmp(name, "angular_frequency") == 0;
     axes->hasBands = readBands(axes, &variable);

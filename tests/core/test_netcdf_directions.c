@@ -186,6 +186,17 @@ static void LabelsInAnyWordsAreUnderstood(void** state)
         {"long_name", "mean direction from first spectral moment", -1.0},
         {"long_name", "direction, from 0 to 360", -1.0},
         {"long_name", "wave direction", -1.0},
+        {"comment", "obtained from a model", -1.0},
+        {"comment", "mean direction from buoy motion", -1.0},
+        {"comment", "see the manual of the Oceanographic Institute", -1.0},
+        {"comment", "sine towards north, cosine towards east", -1.0},
+        {"convention", "from", MEAN},
+        {"convention", "to", MEAN + 180.0},
+        {"comment", "Cartesian convention", 270.0 - MEAN},
+        {"long_name", "direction of travel", MEAN + 180.0},
+        {"long_name", "direction of origin", MEAN},
+        {"long_name", "direction from (degrees)", MEAN},
+        {"long_name", "sea surface wave from direction", MEAN},
         {"long_name", "coming from, or going to: unknown", -1.0},
     };
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
@@ -285,12 +296,14 @@ static void FormatsThatLayItDownTakeNoWord(void** state)
     assert_int_equal(swMeasuredSea_GetDirections(sea).meaning, SW_DIRECTIONS_BY_FORMAT);
     swDestroyMeasuredSea(sea);
     remove(s_path);
+#if defined(NDEBUG) // with asserts misuse stops the program
     swHost host = swDefaultHost();
     host.log = KeepMessages;
     swMeasuredFileDef def = swDefaultMeasuredFileDef();
     def.directions = (swDirectionMeaning)77;
     assert_int_equal(swReadMeasuredFile(&host, s_path, &def, &sea), SW_ERROR_INVALID);
     assert_null(sea);
+#endif
 }
 
 // ---- units ----
