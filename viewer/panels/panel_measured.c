@@ -118,7 +118,8 @@ static void DrawReplayMoment(Sea* sea, int index)
     double last = swMeasuredSea_GetRecord(waves->measured, place.firstRecord + place.recordCount - 1).seconds;
     double now = GetReplaySeconds(sea, index), filed = GetFiledReplaySeconds(sea, index);
     double hours = (now - first) / 3600.0;
-    UiMarkNext(fabs(now - filed) > 1e-3, "By the file it would be %.2f h. Click to go there.", (filed - first) / 3600.0);
+    UiMarkNext(fabs(now - filed) > 1e-3, "By the file it would be %.2f h. Click to go there.",
+               (filed - first) / 3600.0);
     bool hasChanged = UiDoubleSlider("moment", &hours, 0.0, (last - first) / 3600.0, "%.2f h");
     UiTip("Hours since the first record; pull to go to another moment of them, the waves run on");
     if (UiWasReset())
