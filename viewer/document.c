@@ -84,7 +84,7 @@ void UpdateTitle(App* app)
 bool OpenFirstSea(App* app)
 {
     app->sceneStamp = GetSceneStamp(app);
-    if (!OpenSea(&app->sea, &app->host, app->gpu, app->options.scenePath))
+    if (!OpenSea(&app->sea, &app->host, app->gpu, app->screen.extent.height, app->options.scenePath))
     {
         return false;
     }
@@ -111,7 +111,7 @@ static void ReloadSea(App* app)
     Sea fresh;
     app->sceneStamp = GetSceneStamp(app);
     app->messagesBefore = CountMessages(&app->messages);
-    app->hasSceneFailed = !OpenSea(&fresh, &app->host, app->gpu, app->options.scenePath);
+    app->hasSceneFailed = !OpenSea(&fresh, &app->host, app->gpu, app->screen.extent.height, app->options.scenePath);
     if (app->hasSceneFailed)
     {
         ShowNote(app, "the scene has an error; see the panel");

@@ -14,13 +14,21 @@
 
 typedef struct Targets
 {
-    Image hdr;
+    Image hdr; // and depth: the sea and the sky, of DrawnExtent()
     Image depth;
-    Image picture;
+    Image picture;   // of the window's extent
     Buffer readback; // RGBA bytes; empty until a screenshot is taken
 } Targets;
 
-bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent);
+// Pixels that a software device draws of the sea before tone mapping stretches them over the window: what two cores do ten
+// times a second. Never less than half of a side.
+#define SOFTWARE_PIXELS 70000.0
+
+// A GPU draws every pixel of the window.
+VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware);
+
+// `extent` is the window's, `drawn` that of the sea.
+bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent, VkExtent2D drawn);
 
 // The device must be idle.
 void CloseTargets(Targets* targets, const Graphics* graphics);

@@ -25,6 +25,24 @@ err 'warning: .*outside its records; the nearest record, of 2024-11-16 06:50'
 run 1 spectrum "$buoy" --directions to
 err 'laid down by its format'
 run 2 spectrum "$buoy" --directions up
+# netCDF whose directions have no label: read, with a warning, and the assumption is seen.
+unlabelled="$source/tests/fuzz/seeds/netcdf/unlabelled.nc"
+if "$seaway" spectrum "$unlabelled" 2>&1 | grep -q 'built without NetCDF'; then
+    echo "netCDF is not read: its directions are not tested"
+else
+    run 0 spectrum "$unlabelled" --json
+    err 'warning: .*unlabelled.nc: it does not say .*--directions from or to'
+    is_json out
+    out '"directions": "from"'
+    out '"directions_assumed": true'
+    out '"directions_known_by": "wavespectra"'
+    run 0 spectrum "$unlabelled" --directions to --json
+    out '"directions": "to"'
+    out '"directions_assumed": false'
+    [ -s err ] && fail "what is asked for needs no warning"
+    run 2 spectrum "$unlabelled" --directions from --at 2021-01-01
+    err 'run from 2020-01-01 00:00 to 2020-01-01 00:00'
+fi
 run 1 spectrum nosuch.data_spec
 err 'nosuch.data_spec'
 echo 'this is no spectrum' >text.data_spec
@@ -117,6 +135,15 @@ run 0 spectrum alone.data_spec --json
 out '"direction_from_deg": \[ 90, null, 100\]' && out '"r1": \[ null, null, null\]'
 run 1 spectrum alone.swdir
 err 'not energies: name the file of energies, alone.data_spec'
+# Energies that are all missing.
+printf '2022 01 01 00 00 9.999 0.2 (0.070) 1.0 (0.080)\n2022 01 01 01 00 9.999 999 (0.070) MM (0.080)\n' >gap.data_spec
+run 0 spectrum gap.data_spec --list
+err '1 of 2 records have no energies'
+# A scene of a sea without directions says so.
+rm alone.swdir
+printf 'waves:\n  - spectrum: file\n    file: alone.data_spec\n' >alone.yaml
+"$seaway" check alone.yaml >out 2>err
+out 'has no directions: its waves are made around east'
 # A calm has no periods and no directions.
 printf 'time,hs_m,tp_s\n2022-01-01,0,0\n' >calm.csv
 run 0 spectrum calm.csv --json

@@ -119,11 +119,11 @@ static double GetHeight(const swMeasuredRecord* record)
 static void SpottersTableIsRead(void** state)
 {
     (void)state;
-    swMeasuredSea* sea = ParseFine(SPOTTER_HEADING
-                                   "2.0,1.0,1632838321,.1,.2,.02,.03,0.0,0.0,0.8,0.8,0,0,0,0,36.2,-121.9,5\n"
-                                   " 3.0 , 1.0 ,1632834721.5,.1,.2,.02,.03,-,nan,,-,90,270,20,-,36.1,-121.8,\n"
-                                   "-,-,1632841921,.1,.2,.02,.03,-,-,-,-,-,-,-,-,36.3,-121.7,5\n",
-                                   2);
+    swMeasuredSea* sea =
+        ParseFine(SPOTTER_HEADING "2.0,1.0,1632838321,.1,.2,.02,.03,0.0,0.0,0.8,0.8,0,0,0,0,36.2,-121.9,5\n"
+                                  " 3.0 , 1.0 ,1632834721.5,.1,.2,.02,.03,-,nan,,-,90,270,20,-,36.1,-121.8,\n"
+                                  "-,-,1632841921,.1,.2,.02,.03,-,-,-,-,-,-,-,-,36.3,-121.7,5\n",
+                  2);
     assert_non_null(strstr(s_messages, "x:4: the record has no spectrum. It is left out (line 4)."));
     swMeasuredRecord first = swMeasuredSea_GetRecord(sea, 0), second = swMeasuredSea_GetRecord(sea, 1);
     assert_string_equal(first.time, "2021-09-28 13:12");
@@ -198,7 +198,8 @@ static void MontereysSpotterIsReadAsItTells(void** state)
         double errors[5] = {
             fabs(GetHeight(&record) / GetField(text, row, "Significant Wave Height (m)") - 1.0),
             fabs(1.0 / (double)record.table.frequencies[peak] / GetField(text, row, "Peak Period (s)") - 1.0),
-            fabs(remainder(GetBearing(record.meanDirection[peak]) - GetField(text, row, "Peak Direction (deg)"), 360.0)),
+            fabs(
+                remainder(GetBearing(record.meanDirection[peak]) - GetField(text, row, "Peak Direction (deg)"), 360.0)),
             fabs(remainder(GetBearing(seaState.meanDirection) - GetField(text, row, "Mean Direction (deg)"), 360.0)),
             fabs((double)seaState.spread / DEGREE - GetField(text, row, "Mean Directional Spread (deg)")),
         };
@@ -257,7 +258,8 @@ static void AwacsSentencesAreRead(void** state)
     assert_string_equal(record.time, "2024-06-12 00:30");
     assert_int_equal(record.table.frequencyCount, 4);
     assert_true(fabsf(record.table.frequencies[1] - 0.11f) < 1e-6f && record.energy[1] == 1.0f);
-    assert_true(IsBearing(record.measuredDirection[0], 250.0, 0.01) && IsBearing(record.measuredDirection[1], 250.0, 0.01));
+    assert_true(IsBearing(record.measuredDirection[0], 250.0, 0.01) &&
+                IsBearing(record.measuredDirection[1], 250.0, 0.01));
     assert_true(fabsf(record.measuredR1[0] - 0.85f) < 1e-3f);
     assert_true(isnan(record.measuredDirection[2]) && isnan(record.measuredR1[3]));
     assert_true(IsBearing(record.meanDirection[2], 250.0, 0.01)); // filled in
@@ -302,7 +304,8 @@ static void AwacsMeanDirectionsAndSpreadsAreRead(void** state)
     };
     swMeasuredSea* sea = ParseSentences(sentences, 4, 1);
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-    assert_true(IsBearing(record.measuredDirection[0], 10.0, 0.01) && IsBearing(record.measuredDirection[1], 350.0, 0.01));
+    assert_true(IsBearing(record.measuredDirection[0], 10.0, 0.01) &&
+                IsBearing(record.measuredDirection[1], 350.0, 0.01));
     assert_true(isnan(record.measuredDirection[2]) && isnan(record.measuredR1[1]));
     assert_true(fabs((double)record.measuredR1[0] - (1.0 - 0.5 * 20.0 * 20.0 * DEGREE * DEGREE)) < 1e-4);
     swDestroyMeasuredSea(sea);
@@ -346,11 +349,13 @@ static void AwacsSampleIsReadAsItTells(void** state)
         int peak = FindPeak(&record);
         print_message("%s: Hs %.3f of %.2f m, Tm02 %.2f of %.2f s, Tp %.2f of %.2f s, from %.1f of %.0f degrees\n",
                       record.time, GetHeight(&record), told[0], (double)seaState.periodTm02, told[1],
-                      1.0 / (double)record.table.frequencies[peak], told[2], GetBearing(seaState.meanDirection), told[5]);
+                      1.0 / (double)record.table.frequencies[peak], told[2], GetBearing(seaState.meanDirection),
+                      told[5]);
         assert_true(fabs(GetHeight(&record) / told[0] - 1.0) < 0.01);
         assert_true(fabs((double)seaState.periodTm02 / told[1] - 1.0) < 0.01);
         assert_true(fabs(1.0 / told[2] - (double)record.table.frequencies[peak]) < 0.01); // a bin
-        assert_true(IsBearing(record.meanDirection[peak], told[3], 1.0) && IsBearing(seaState.meanDirection, told[5], 1.0));
+        assert_true(IsBearing(record.meanDirection[peak], told[3], 1.0) &&
+                    IsBearing(seaState.meanDirection, told[5], 1.0));
         assert_true(fabs(sqrt(2.0 * (1.0 - (double)record.r1[peak])) / DEGREE - told[4]) < 1.0);
     }
     assert_int_equal(index, 3);
@@ -421,15 +426,17 @@ static void OctopusIsReadAsItTells(void** state)
 // One swell from 250 degrees, cos^20 of half the angle, over 24 directions, in the unit's radians or degrees.
 static void WriteObscape(char* text, size_t room, bool isShort, double scale, const char* unit)
 {
-    size_t used = (size_t)snprintf(text, room, "# Station name = North Bank \n# Latitude [deg] = 52.5\n# Longitude [deg] = "
-                                               "3.25\n# Timestamp = 1712136600\n# Timezone = Mars\n# Directions = True "
-                                               "North\n#\n# Columns [deg] = ");
+    size_t used = (size_t)snprintf(text, room,
+                                   "# Station name = North Bank \n# Latitude [deg] = 52.5\n# Longitude [deg] = "
+                                   "3.25\n# Timestamp = 1712136600\n# Timezone = Mars\n# Directions = True "
+                                   "North\n#\n# Columns [deg] = ");
     for (int j = 0; j < 24 && !isShort; ++j)
     {
         used += (size_t)snprintf(text + used, room - used, "%s%d", j > 0 ? "," : "", 15 * j);
     }
-    used += (size_t)snprintf(text + used, room - used, "%s\n# Rows [Hz] = 0.08,0.09,0.10,0.11\n# Variance-density [%s]\n",
-                             isShort ? "0,15,30,... 345" : "", unit);
+    used +=
+        (size_t)snprintf(text + used, room - used, "%s\n# Rows [Hz] = 0.08,0.09,0.10,0.11\n# Variance-density [%s]\n",
+                         isShort ? "0,15,30,... 345" : "", unit);
     for (int i = 0; i < 4; ++i)
     {
         for (int j = 0; j < 24; ++j)

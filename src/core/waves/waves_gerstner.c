@@ -25,6 +25,7 @@
 #include "core/base/host.h"
 #include "core/math/random.h"
 #include "core/math/scalar.h"
+#include "core/waves/waves_bins.h"
 #include "core/waves/waves_fft.h"
 
 #define TURN (2.0 * SW_PI)
