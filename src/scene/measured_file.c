@@ -9,8 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "scene/measured_formats.h"
 #include "scene/scene_file.h"
 #include "seaway/scene.h"
@@ -389,7 +388,9 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
 
 swResult swReadMeasuredFile(const swHost* host, const char* path, const swMeasuredFileDef* def, swMeasuredSea** sea)
 {
-    *sea = NULL;
+    SW_REQUIRE_PLACE(host, sea, "swReadMeasuredFile()");
+    SW_REQUIRE(path != NULL && def != NULL, SW_ERROR_INVALID, host,
+               "swReadMeasuredFile() needs a path, and a def made by swDefaultMeasuredFileDef()");
     SW_ASSERT(def->internalValue == SW_DEF_COOKIE);
     if (def->internalValue != SW_DEF_COOKIE || (int)def->directions < SW_DIRECTIONS_BY_FORMAT ||
         def->directions > SW_DIRECTIONS_TO_FROM_EAST)

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/math/scalar.h"
 #include "core/waves/measured.h"
 
@@ -189,12 +189,13 @@ static swResult failTime(const swMeasuredSea* sea, const char* time, const Searc
 
 swResult swMeasuredSea_ChooseRecord(const swMeasuredSea* sea, int location, const char* time, int* record)
 {
+    SW_REQUIRE(sea != NULL && record != NULL, SW_ERROR_INVALID, sea != NULL ? &sea->host : NULL,
+               "swMeasuredSea_ChooseRecord() needs a sea and a place for the record");
     double seconds = 0.0;
     *record = swMeasuredSea_FindRecord(sea, location, time);
-    if (*record < 0 && (sea == NULL || findLargest(sea, location) < 0))
+    if (*record < 0 && findLargest(sea, location) < 0)
     {
-        return sea == NULL ? SW_ERROR_INVALID
-                           : swFail(&sea->host, SW_ERROR_INVALID, "%s: this place has no record.", sea->name);
+        return swFail(&sea->host, SW_ERROR_INVALID, "%s: this place has no record.", sea->name);
     }
     if (time == NULL)
     {
@@ -266,6 +267,8 @@ int swMeasuredSea_FindNearest(const swMeasuredSea* sea, double longitude, double
 swResult swMeasuredSea_ChooseNearest(const swMeasuredSea* sea, double longitude, double latitude, int* location,
                                      double* distance)
 {
+    SW_REQUIRE(sea != NULL && location != NULL, SW_ERROR_INVALID, sea != NULL ? &sea->host : NULL,
+               "swMeasuredSea_ChooseNearest() needs a sea and a place for the location");
     double metres = 0.0;
     int nearest = swMeasuredSea_FindNearest(sea, longitude, latitude, &metres);
     *location = -1;
@@ -273,14 +276,13 @@ swResult swMeasuredSea_ChooseNearest(const swMeasuredSea* sea, double longitude,
     {
         *distance = metres;
     }
-    if (sea == NULL || nearest < 0)
+    if (nearest < 0)
     {
-        return sea == NULL ? SW_ERROR_INVALID
-                           : swFail(&sea->host, SW_ERROR_INVALID,
-                                    isOnGlobe(longitude, latitude)
-                                        ? "%s: it does not tell where its places lie; choose one by name or number."
-                                        : "%s: latitude must be from -90 to 90 and longitude from -180 to 360.",
-                                    sea->name);
+        return swFail(&sea->host, SW_ERROR_INVALID,
+                      isOnGlobe(longitude, latitude)
+                          ? "%s: it does not tell where its places lie; choose one by name or number."
+                          : "%s: latitude must be from -90 to 90 and longitude from -180 to 360.",
+                      sea->name);
     }
     swMeasuredLocation place = swMeasuredSea_GetLocation(sea, nearest);
     if (metres > SW_MEASURED_REACH)
