@@ -214,7 +214,7 @@ int RunStats(int argumentCount, char** arguments)
          .kind = OPTION_NUMBER,
          .value = &stats.duration,
          .placeholder = "S",
-         .help = "of a record, s (default: 40 periods of the peak)",
+         .help = "of a record, s (default: 40 periods of the peak; more for narrow bins of a measured sea)",
          .min = 10,
          .max = 1e5},
         {.name = "plot",

@@ -22,6 +22,9 @@
 // Over density, m^3/s^2: what swDefaultWorldDef() has.
 #define SURFACE_TENSION 7.4e-5
 
+// Longest record for the sake of narrow bins, s.
+#define TABLE_DURATION 2400.0
+
 // Heave and slopes of all gauges, a gauge's record contiguous.
 typedef struct Records
 {
@@ -35,12 +38,46 @@ typedef struct Records
 void UseTableBins(const swSpectrumTable* table, SeaBins* bins)
 {
     bins->count = table->frequencyCount < SEA_MAX_BINS ? table->frequencyCount : SEA_MAX_BINS;
+    double edges[SEA_MAX_BINS + 1];
+    swSpectrumTable_GetEdges(table, edges);
     for (int i = 0; i < bins->count; ++i)
     {
         bins->center[i] = (double)table->frequencies[i];
-        bins->low[i] = bins->center[i] - 0.5 * (double)table->bandwidths[i];
-        bins->high[i] = bins->center[i] + 0.5 * (double)table->bandwidths[i];
+        bins->low[i] = edges[i];
+        bins->high[i] = edges[i + 1];
     }
+}
+
+static double SumTableRow(const swSpectrumTable* table, int row)
+{
+    double sum = 0.0;
+    for (int i = 0; i < table->directionCount; ++i)
+    {
+        sum += (double)table->density[(size_t)row * (size_t)table->directionCount + (size_t)i];
+    }
+    return sum;
+}
+
+double FindTableDuration(const swSpectrumTable* table)
+{
+    SeaBins* bins = malloc(sizeof(SeaBins));
+    double most = 0.0, narrowest = (double)INFINITY;
+    if (bins == NULL)
+    {
+        return TABLE_DURATION;
+    }
+    UseTableBins(table, bins);
+    for (int i = 0; i < bins->count; ++i)
+    {
+        most = fmax(most, SumTableRow(table, i));
+    }
+    for (int i = 0; i < bins->count; ++i)
+    {
+        bool holdsMuch = SumTableRow(table, i) >= 0.25 * most;
+        narrowest = holdsMuch ? fmin(narrowest, bins->high[i] - bins->low[i]) : narrowest;
+    }
+    free(bins);
+    return fmin(6.0 / narrowest, TABLE_DURATION);
 }
 
 void UseEqualBins(double low, double high, int count, SeaBins* bins)

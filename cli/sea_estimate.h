@@ -40,6 +40,10 @@ typedef struct SeaGauges
 // A table's own bins.
 void UseTableBins(const swSpectrumTable* table, SeaBins* bins);
 
+// How long to record for a table's bins, s: the window of a record moves energy by about one over its length, so that it
+// wants to be six times as long as that of the narrowest bin that holds much; at most forty minutes.
+double FindTableDuration(const swSpectrumTable* table);
+
 // `count` equal bins over [low, high] Hz.
 void UseEqualBins(double low, double high, int count, SeaBins* bins);
 

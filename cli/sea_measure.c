@@ -176,7 +176,7 @@ static double FindPeakFrequency(const swScene* scene, const swSceneWaves* waves)
 static bool ChooseBins(SeaMeasurement* sea)
 {
     const swScene* scene = sea->scene;
-    double first = 1e9, last = 0.0, low = 1e9, high = 0.0;
+    double first = 1e9, last = 0.0, low = 1e9, high = 0.0, longest = 0.0;
     for (int i = 0; i < scene->wavesCount; ++i)
     {
         double peak = FindPeakFrequency(scene, scene->waves + i), systemLow = 0.0, systemHigh = 0.0;
@@ -196,6 +196,7 @@ static bool ChooseBins(SeaMeasurement* sea)
     if (scene->wavesCount == 1 && only->kind == SW_SPECTRUM_TABLE)
     {
         UseTableBins(only->table, &sea->bins);
+        longest = FindTableDuration(only->table);
     }
     else
     {
@@ -206,7 +207,7 @@ static bool ChooseBins(SeaMeasurement* sea)
     }
     double period = 1.0 / first, length = FindWavelength(first, (double)INFINITY, (double)scene->world.gravity);
     sea->gauges.gaugeCount = GAUGE_COUNT;
-    sea->gauges.duration = sea->options.duration > 0.0 ? sea->options.duration : 40.0 * period;
+    sea->gauges.duration = sea->options.duration > 0.0 ? sea->options.duration : fmax(40.0 * period, longest);
     sea->gauges.area = sea->options.area > 0.0 ? sea->options.area : 40.0 * length;
     return true;
 }

@@ -99,6 +99,6 @@ const char* GetSceneName(const App* app);
 void OpenInput(App* app);
 CameraInput ReadCameraInput(App* app);
 
-// What was pressed since the last frame, as far as this one can take it: to the panel, and keys that it does not want to
-// the viewer. Before BeginUiFrame().
+// What was pressed since the last frame, as far as this one can take it: to the panel, and keys that it does not want
+// to the viewer. Before BeginUiFrame().
 void HandleInput(App* app);

@@ -27,7 +27,8 @@ typedef struct Camera
     double lift;  // m that the water pushes it up now
 } Camera;
 
-// What the user holds down or moved since the last frame; all in [-1, 1] but the turns (radians) and the wheel (clicks).
+// What the user holds down or moved since the last frame; all in [-1, 1] but the turns (radians) and the wheel
+// (clicks).
 typedef struct CameraInput
 {
     float right, up, forward;

@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app.h"
+#include "text.h"
 #include "tuning.h"
 
 #define STAMP_INTERVAL 0.5 // s between looks at the scene file
@@ -83,7 +84,7 @@ void UpdateTitle(App* app)
 bool OpenFirstSea(App* app)
 {
     app->sceneStamp = GetSceneStamp(app);
-    if (!OpenSea(&app->sea, &app->host, app->gpu, app->options.scenePath))
+    if (!OpenSea(&app->sea, &app->host, app->gpu, app->screen.extent.height, app->options.scenePath))
     {
         return false;
     }
@@ -96,7 +97,9 @@ bool OpenFirstSea(App* app)
     }
     else if (app->options.viewName != NULL)
     {
-        fprintf(stderr, "seaway: the scene has no view named \"%s\"\n", app->options.viewName);
+        char name[256];
+        fprintf(stderr, "seaway: the scene has no view named \"%s\"\n",
+                CopyPrintable(name, sizeof(name), app->options.viewName));
         return false;
     }
     return true;
@@ -108,7 +111,7 @@ static void ReloadSea(App* app)
     Sea fresh;
     app->sceneStamp = GetSceneStamp(app);
     app->messagesBefore = CountMessages(&app->messages);
-    app->hasSceneFailed = !OpenSea(&fresh, &app->host, app->gpu, app->options.scenePath);
+    app->hasSceneFailed = !OpenSea(&fresh, &app->host, app->gpu, app->screen.extent.height, app->options.scenePath);
     if (app->hasSceneFailed)
     {
         ShowNote(app, "the scene has an error; see the panel");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The device that the viewer draws with, and the few Vulkan objects that it makes for itself: images, buffers, barriers.
-// Functions are looked up through GLFW's loader and kept in a table, so the program links no Vulkan library.
+// The device that the viewer draws with, and the few Vulkan objects that it makes for itself: images, buffers,
+// barriers. Functions are looked up through GLFW's loader and kept in a table, so the program links no Vulkan library.
 
 #include <stdbool.h>
 

@@ -3,6 +3,10 @@
 
 #include <stdio.h>
 
+#include "text.h"
+
+#define LONGEST_LINE 10000 // of the library's messages, which hold a path
+
 void OpenMessages(Messages* messages)
 {
     *messages = (Messages){0};
@@ -25,7 +29,8 @@ void WriteMessage(void* context, swLogLevel level, const char* text)
     pthread_mutex_unlock(&messages->mutex);
     if (level != SW_LOG_INFO)
     {
-        fprintf(stderr, "seaway: %s\n", text);
+        char shown[LONGEST_LINE];
+        fprintf(stderr, "seaway: %s\n", CopyPrintable(shown, sizeof(shown), text));
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How the sea's time keeps up with the clock: frames that take longer than the sea may advance at once slow it down, and
-// the user is told.
+// How the sea's time keeps up with the clock: frames that take longer than the sea may advance at once slow it down,
+// and the user is told.
 
 #include <stdbool.h>
 

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "picture.h"
 
+#include <math.h>
+
 static ImageDef DescribeTarget(VkExtent2D extent, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect)
 {
     return (ImageDef){
         .format = format, .usage = usage, .aspect = aspect, .width = extent.width, .height = extent.height};
 }
 
-bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent)
+VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware)
+{
+    double pixels = (double)window.width * (double)window.height;
+    double scale = isSoftware ? sqrt(SOFTWARE_PIXELS / fmax(pixels, 1.0)) : 1.0;
+    scale = scale < 0.5 ? 0.5 : scale;
+    if (scale >= 1.0)
+    {
+        return window;
+    }
+    return (VkExtent2D){(uint32_t)ceil(scale * window.width), (uint32_t)ceil(scale * window.height)};
+}
+
+bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent, VkExtent2D drawn)
 {
     swRendererDef formats = swDefaultRendererDef();
     ImageDef hdr =
-        DescribeTarget(extent, formats.colorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+        DescribeTarget(drawn, formats.colorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                        VK_IMAGE_ASPECT_COLOR_BIT);
-    ImageDef depth = DescribeTarget(extent, formats.depthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+    ImageDef depth = DescribeTarget(drawn, formats.depthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
                                     VK_IMAGE_ASPECT_DEPTH_BIT);
     ImageDef picture =
         DescribeTarget(extent, PICTURE_FORMAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
@@ -31,11 +45,11 @@ void CloseTargets(Targets* targets, const Graphics* graphics)
     DestroyBuffer(graphics, &targets->readback);
 }
 
-static void BeginDrawing(const PictureDef* def, VkCommandBuffer commands, const VkRenderingAttachmentInfo* color,
-                         const VkRenderingAttachmentInfo* depth)
+static void BeginDrawing(const PictureDef* def, VkCommandBuffer commands, const Image* target,
+                         const VkRenderingAttachmentInfo* color, const VkRenderingAttachmentInfo* depth)
 {
     const VulkanTable* vk = &def->graphics->vk;
-    VkExtent2D extent = {def->targets->hdr.width, def->targets->hdr.height};
+    VkExtent2D extent = {target->width, target->height};
     VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
         .renderArea = {{0, 0}, extent},
@@ -74,7 +88,7 @@ static void DrawSea(const PictureDef* def, VkCommandBuffer commands)
                                                          VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
     VkRenderingAttachmentInfo far = DescribeAttachment(depth->view, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                                        VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_DONT_CARE);
-    BeginDrawing(def, commands, &color, &far);
+    BeginDrawing(def, commands, hdr, &color, &far);
     swRenderer_DrawSurface(def->sea->renderer, commands);
     swRenderer_DrawSky(def->sea->renderer, commands);
     graphics->vk.CmdEndRendering(commands);
@@ -89,7 +103,7 @@ static void Tonemap(const PictureDef* def, VkCommandBuffer commands)
     UseImage(graphics, commands, picture->image, picture->aspect, USE_DISCARD, USE_COLOR_TARGET);
     VkRenderingAttachmentInfo color = DescribeAttachment(picture->otherView, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                                                          VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE);
-    BeginDrawing(def, commands, &color, NULL);
+    BeginDrawing(def, commands, picture, &color, NULL);
     swRenderer_Tonemap(def->sea->renderer, commands, def->targets->hdr.view);
     graphics->vk.CmdEndRendering(commands);
 }
@@ -102,7 +116,7 @@ static bool DrawPanel(const PictureDef* def, VkCommandBuffer commands)
     UseImage(graphics, commands, picture->image, picture->aspect, USE_COLOR_TARGET, USE_COLOR_TARGET);
     VkRenderingAttachmentInfo color = DescribeAttachment(picture->view, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                                                          VK_ATTACHMENT_LOAD_OP_LOAD, VK_ATTACHMENT_STORE_OP_STORE);
-    BeginDrawing(def, commands, &color, NULL);
+    BeginDrawing(def, commands, picture, &color, NULL);
     bool isDrawn = DrawUi(def->drawer, commands, (int)(def->frameIndex % FRAMES_IN_FLIGHT), def->mesh, extent);
     graphics->vk.CmdEndRendering(commands);
     return isDrawn;

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The order of a frame on the GPU, and the images that it goes through: HDR and depth, the finished picture, the window.
+// The order of a frame on the GPU, and the images that it goes through: HDR and depth, the finished picture, the
+// window.
 
 #include "screen.h"
 #include "sea.h"
 #include "ui_draw.h"
 
-// The picture holds sRGB bytes in a UNORM image: the panel blends them as they are, tone mapping encodes through a second
-// view in the renderer's output format.
+// The picture holds sRGB bytes in a UNORM image: the panel blends them as they are, tone mapping encodes through a
+// second view in the renderer's output format.
 #define PICTURE_FORMAT VK_FORMAT_R8G8B8A8_UNORM
 
 typedef struct Targets
 {
-    Image hdr;
+    Image hdr; // and depth: the sea and the sky, of DrawnExtent()
     Image depth;
-    Image picture;
+    Image picture;   // of the window's extent
     Buffer readback; // RGBA bytes; empty until a screenshot is taken
 } Targets;
 
-bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent);
+// Pixels that a software device draws of the sea before tone mapping stretches them over the window: what two cores do ten
+// times a second. Never less than half of a side.
+#define SOFTWARE_PIXELS 70000.0
+
+// A GPU draws every pixel of the window.
+VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware);
+
+// `extent` is the window's, `drawn` that of the sea.
+bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent, VkExtent2D drawn);
 
 // The device must be idle.
 void CloseTargets(Targets* targets, const Graphics* graphics);

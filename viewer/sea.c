@@ -27,7 +27,7 @@ static void DescribeOpenSea(Sea* sea)
 
 static bool TakeHandWaves(SeaWaves* waves, const swSceneWaves* from)
 {
-    waves->hand = malloc(sizeof(HandWaves));
+    waves->hand = calloc(1, sizeof(HandWaves));
     if (waves->hand == NULL)
     {
         return false;
@@ -141,9 +141,10 @@ swResult RaiseWaves(Sea* sea, SeaWaves* waves)
     return result;
 }
 
-static swResult BuildSea(Sea* sea)
+static swResult BuildSea(Sea* sea, uint32_t height)
 {
-    swViewDef viewDef = sea->scene ? sea->scene->view : swDefaultViewDef();
+    swViewDef usual = swDefaultViewDef();
+    swViewDef viewDef = swGpu_FitView(sea->gpu, sea->scene ? &sea->scene->view : &usual, height);
     swRendererDef rendererDef = swDefaultRendererDef();
     swResult result = swCreateWorld(sea->host, &sea->worldDef, &sea->world);
     if (result == SW_SUCCESS)
@@ -159,7 +160,7 @@ static swResult BuildSea(Sea* sea)
     return result ? result : swCreateRenderer(sea->gpuWorld, &rendererDef, &sea->renderer);
 }
 
-bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, const char* path)
+bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, uint32_t height, const char* path)
 {
     *sea = (Sea){.host = host, .gpu = gpu, .transition = 1.0f, .nextChange = (double)-INFINITY};
     swResult result = path ? swReadScene(host, path, &sea->scene) : SW_SUCCESS;
@@ -174,7 +175,7 @@ bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, const char* path)
     if (result == SW_SUCCESS)
     {
         KeepFiled(sea);
-        result = BuildSea(sea);
+        result = BuildSea(sea, height);
     }
     if (result != SW_SUCCESS)
     {

@@ -83,15 +83,16 @@ typedef struct Sea
     swRenderer* renderer;
 } Sea;
 
-// Read and build; `path` NULL is an open sea. Reasons for failing go to the host's log, and `sea` is then empty.
-bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, const char* path);
+// Read and build, with slices for pictures of `height` pixels; `path` NULL is an open sea. Reasons for failing go to the
+// host's log, and `sea` is then empty.
+bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, uint32_t height, const char* path);
 
 // The device must be idle.
 void CloseSea(Sea* sea);
 
 // Let the world's waves run to the settings that changed. Changes that come faster than a part of the transition wait
-// their turn: a world cross-fades three of them at most. `isPaused`: at once, since time does not run. If the world refuses,
-// the host's log says why and the settings are those of the world again.
+// their turn: a world cross-fades three of them at most. `isPaused`: at once, since time does not run. If the world
+// refuses, the host's log says why and the settings are those of the world again.
 void ApplyChanges(Sea* sea, bool isPaused);
 
 // Set replays to a time, before the step to it.
@@ -114,8 +115,8 @@ typedef enum NewWaves
     NEW_WAVES_COUNT
 } NewWaves;
 
-// Add a system, whose waves rise over the transition; it runs as the first one does. False, with a sentence in the host's
-// log, if the world has no room for it.
+// Add a system, whose waves rise over the transition; it runs as the first one does. False, with a sentence in the
+// host's log, if the world has no room for it.
 bool AddWaves(Sea* sea, NewWaves kind);
 
 // Take a system away; its waves run down over the transition. One of the file stays in the list, to be brought back.

@@ -107,8 +107,8 @@ bool UiButton(const char* label);
 bool UiSmallButton(const char* label); // no higher than a line of text
 
 // Before a widget: its value can be set back to a file's. A slot for a mark is kept behind it; the mark is there if the
-// value is changed, with the tip that is given, and whoever clicks on it wants the file's value: UiWasReset(), after the
-// widget.
+// value is changed, with the tip that is given, and whoever clicks on it wants the file's value: UiWasReset(), after
+// the widget.
 void UiMarkNext(bool isChanged, const char* format, ...) UI_PRINTF(2, 3);
 bool UiWasReset(void);
 

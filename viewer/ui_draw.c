@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Why not Dear ImGui's own Vulkan backend: the packaged one links the loader, so that not even `seaway query` would start
-// on a machine without Vulkan, needs a render pass object, and writes encoded colours into whatever target it gets,
-// which washes them out on an sRGB one.
+// Why not Dear ImGui's own Vulkan backend: the packaged one links the loader, so that not even `seaway query` would
+// start on a machine without Vulkan, needs a render pass object, and writes encoded colours into whatever target it
+// gets, which washes them out on an sRGB one.
 
 #include "ui_draw.h"
 

@@ -360,6 +360,7 @@ void UiFaint(const char* format, ...)
     ImGui::PushStyleColor(ImGuiCol_Text, faintColor);
     ImGui::TextWrappedV(format, arguments);
     ImGui::PopStyleColor();
+    ui.isHovered = ImGui::IsItemHovered();
     va_end(arguments);
 }
 
@@ -566,22 +567,37 @@ bool UiColor(const char* label, swVec3* rgb)
     return hasChanged;
 }
 
+static bool ChooseItem(int item, int* index, const char* name)
+{
+    ImGui::PushID(item);
+    bool isChosen = ImGui::Selectable(name, item == *index);
+    if (item == *index)
+    {
+        ImGui::SetItemDefaultFocus();
+    }
+    ImGui::PopID();
+    bool hasChanged = isChosen && item != *index;
+    *index = isChosen ? item : *index;
+    return hasChanged;
+}
+
+// Lists may be as long as a year of records; only what is seen is made.
 static bool Choose(int* index, int count, UiItemFcn getName, void* context)
 {
     bool hasChanged = false;
-    for (int i = 0; i < count; i++)
+    ImGuiListClipper clipper;
+    clipper.Begin(count);
+#if IMGUI_VERSION_NUM >= 18990 // another name for the same: the chosen one, which the list opens at
+    clipper.IncludeItemByIndex(*index);
+#else
+    clipper.ForceDisplayRangeByIndices(*index, *index + 1);
+#endif
+    while (clipper.Step())
     {
-        ImGui::PushID(i);
-        if (ImGui::Selectable(getName(context, i), i == *index))
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; i++)
         {
-            hasChanged = i != *index;
-            *index = i;
+            hasChanged |= ChooseItem(i, index, getName(context, i));
         }
-        if (i == *index)
-        {
-            ImGui::SetItemDefaultFocus();
-        }
-        ImGui::PopID();
     }
     return hasChanged;
 }

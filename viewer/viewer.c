@@ -244,7 +244,7 @@ static PictureDef DescribePicture(App* app, double passed)
         .picture =
             {
                 .view = sea->view,
-                .camera = MakePictureCamera(&app->camera, app->screen.extent.width, app->screen.extent.height),
+                .camera = MakePictureCamera(&app->camera, app->targets.hdr.width, app->targets.hdr.height),
                 .sky = sea->look.sky,
                 .water = sea->look.water,
                 .debug = app->debug,
@@ -300,7 +300,7 @@ static bool FitTargets(App* app)
     }
     app->graphics.vk.DeviceWaitIdle(app->graphics.device);
     CloseTargets(&app->targets, &app->graphics);
-    return OpenTargets(&app->targets, &app->graphics, extent);
+    return OpenTargets(&app->targets, &app->graphics, extent, DrawnExtent(extent, swGpu_IsSoftware(app->gpu)));
 }
 
 static bool RunFrames(App* app)

@@ -125,6 +125,12 @@ typedef struct swSpectrumTable
     float firstDirection;
 } swSpectrumTable;
 
+/// Where a table's bins begin and end, Hz. Bin i reaches from edges[i] to edges[i + 1] and holds density times bandwidth.
+/// Bandwidths that fit together, around their frequencies or half-way to the neighbours, are kept; of others the nearest
+/// edges are taken that leave each frequency in its own bin.
+/// @param edges [frequencyCount + 1]
+SW_API void swSpectrumTable_GetEdges(const swSpectrumTable* table, double* edges);
+
 /// Must be initialized with swDefaultSpectrumDef().
 typedef struct swSpectrumDef
 {

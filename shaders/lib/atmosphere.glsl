@@ -116,16 +116,26 @@ vec3 multipleScattering(sampler2D multiple, float radius, float muSun)
     return textureLod(multiple, (clamp(x, 0.0, 1.0) * (size - 1.0) + 0.5) / size, 0.0).rgb;
 }
 
-// Light scattered into a ray over `length` km, for unit illuminance of the sun; `passed` is the ray's transmittance.
-// Steps grow with the distance because the air nearby is the densest.
-vec3 scatteredLight(sampler2D transmittance, sampler2D multiple, float radius, vec3 direction, vec3 sun, float length,
-                    float haze, int steps, out vec3 passed)
+// Light scattered into a ray. What haze scatters once comes without its phase function, which is too sharp around the sun
+// for a table: a pixel multiplies it in, see withHaze().
+struct Scattered
 {
-    float cosine = dot(direction, sun);
-    float phaseR = rayleighPhase(cosine);
-    float phaseM = miePhase(cosine);
-    vec3 sum = vec3(0.0);
-    passed = vec3(1.0);
+    vec3 light;  // by the air, and by both more than once
+    vec3 haze;   // once by haze, over its phase function
+    vec3 passed; // transmittance of the ray
+};
+
+vec3 withHaze(vec3 light, vec3 haze, vec3 direction, vec3 sun)
+{
+    return light + haze * miePhase(dot(direction, sun));
+}
+
+// Over `length` km, for unit illuminance of the sun. Steps grow with the distance because the air nearby is the densest.
+Scattered scatteredLight(sampler2D transmittance, sampler2D multiple, float radius, vec3 direction, vec3 sun,
+                         float length, float haze, int steps)
+{
+    float phaseR = rayleighPhase(dot(direction, sun));
+    Scattered sum = Scattered(vec3(0.0), vec3(0.0), vec3(1.0));
     float begin = 0.0;
     for (int i = 0; i < steps; ++i)
     {
@@ -138,11 +148,13 @@ vec3 scatteredLight(sampler2D transmittance, sampler2D multiple, float radius, v
         float r = sqrt(dot(position, position));
         float muSun = dot(position, sun) / r;
         Air air = airAt(r, haze);
-        vec3 light = sunTransmittance(transmittance, r, muSun) * (air.rayleigh * phaseR + air.mie * phaseM);
-        light += multipleScattering(multiple, r, muSun) * (air.rayleigh + air.mie);
+        vec3 fromSun = sunTransmittance(transmittance, r, muSun);
         vec3 through = exp(-air.extinction * stepLength);
-        sum += passed * light * (1.0 - through) / max(air.extinction, vec3(1e-7));
-        passed *= through;
+        vec3 seen = sum.passed * (1.0 - through) / max(air.extinction, vec3(1e-7));
+        sum.light += seen * (fromSun * air.rayleigh * phaseR +
+                             multipleScattering(multiple, r, muSun) * (air.rayleigh + air.mie));
+        sum.haze += seen * fromSun * air.mie;
+        sum.passed *= through;
     }
     return sum;
 }
@@ -166,8 +178,8 @@ vec3 skyViewDirection(ivec2 texel, float horizonElevation)
     return vec3(sin(azimuth) * cos(elevation), sin(elevation), -cos(azimuth) * cos(elevation));
 }
 
-// Table of the air between camera and sea: u is the angle from the sun's azimuth, v the root of the distance over that
-// to the horizon.
+// Table of the air between camera and sea: u is the angle from the sun's azimuth, v the root of the distance beyond the
+// nearest water, which lies straight below, over that to the horizon. Below the viewer all azimuths are one row.
 float airDistance(float cameraHeightKm)
 {
     float h = max(cameraHeightKm, 1e-3);
@@ -179,7 +191,8 @@ vec2 airUv(vec3 direction, vec3 sun, float distanceKm, float cameraHeightKm)
     vec2 a = normalize(direction.xz + vec2(1e-6, 0.0));
     vec2 b = normalize(sun.xz + vec2(1e-6, 0.0));
     float angle = acos(clamp(dot(a, b), -1.0, 1.0)) / pi;
-    float x = sqrt(clamp(distanceKm / airDistance(cameraHeightKm), 0.0, 1.0));
+    float beyond = distanceKm - max(cameraHeightKm, 1e-3);
+    float x = sqrt(clamp(beyond / airDistance(cameraHeightKm), 0.0, 1.0));
     float size = float(SW_SKY_AIR_SIDE);
     return (vec2(angle, x) * (size - 1.0) + 0.5) / size;
 }

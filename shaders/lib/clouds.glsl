@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A thin layer of high ice and water cloud, a sheet without thickness: streaks of cirrus and, where the cover is dense,
-// ripples of altocumulus. Needs noise.glsl and atmosphere.glsl.
+// ripples of altocumulus. Needs noise.glsl and atmosphere.glsl, shared/picture.h.
 
 const float cloudHeight = 8.0; // km
 
@@ -30,8 +30,16 @@ float cloudPhase(float cosine)
     return (0.65 * 0.36 / 0.32 * forward * 0.9 + 0.35 * backward) / (4.0 * pi);
 }
 
+// Where the camera is in the clouds' plane: km, and which way the plane runs there, see swMirrorClouds().
+struct CloudOrigin
+{
+    vec2 place;
+    vec2 way;
+};
+
 // Radiance (premultiplied) and opacity of the clouds along a ray from `radius` km.
-vec4 cloudsAlong(vec3 direction, float radius, vec2 origin, vec3 sun, swSkyLight light, float cover, float pixelAngle)
+vec4 cloudsAlong(vec3 direction, float radius, CloudOrigin origin, vec3 sun, swSkyLight light, float cover,
+                 float pixelAngle)
 {
     float mu = direction.y;
     float shell = earthBottom + cloudHeight;
@@ -40,7 +48,8 @@ vec4 cloudsAlong(vec3 direction, float radius, vec2 origin, vec3 sun, swSkyLight
         return vec4(0.0);
     }
     float distance = distanceToSphere(radius, mu, shell);
-    vec2 place = origin + direction.xz * distance;
+    vec2 place = origin.place + origin.way * direction.xz * distance;
+    place = vec2(swMirrorClouds(place.x), swMirrorClouds(place.y));
     float slant = 1.0 / max(direction.y, 0.12);
     float footprint = max(distance * pixelAngle * slant, 0.02);
     float thickness = cloudThickness(place, cover, footprint) * min(slant, 3.0) * 0.6;

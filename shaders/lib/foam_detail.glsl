@@ -10,7 +10,9 @@ struct FoamDetail
     float thickness; // of the foam that is there, [0, 1]
 };
 
-const float foamPeriod = 1024.0; // m; offsets of the anchor are taken modulo this
+const float foamPeriod = 1024.0;      // m; offsets of the anchor are taken modulo this
+const float foamFarthest = 4.0;       // m that a pixel covers where no pattern is seen any more
+const float foamMeanThickness = 0.37; // of foam whose pattern is not seen
 
 // Turned and scaled by whole numbers, so that the pattern still closes after a period.
 vec2 foamTurn(vec2 p, vec2 turn)
@@ -99,6 +101,12 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     }
     // Between blurred across and jagged along: the footprint's middle size.
     float pixel = sqrt(footprint.longest * footprint.shortest);
+    if (pixel >= foamFarthest)
+    {
+        foam.cover = amount;
+        foam.thickness = foamMeanThickness;
+        return foam;
+    }
     p = foamBend(pattern, p);
     float lod = log2(max(pixel * float(SW_FOAM_TEXTURE_SIDE) / foamPeriod, 1e-3));
     float turn = smoothstep(0.0, 1.0, abs(2.0 * phase - 1.0));
@@ -114,7 +122,7 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
         amount = min(amount * foamClumping(clumps, spread), 1.0);
     }
 
-    float seen = 1.0 - smoothstep(0.5, 4.0, pixel);
+    float seen = 1.0 - smoothstep(0.5, foamFarthest, pixel);
     // Even the densest foam keeps some holes.
     float edge = foamEdge(amount * (1.0 - 0.18 * amount));
     float soft = min(0.12 + 0.12 * smoothstep(0.02, 1.0, pixel), 0.8 * (1.2 - edge));
@@ -123,6 +131,6 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
 
     float bubbles = textureLod(pattern, foamTurn(p, vec2(768.0, 320.0)) + foamJump(seed + 0.5), lod + 9.7).b;
     float depth = clamp((value - edge) * 1.7, 0.0, 1.0);
-    foam.thickness = clamp(mix(0.37, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
+    foam.thickness = clamp(mix(foamMeanThickness, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
     return foam;
 }

@@ -33,15 +33,17 @@ Footprint footprintAt(vec3 view, float range, float pixelAngle, float facing)
     return footprint;
 }
 
-// Mean of a repeating layer over the footprint: up to eight blurred probes along the longer axis. Hardware's anisotropic
-// filter would do, but software devices walk every texel of a footprint that spans thousands of tiles.
-vec4 meanOverFootprint(sampler2DArray layers, float layer, vec2 uv, Footprint footprint, float perMetre, float side)
+// Mean of a repeating layer over the footprint: blurred probes along the longer axis, none narrower than a texel, and at most
+// `most`. Hardware's anisotropic filter would do, but software devices walk every texel of a footprint that spans thousands
+// of tiles. For those, who filter by hand, a probe also keeps to one mip where `isFast`.
+vec4 meanOverFootprint(sampler2DArray layers, float layer, vec2 uv, Footprint footprint, float perMetre, float side,
+                       float most, bool isFast)
 {
-    const float most = 8.0;
     float longest = min(footprint.longest * perMetre, 1.0);
-    float width = max(min(footprint.shortest * perMetre, longest), longest / most);
+    float width = max(min(max(footprint.shortest * perMetre, 1.0 / side), longest), longest / most);
     float probes = clamp(ceil(longest / max(width, 1e-6)), 1.0, most);
     float lod = log2(max(width * side, 1e-3));
+    lod = isFast ? floor(lod + 0.5) : lod;
     vec2 stride = footprint.axis * (longest / probes);
     vec2 at = uv - stride * (0.5 * (probes - 1.0));
     vec4 sum = vec4(0.0);

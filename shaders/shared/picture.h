@@ -67,15 +67,29 @@ SW_PARAMS(swPictureParams)
 
     float foamPhase; // of the cross-fade between two foam patterns, [0, 1)
     float foamSeed;
-    float cloudX; // the camera above the clouds' lattice, and their drift, km
+    float cloudX; // where the camera is in the clouds, with their drift, km
     float cloudZ;
 
     float slopeVariance; // of each axis, all waves
     float foamAtRest;    // beyond the slices
     sw_uint waveCount;   // free waves
-    float unused0;
+    float cloudWayX;     // 1 or -1: which way the clouds run there, see swMirrorClouds()
+
+    float cloudWayZ;
+    float unused0, unused1, unused2;
 };
-SW_PARAMS_SIZE(swPictureParams, 320);
+SW_PARAMS_SIZE(swPictureParams, 336);
+
+// The clouds' noise has no period of its own, and floats hold a metre of it within SW_CLOUD_EDGE of its middle, km. Beyond
+// its edges it goes on as in a mirror, without a jump, and so repeats after four times as much.
+#define SW_CLOUD_EDGE 8192.0f
+
+// A place that may be beyond one edge.
+SW_FORMULA float swMirrorClouds(float place)
+{
+    return place > SW_CLOUD_EDGE ? 2.0f * SW_CLOUD_EDGE - place
+                                 : (place < -SW_CLOUD_EDGE ? -2.0f * SW_CLOUD_EDGE - place : place);
+}
 
 // A tile of waves as the fragment shader reads it: its layer of slopes, and where the mesh's anchor lies in it.
 SW_PARAMS(swDetailParams)

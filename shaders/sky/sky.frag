@@ -45,10 +45,13 @@ void main()
     vec3 direction = normalize(picture.forward.xyz + clip.x * picture.rayX.xyz + clip.y * picture.rayY.xyz);
     float radius = earthBottom + max(picture.cameraHeight, 1.0) * 1e-3;
     float horizon = asin(horizonCosine(radius));
-    vec3 sky = textureLod(skyView, vec3(skyViewUv(direction, horizon), 0.0), 0.0).rgb;
-    vec4 clouds = cloudsAlong(direction, radius, vec2(picture.cloudX, picture.cloudZ), picture.sun.xyz, light,
-                              picture.foamAlbedo.w, picture.forward.w);
+    vec2 uv = skyViewUv(direction, horizon);
+    vec3 sky = withHaze(textureLod(skyView, vec3(uv, 0.0), 0.0).rgb, textureLod(skyView, vec3(uv, 2.0), 0.0).rgb,
+                        direction, picture.sun.xyz);
+    CloudOrigin clouds = CloudOrigin(vec2(picture.cloudX, picture.cloudZ), vec2(picture.cloudWayX, picture.cloudWayZ));
+    vec4 cover =
+        cloudsAlong(direction, radius, clouds, picture.sun.xyz, light, picture.foamAlbedo.w, picture.forward.w);
     float above = smoothstep(horizon - 0.5 * picture.forward.w, horizon + 0.5 * picture.forward.w, asin(direction.y));
     sky += above * sunDisc(direction, radius);
-    color = vec4(sky * (1.0 - clouds.a) + clouds.rgb, 1.0);
+    color = vec4(sky * (1.0 - cover.a) + cover.rgb, 1.0);
 }

@@ -31,7 +31,9 @@ void main()
         float level = sqrt(s);
         float angle = 2.0 * pi * (float(worker) + 0.5) / 64.0;
         vec3 direction = vec3(cos(angle) * level, sqrt(1.0 - s), sin(angle) * level);
-        sum += textureLod(skyView, vec3(skyViewUv(direction, 0.0), 1.0), 0.0).rgb;
+        vec2 uv = skyViewUv(direction, 0.0);
+        sum += withHaze(textureLod(skyView, vec3(uv, 1.0), 0.0).rgb, textureLod(skyView, vec3(uv, 3.0), 0.0).rgb,
+                        direction, picture.sun.xyz);
     }
     sums[worker] = sum;
     barrier();

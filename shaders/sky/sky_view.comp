@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The clear sky above the horizon, without the sun's disc: layer 0 from the camera, layer 1 from the sea, which is what
-// waves reflect.
+// waves reflect; layers 2 and 3 what haze adds to them, see Scattered.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"
@@ -21,8 +21,8 @@ void main()
     float height = texel.z == 0 ? max(picture.cameraHeight, 1.0) * 1e-3 : 1e-3;
     float radius = earthBottom + height;
     vec3 direction = skyViewDirection(texel.xy, asin(horizonCosine(radius)));
-    vec3 passed;
-    vec3 light = scatteredLight(transmittance, multiple, radius, direction, picture.sun.xyz,
-                                distanceToSphere(radius, direction.y, earthTop), picture.sunLight.w, 32, passed);
-    imageStore(target, texel, vec4(light * picture.sunLight.rgb, 1.0));
+    Scattered air = scatteredLight(transmittance, multiple, radius, direction, picture.sun.xyz,
+                                   distanceToSphere(radius, direction.y, earthTop), picture.sunLight.w, 32);
+    imageStore(target, texel, vec4(air.light * picture.sunLight.rgb, 1.0));
+    imageStore(target, ivec3(texel.xy, texel.z + 2), vec4(air.haze * picture.sunLight.rgb, 1.0));
 }

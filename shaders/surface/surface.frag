@@ -42,6 +42,9 @@ layout(std430, binding = 12) readonly buffer Waves
     swDetailWave waves[];
 };
 
+// 1 on a device that is a CPU, where every texture sample counts.
+layout(constant_id = 0) const uint isSoftware = 0;
+
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
 layout(location = 2) in float blend;
@@ -99,7 +102,8 @@ void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprin
             continue;
         }
         vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
-        vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side);
+        vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side, isSoftware != 0 ? 2.0 : 8.0,
+                                   isSoftware != 0);
         vec2 mean = (1.0 - merged) * m.xy;
         slopes.mean += missing * mean;
         slopes.variance += missing * max(mix(m.zw, moments, merged) - mean * mean, vec2(0.0));
@@ -208,34 +212,47 @@ vec3 surroundings(vec3 direction, float blur, vec3 leaving)
     return mix(mix(leaving, sky, mirror), sky, open);
 }
 
-// Reflected sky; returns the mean Fresnel reflectance in `reflectance`.
-vec3 reflectedSky(vec3 view, Slopes slopes, vec3 leaving, out float reflectance)
+// Sky reflected by facets whose slopes differ from the mean in one direction, weighted by how large each appears; xyz is
+// radiance times reflectance, w the mean Fresnel reflectance. The sky's blurred copies stand for the other direction.
+vec4 skyOfFacets(vec3 view, Slopes slopes, vec2 direction, vec3 leaving)
 {
-    vec2 along = view.xz * inversesqrt(max(dot(view.xz, view.xz), 1e-8));
-    vec2 across = vec2(-along.y, along.x);
-    float level = length(view.xz);
-    float deviation = sqrt(dot(along * along, slopes.variance));
+    vec2 across = vec2(-direction.y, direction.x);
+    float level = dot(view.xz, direction);
+    float deviation = sqrt(dot(direction * direction, slopes.variance));
     float blur = log2(max(2.0 * sqrt(dot(across * across, slopes.variance)), 1e-3) * 32.0);
 
     const int facets = 5;
-    float highest = clamp((view.y - level * dot(slopes.mean, along)) / max(level * deviation, 1e-4), -6.0, 2.4);
+    float highest = clamp((view.y - dot(view.xz, slopes.mean)) / max(level * deviation, 1e-4), -6.0, 2.4);
     float lowest = min(-2.4, highest - 2.4);
-    vec3 sum = vec3(0.0);
-    float fresnel = 0.0;
+    vec4 sum = vec4(0.0);
     float total = 1e-9;
     for (int i = 0; i < facets; ++i)
     {
         float x = mix(lowest, highest, (float(i) + 0.5) / float(facets));
-        vec3 normal = facetNormal(slopes.mean + along * (x * deviation));
+        vec3 normal = facetNormal(slopes.mean + direction * (x * deviation));
         float cosine = dot(view, normal);
         float weight = exp(-0.5 * x * x) * max(cosine, 1e-4) / normal.y;
         float f = swFresnel(cosine, picture.absorption.w);
-        sum += weight * f * surroundings(reflect(-view, normal), max(blur, 0.0), leaving);
-        fresnel += weight * f;
+        sum += weight * f * vec4(surroundings(reflect(-view, normal), max(blur, 0.0), leaving), 1.0);
         total += weight;
     }
-    reflectance = fresnel / total;
     return sum / total;
+}
+
+// Reflected sky; returns the mean Fresnel reflectance in `reflectance`. Seen from above no direction is along the line of
+// sight: there facets of both directions count, or the sky's brighter side would show as a wedge under the viewer.
+vec3 reflectedSky(vec3 view, Slopes slopes, vec3 leaving, out float reflectance)
+{
+    vec2 along = view.xz * inversesqrt(max(dot(view.xz, view.xz), 1e-8));
+    along = dot(along, along) > 0.5 ? along : vec2(1.0, 0.0);
+    vec4 sky = skyOfFacets(view, slopes, along, leaving);
+    float both = 0.5 - 0.5 * smoothstep(0.1, 0.7, length(view.xz));
+    if (both > 0.0)
+    {
+        sky = mix(sky, skyOfFacets(view, slopes, vec2(-along.y, along.x), leaving), both);
+    }
+    reflectance = sky.w;
+    return sky.rgb;
 }
 
 // Light scattered back by deep water, leaving it per unit of its own solid angle: R = 0.33 bb / a under the surface
@@ -329,7 +346,8 @@ void main()
     radiance = mix(radiance, foamLight * picture.foamAlbedo.rgb, foam.cover * foam.thickness);
 
     vec2 airAt = airUv(-view, sun, range * 1e-3, picture.cameraHeight * 1e-3);
-    vec3 added = textureLod(air, vec3(airAt, 0.0), 0.0).rgb;
+    vec3 added =
+        withHaze(textureLod(air, vec3(airAt, 0.0), 0.0).rgb, textureLod(air, vec3(airAt, 2.0), 0.0).rgb, -view, sun);
     vec3 passed = textureLod(air, vec3(airAt, 1.0), 0.0).rgb;
     color = vec4(min(radiance * passed + added, vec3(60000.0)), 1.0);
 }

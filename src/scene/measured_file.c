@@ -388,17 +388,16 @@ swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea**
 
 swResult swReadMeasuredFile(const swHost* host, const char* path, const swMeasuredFileDef* def, swMeasuredSea** sea)
 {
-    SW_REQUIRE_PLACE(host, sea, "swReadMeasuredFile()");
-    SW_REQUIRE(path != NULL && def != NULL, SW_ERROR_INVALID, host,
-               "swReadMeasuredFile() needs a path, and a def made by swDefaultMeasuredFileDef()");
-    SW_ASSERT(def->internalValue == SW_DEF_COOKIE);
-    if (def->internalValue != SW_DEF_COOKIE || (int)def->directions < SW_DIRECTIONS_BY_FORMAT ||
-        def->directions > SW_DIRECTIONS_TO_FROM_EAST)
+    if (sea != NULL)
     {
-        return swFail(host, SW_ERROR_INVALID,
-                      "%s: how to read it was not initialized with swDefaultMeasuredFileDef(), or is out of range.",
-                      path);
+        *sea = NULL;
     }
+    SW_REQUIRE(swIsHostValid(host) && path != NULL && sea != NULL, SW_ERROR_INVALID, host,
+               "swReadMeasuredFile() needs a host made by swDefaultHost(), a path and a place for the sea");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE &&
+                   (unsigned)def->directions <= SW_DIRECTIONS_TO_FROM_EAST,
+               SW_ERROR_INVALID, host,
+               "swReadMeasuredFile() needs a def made by swDefaultMeasuredFileDef(), with directions that exist");
     FileSet set;
     memset(&set, 0, sizeof(set));
     if (strlen(path) >= SW_MAX_PATH - 8)

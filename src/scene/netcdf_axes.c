@@ -70,10 +70,14 @@ static swNetcdfRole findRole(const swNetcdfFile* file, const char* name)
         lower[i] = name[i] >= 'A' && name[i] <= 'Z' ? (char)(name[i] + 32) : name[i];
     }
     lower[i] = '\0';
-    return swIsOneOf(lower, timeNames)        ? SW_NETCDF_TIME
-           : swIsOneOf(lower, frequencyNames) ? SW_NETCDF_FREQUENCY
-           : swIsOneOf(lower, directionNames) ? SW_NETCDF_DIRECTION
-                                              : findRoleByVariable(file, name);
+    swNetcdfRole role = swIsOneOf(lower, timeNames)        ? SW_NETCDF_TIME
+                        : swIsOneOf(lower, frequencyNames) ? SW_NETCDF_FREQUENCY
+                        : swIsOneOf(lower, directionNames) ? SW_NETCDF_DIRECTION
+                                                           : findRoleByVariable(file, name);
+    bool isUnclear = role == SW_NETCDF_PLACE; // names such as wave_freq and direction_from
+    return isUnclear && strstr(lower, "freq") != NULL                                           ? SW_NETCDF_FREQUENCY
+           : isUnclear && (strstr(lower, "direction") != NULL || strncmp(lower, "dir", 3) == 0) ? SW_NETCDF_DIRECTION
+                                                                                                : role;
 }
 
 bool swHasNetcdfRole(const swNetcdfAxes* axes, swNetcdfRole role)
@@ -235,6 +239,10 @@ swResult swReadNetcdfFrequencies(swNetcdfAxes* axes)
     char name[257];
     swGetNetcdfVariableName(&axes->file, variable.id, name);
     swGetNetcdfText(&axes->file, variable.id, "units", true, unit, sizeof(unit));
+    if (strcmp(unit, "s") == 0 || strncmp(unit, "sec", 3) == 0)
+    {
+        return fail(axes, "its frequencies have the unit of periods, s; Hz and rad/s are read.");
+    }
     axes->isAngular = strncmp(unit, "rad", 3) == 0 || strcmp(name, "spsig") == 0 || strcmp(name, "omega") == 0 ||
                       strcmp(name, "angular_frequency") == 0;
     axes->hasBands = readBands(axes, &variable);

@@ -47,47 +47,58 @@ static const char* getWord(const Words* words, int index)
     return index >= 0 && index < words->count ? words->words[index] : "";
 }
 
-// "clockwise from north", "relative to", "from 0 to 360", "from first spectral moment": where angles are counted from, or
-// by what they were worked out.
-static bool isReference(const Words* words, int i)
+static bool isLast(const Words* words, int i)
+{
+    return i == words->count - 1;
+}
+
+// Whether a "from" or "to" is of waves: "waves from", "travelling to", "from direction", "direction to", "from" alone. Others
+// are not: "clockwise from north", "relative to", "from 0 to 360", "from first spectral moment", "obtained from a model".
+static bool isOfWaves(const Words* words, int i)
 {
     static const char* const before[] = {
-        "clockwise", "anticlockwise", "counterclockwise", "measured", "relative", "degrees",   "degree",     "angle",
-        "respect",   "counted",       "rotated",          "computed", "derived",  "estimated", "calculated", "ccw",
-        "cw",        "range",         "ranges",           "due",      "radians",  "positive",  NULL};
-    static const char* const after[] = {"true",     "north", "east",     "geographic", "magnetic",  "x",
-                                        "positive", "axis",  "spectral", "first",      "second",    "moment",
-                                        "moments",  "m",     "fourier",  "spectrum",   "cartesian", NULL};
-    static const char* const waves[] = {"wave", "waves", "coming", "comes", "come", NULL};
+        "coming",    "comes",  "come",      "came",        "wave",       "waves",       "swell",
+        "arriving",  "arrive", "go",        "approaching", "travelling", "propagating", "propagates",
+        "propagate", "moving", "traveling", "travel",      "directed",   "pointing",    NULL};
+    static const char* const after[] = {"direction", "directions", "which", "where", "convention", NULL};
+    static const char* const directions[] = {"direction", "directions", "dir", NULL};
+    static const char* const units[] = {"degree", "degrees", "deg", "rad", "radian", "radians", "in", NULL};
     const char* next = getWord(words, i + 1);
-    bool isNumber = next[0] >= '0' && next[0] <= '9';
-    return !swIsOneOf(getWord(words, i - 1), waves) &&
-           (isNumber || swIsOneOf(getWord(words, i - 1), before) || swIsOneOf(next, after));
+    return swIsOneOf(getWord(words, i - 1), before) || swIsOneOf(next, after) || words->count == 1 ||
+           (swIsOneOf(getWord(words, i - 1), directions) && (isLast(words, i) || swIsOneOf(next, units)));
+}
+
+// "nautical convention": such a word counts beside "convention", or where hardly another one is.
+static bool isConvention(const Words* words)
+{
+    bool isNamed = words->count <= 4;
+    for (int i = 0; i < words->count; ++i)
+    {
+        isNamed = isNamed || strncmp(words->words[i], "convention", 10) == 0;
+    }
+    return isNamed;
 }
 
 static bool isFromWord(const Words* words, int i)
 {
-    static const char* const plain[] = {"coming",         "comes",  "come",        "came",     "nautical",
-                                        "meteorological", "origin", "originating", "incoming", NULL};
+    static const char* const plain[] = {"coming", "comes", "come", "incoming", "originating", NULL};
+    static const char* const conventions[] = {"nautical", "meteorological", NULL};
     const char* word = words->words[i];
-    return swIsOneOf(word, plain) || (strcmp(word, "from") == 0 && !isReference(words, i));
+    bool isOrigin = strcmp(word, "origin") == 0 && strcmp(getWord(words, i - 1), "of") == 0;
+    return swIsOneOf(word, plain) || isOrigin || (swIsOneOf(word, conventions) && isConvention(words)) ||
+           (strcmp(word, "from") == 0 && isOfWaves(words, i));
 }
 
 static bool isToWord(const Words* words, int i)
 {
-    static const char* const plain[] = {"toward",        "towards",         "going",        "goes",
-                                        "oceanographic", "oceanographical", "mathematical", "cartesian",
-                                        "heading",       "propagation",     "travel",       NULL};
-    static const char* const before[] = {"wave",        "waves",      "go",        "travelling", "traveling",
-                                         "propagating", "propagates", "propagate", "moving",     "travel",
-                                         "directed",    "direction",  "pointing",  NULL};
+    static const char* const plain[] = {"going", "goes", "propagation", NULL};
+    static const char* const conventions[] = {"oceanographic", "oceanographical", "mathematical", "cartesian", NULL};
+    static const char* const compass[] = {"north", "east", "true", "the", "x", "y", NULL};
     const char* word = words->words[i];
-    if (strcmp(word, "to") == 0)
-    {
-        return !isReference(words, i) &&
-               (swIsOneOf(getWord(words, i - 1), before) || strcmp(getWord(words, i + 1), "direction") == 0);
-    }
-    return swIsOneOf(word, plain);
+    bool isTowards = strncmp(word, "toward", 6) == 0 && !swIsOneOf(getWord(words, i + 1), compass);
+    bool isTravel = strcmp(word, "travel") == 0 && strcmp(getWord(words, i - 1), "of") == 0;
+    return swIsOneOf(word, plain) || isTowards || isTravel || (swIsOneOf(word, conventions) && isConvention(words)) ||
+           (strcmp(word, "to") == 0 && isOfWaves(words, i));
 }
 
 // "counterclockwise from east", "mathematical": angles that are no bearings.
@@ -161,9 +172,19 @@ void swTurnMoments(swDirectionMeaning meaning, int order, double* a, double* b)
 // The first attribute of a variable or of the file that tells; its name becomes the basis.
 static swDirectionMeaning findInAttributes(const swNetcdfFile* file, int variable, swMeasuredDirections* found)
 {
-    static const char* const names[] = {"standard_name", "long_name", "direction_convention", "directional_convention",
-                                        "convention",    "comment",   "description",          "definition",
-                                        "note",          "reference", "direction_reference",  NULL};
+    static const char* const names[] = {"standard_name",
+                                        "long_name",
+                                        "direction_convention",
+                                        "directional_convention",
+                                        "convention",
+                                        "comment",
+                                        "description",
+                                        "definition",
+                                        "note",
+                                        "reference",
+                                        "direction_reference",
+                                        "units",
+                                        NULL};
     static const char* const ofFile[] = {"direction_convention", "directional_convention",    "Directional_convention",
                                          "Direction_convention", "wave_direction_convention", NULL};
     const char* const* name = variable == NC_GLOBAL ? ofFile : names;
@@ -181,6 +202,19 @@ static swDirectionMeaning findInAttributes(const swNetcdfFile* file, int variabl
     return SW_DIRECTIONS_BY_FORMAT;
 }
 
+// "direction_from", "dir_to".
+static swDirectionMeaning findInName(const swNetcdfFile* file, int variable, swMeasuredDirections* found)
+{
+    char name[257];
+    swGetNetcdfVariableName(file, variable, name);
+    for (char* c = name; *c != '\0'; ++c)
+    {
+        *c = *c == '_' ? ' ' : *c;
+    }
+    snprintf(found->basis, sizeof(found->basis), "%s", "the name of the directions");
+    return swFindDirectionWords(name);
+}
+
 static const char* nameMeaning(swDirectionMeaning meaning)
 {
     return meaning == SW_DIRECTIONS_FROM ? "where waves come from"
@@ -193,6 +227,10 @@ static swMeasuredDirections findTold(const swNetcdfFile* file, int directions, i
 {
     swMeasuredDirections found = {0};
     found.meaning = directions >= 0 ? findInAttributes(file, directions, &found) : SW_DIRECTIONS_BY_FORMAT;
+    if (found.meaning == SW_DIRECTIONS_BY_FORMAT && directions >= 0)
+    {
+        found.meaning = findInName(file, directions, &found);
+    }
     if (found.meaning == SW_DIRECTIONS_BY_FORMAT)
     {
         found.meaning = findInAttributes(file, NC_GLOBAL, &found);

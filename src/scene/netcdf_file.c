@@ -161,6 +161,13 @@ swResult swReadNetcdfBlock(const swNetcdfFile* file, const swNetcdfVariable* var
     {
         total *= count[i];
     }
+    nc_type type = NC_NAT;
+    if (nc_inq_vartype(file->id, variable->id, &type) != NC_NOERR || type == NC_CHAR || type > NC_UINT64)
+    {
+        char name[257];
+        swGetNetcdfVariableName(file, variable->id, name);
+        return swFail(file->host, SW_ERROR_FORMAT, "%s: its variable %s does not hold numbers.", file->name, name);
+    }
     int code = nc_get_vara_double(file->id, variable->id, start, count, values);
     if (code != NC_NOERR && code != NC_ERANGE)
     {

@@ -25,6 +25,24 @@ err 'warning: .*outside its records; the nearest record, of 2024-11-16 06:50'
 run 1 spectrum "$buoy" --directions to
 err 'laid down by its format'
 run 2 spectrum "$buoy" --directions up
+# netCDF whose directions have no label: read, with a warning, and the assumption is seen.
+unlabelled="$source/tests/fuzz/seeds/netcdf/unlabelled.nc"
+if "$seaway" spectrum "$unlabelled" 2>&1 | grep -q 'built without NetCDF'; then
+    echo "netCDF is not read: its directions are not tested"
+else
+    run 0 spectrum "$unlabelled" --json
+    err 'warning: .*unlabelled.nc: it does not say .*--directions from or to'
+    is_json out
+    out '"directions": "from"'
+    out '"directions_assumed": true'
+    out '"directions_known_by": "wavespectra"'
+    run 0 spectrum "$unlabelled" --directions to --json
+    out '"directions": "to"'
+    out '"directions_assumed": false'
+    [ -s err ] && fail "what is asked for needs no warning"
+    run 2 spectrum "$unlabelled" --directions from --at 2021-01-01
+    err 'run from 2020-01-01 00:00 to 2020-01-01 00:00'
+fi
 run 1 spectrum nosuch.data_spec
 err 'nosuch.data_spec'
 echo 'this is no spectrum' >text.data_spec

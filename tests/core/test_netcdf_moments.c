@@ -334,7 +334,8 @@ static void UndeclaredFillersAreMissing(void** state)
     for (int i = 0; i < 4; ++i)
     {
         assert_true(GetAngleBetween(GetBearing(record.meanDirection[i]), FROM) < 0.02);
-        assert_true(fabs((double)record.r1[i] - R1) < 1e-3);
+        // The last frequency has a direction and no r1: that of cos^16(theta/2).
+        assert_true(fabs((double)record.r1[i] - (i < 2 ? R1 : 8.0 / 9.0)) < 1e-3);
     }
     swDestroyMeasuredSea(sea);
 }
@@ -507,6 +508,36 @@ static void EmptyAndHugeDimensionsAreRefused(void** state)
     }
 }
 
+// Texts, and structures, where numbers should be.
+static void WhatIsNoNumberIsRefused(void** state)
+{
+    (void)state;
+    for (int i = 0; i < 6; ++i)
+    {
+        int file = MakeNetcdf(s_path, NC_NETCDF4);
+        nc_type structure = NC_NAT;
+        CheckNetcdf(nc_def_compound(file, sizeof(double), "structure", &structure));
+        CheckNetcdf(nc_insert_compound(file, structure, "part", 0, NC_DOUBLE));
+        nc_type type = i % 3 == 0 ? NC_CHAR : i % 3 == 1 ? NC_STRING : structure;
+        const int dimensions[2] = {AddDimension(file, "time", 1), AddDimension(file, "frequency", 4)};
+        int time = AddVariable(file, "time", NC_DOUBLE, 1, dimensions);
+        int frequency = AddVariable(file, "frequency", i < 3 ? NC_DOUBLE : type, 1, &dimensions[1]);
+        AddVariable(file, "spectral_wave_density", i < 3 ? type : NC_DOUBLE, 2, dimensions);
+        AddText(file, time, "units", "hours since 2020-01-01");
+        CheckNetcdf(nc_enddef(file));
+        PutNumbers(file, time, (const double[]){1.0});
+        if (i < 3)
+        {
+            PutNumbers(file, frequency, (const double[]){0.1, 0.2, 0.3, 0.4});
+        }
+        CheckNetcdf(nc_close(file));
+        swMeasuredSea* sea = NULL;
+        assert_int_equal(Read(s_path, &sea), SW_ERROR_FORMAT);
+        remove(s_path);
+        assert_non_null(strstr(s_messages, "does not hold numbers"));
+    }
+}
+
 // ---- files of others ----
 
 static void SamplesOfOthersAreRead(void** state)
@@ -551,6 +582,7 @@ int main(void)
         cmocka_unit_test(UndeclaredFillersAreMissing),      cmocka_unit_test(TimesOfAnyOriginAreRead),
         cmocka_unit_test(OneBadElementSpoilsNoOther),       cmocka_unit_test(CutFilesAreRefused),
         cmocka_unit_test(EmptyAndHugeDimensionsAreRefused), cmocka_unit_test(SamplesOfOthersAreRead),
+        cmocka_unit_test(WhatIsNoNumberIsRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

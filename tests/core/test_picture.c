@@ -84,8 +84,38 @@ static void CloudsDoNotJumpFarAway(void** state)
         place.x += 16.0;
         place.z -= 16.0;
         Build(world, view, (swPosXZ){0.0, 0.0}, place, 3e7, &after);
-        assert_true(fabs((double)after.params.cloudX - (double)before.params.cloudX - 0.016) < 1.1e-3);
-        assert_true(fabs((double)after.params.cloudZ - (double)before.params.cloudZ + 0.016) < 1.1e-3);
+        double x = (double)after.params.cloudX - (double)before.params.cloudX;
+        double z = (double)after.params.cloudZ - (double)before.params.cloudZ;
+        assert_true(fabs(x * (double)after.params.cloudWayX - 0.016) < 1.1e-3);
+        assert_true(fabs(z * (double)after.params.cloudWayZ + 0.016) < 1.1e-3);
+    }
+    swDestroyWorld(world);
+}
+
+// The place of the clouds' noise that is seen `distance` km east of the camera.
+static double SeenPlace(const swPictureParams* params, float distance)
+{
+    return (double)swMirrorClouds(params->cloudX + params->cloudWayX * distance);
+}
+
+// Every 8,192 km their noise begins to run the other way; nobody who flies across sees it jump.
+static void CloudsDoNotJumpAtTheEdgesOfTheirNoise(void** state)
+{
+    (void)state;
+    swView* view = NULL;
+    swWorld* world = MakeSea(&view);
+    static swPictureFrame before, after;
+    static const double edges[6] = {8192e3, -8192e3, 16384e3, 24576e3, -24576e3, 32768e3};
+    static const float distances[5] = {0.0f, -300.0f, 300.0f, -3.0f, 40.0f};
+    for (int i = 0; i < 6; ++i)
+    {
+        Build(world, view, (swPosXZ){0.0, 0.0}, (swPos){edges[i] - 4.0, 6.0, 0.0}, 0.0, &before);
+        Build(world, view, (swPosXZ){0.0, 0.0}, (swPos){edges[i] + 4.0, 6.0, 0.0}, 0.0, &after);
+        for (int k = 0; k < 5; ++k)
+        {
+            double moved = SeenPlace(&after.params, distances[k]) - SeenPlace(&before.params, distances[k]);
+            assert_true(fabs(moved) < 0.011); // 8 m, and what floats round
+        }
     }
     swDestroyWorld(world);
 }
@@ -95,6 +125,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(AShiftOfTheOriginChangesNoNumber),
         cmocka_unit_test(CloudsDoNotJumpFarAway),
+        cmocka_unit_test(CloudsDoNotJumpAtTheEdgesOfTheirNoise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

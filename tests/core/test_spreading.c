@@ -12,20 +12,16 @@
 
 #define DIRECTIONS 72
 
-// Moment n of the function that runs linearly between the table's directions, on a fine grid.
+// Moment n of the sum over a table's directions.
 static void MeasureMoment(const float* density, int count, int n, double* cosine, double* sine)
 {
-    const int fine = 64;
-    double step = 2.0 * SW_PI / (count * fine);
+    double step = 2.0 * SW_PI / count;
     *cosine = 0.0;
     *sine = 0.0;
-    for (int i = 0; i < count * fine; ++i)
+    for (int i = 0; i < count; ++i)
     {
-        int index = i / fine;
-        double fraction = (double)(i % fine) / fine;
-        double value = (1.0 - fraction) * (double)density[index] + fraction * (double)density[(index + 1) % count];
-        *cosine += value * cos(n * i * step) * step;
-        *sine += value * sin(n * i * step) * step;
+        *cosine += (double)density[i] * cos(n * i * step) * step;
+        *sine += (double)density[i] * sin(n * i * step) * step;
     }
 }
 

@@ -19,6 +19,8 @@
 #define WIDTH 320
 #define HEIGHT 180
 #define BLOCK 10
+#define AUREOLE_BEND 0.003f
+#define NADIR_CONTRAST 1.02f
 
 // clang-format off
 static const Shot s_shots[] = {
@@ -179,6 +181,73 @@ static void SeaAndSkyJoinAtTheHorizon(void** state)
     edge = HorizonEdge(hdr);
     print_message("20 m: rows of the horizon differ by a factor of at most %.3f\n", (double)edge);
     assert_true(edge < 2.2f);
+}
+
+// Largest bend of the brightness across the aureole, over the brightness: a table's columns would show as kinks, upright ones
+// above each other. A mean over rows, since half floats step by a thousandth.
+static float AureoleKink(const float* hdr)
+{
+    enum
+    {
+        ROWS = 9,
+        REACH = 2
+    };
+    float worst = 0.0f;
+    for (int x = REACH; x < WIDTH - REACH; ++x)
+    {
+        float left = 0.0f, middle = 0.0f, right = 0.0f;
+        for (int y = HEIGHT / 2 - ROWS / 2; y <= HEIGHT / 2 + ROWS / 2; ++y)
+        {
+            left += Luminance(hdr, x - REACH, y);
+            middle += Luminance(hdr, x, y);
+            right += Luminance(hdr, x + REACH, y);
+        }
+        bool isNearSun = abs(x - WIDTH / 2) < 8;
+        worst = isNearSun ? worst : fmaxf(worst, fabsf(left - 2.0f * middle + right) / middle);
+    }
+    return worst;
+}
+
+static void TheAureoleHasNoUprightEdges(void** state)
+{
+    (void)state;
+    static float hdr[4 * WIDTH * HEIGHT];
+    Shot shot = {"aureole", 3.0f, 0.0f, 20.0f, 180.0f, 30.0f, 30.0f, 180.0f, 30.0f, 4.0f, 0.0f, 0.0, .steps = 0};
+    assert_true(DrawShot(s_canvas, &shot, NULL, hdr));
+    float kink = AureoleKink(hdr);
+    print_message("the aureole's brightness bends by at most %.4f\n", (double)kink);
+    assert_true(kink < AUREOLE_BEND);
+}
+
+// Around the point straight below, at a distance of some pixels: highest over lowest brightness.
+static float NadirContrast(const float* hdr)
+{
+    float low = 1e30f, high = 0.0f;
+    for (int i = 0; i < 16; ++i)
+    {
+        double angle = 2.0 * SW_PI * i / 16.0;
+        float sum = 0.0f;
+        for (int k = 0; k < 9; ++k) // of waves that a pixel does not hide
+        {
+            int x = WIDTH / 2 + (int)lround(9.0 * cos(angle)) + k % 3 - 1;
+            int y = HEIGHT / 2 + (int)lround(9.0 * sin(angle)) + k / 3 - 1;
+            sum += Luminance(hdr, x, y);
+        }
+        low = fminf(low, sum);
+        high = fmaxf(high, sum);
+    }
+    return high / low;
+}
+
+static void NoWedgeShowsStraightBelow(void** state)
+{
+    (void)state;
+    static float hdr[4 * WIDTH * HEIGHT];
+    Shot shot = {"nadir", 1.0f, 0.0f, 1000.0f, 0.0f, -90.0f, 55.0f, 135.0f, 8.0f, 2.0f, 0.0f, 0.0, .steps = 0};
+    assert_true(DrawShot(s_canvas, &shot, NULL, hdr));
+    float contrast = NadirContrast(hdr);
+    print_message("1 km up: around the nadir brightness differs by a factor of %.3f\n", (double)contrast);
+    assert_true(contrast < NADIR_CONTRAST);
 }
 
 static int OpenCanvas(void** state)
@@ -354,9 +423,9 @@ int main(int argc, char** argv)
         return DrawRequest(&request);
     }
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(PicturesLookAsTheirReferences),
-        cmocka_unit_test(PicturesHoldNoFirefliesAndOnlyNumbers),
-        cmocka_unit_test(SeaAndSkyJoinAtTheHorizon),
+        cmocka_unit_test(PicturesLookAsTheirReferences), cmocka_unit_test(PicturesHoldNoFirefliesAndOnlyNumbers),
+        cmocka_unit_test(SeaAndSkyJoinAtTheHorizon),     cmocka_unit_test(TheAureoleHasNoUprightEdges),
+        cmocka_unit_test(NoWedgeShowsStraightBelow),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
 }

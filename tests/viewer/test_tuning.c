@@ -34,7 +34,8 @@ static bool IsInParts(size_t offset, const Part* parts, int count)
     return false;
 }
 
-// Flip word after word: each that is not left out must be counted, so a new field of a def fails here until it is known.
+// Flip word after word: each that is not left out must be counted, so a new field of a def fails here until it is
+// known.
 static void CheckWords(Sea* sea, void* start, size_t size, const Part* left, int leftCount)
 {
     for (size_t offset = 0; offset + 4 <= size; offset += 4)

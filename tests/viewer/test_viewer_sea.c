@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "picture.h"
 #include "tuning.h"
 
 static swGpu* s_gpu;
@@ -30,7 +31,7 @@ static bool TryText(const char* text, Sea* sea)
     assert_true(file >= 0);
     assert_int_equal(write(file, text, strlen(text)), (ssize_t)strlen(text));
     close(file);
-    bool isOpen = OpenSea(sea, &s_host, s_gpu, path);
+    bool isOpen = OpenSea(sea, &s_host, s_gpu, 720, path);
     remove(path);
     return isOpen;
 }
@@ -57,6 +58,18 @@ static bool IsNear(float value, double expected)
 #define BREEZE                                                                                                         \
     SMALL "waves:\n  - {spectrum: jonswap, significant_height_m: 2, peak_period_s: 6, resolution: 64, tile_waves: "    \
           "16}\n"
+
+static void ASoftwareDeviceDrawsFewerPixelsThanTheWindowHas(void** state)
+{
+    (void)state;
+    VkExtent2D window = {640, 360};
+    assert_int_equal(DrawnExtent(window, false).width, 640);
+    VkExtent2D drawn = DrawnExtent(window, true);
+    assert_true(drawn.width * drawn.height <= 1.02 * SOFTWARE_PIXELS);
+    assert_float_equal((float)drawn.width / (float)drawn.height, 640.0f / 360.0f, 0.02f);
+    assert_int_equal(DrawnExtent((VkExtent2D){3840, 2160}, true).width, 1920); // half a side at least
+    assert_int_equal(DrawnExtent((VkExtent2D){160, 90}, true).width, 160);
+}
 
 static void ChangesRunOverTheTransition(void** state)
 {
@@ -376,6 +389,7 @@ int main(void)
         return 77;
     }
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ASoftwareDeviceDrawsFewerPixelsThanTheWindowHas),
         cmocka_unit_test(ChangesRunOverTheTransition),
         cmocka_unit_test(ABrokenSceneLeavesTheSeaBeforeIt),
         cmocka_unit_test(FastChangesWaitTheirTurn),

@@ -22,8 +22,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code. xvfb-run has an exit
-# code and words of its own when it cannot tidy up behind itself, so the viewer's are taken inside.
+# in_window SECONDS ARGUMENTS...: run the viewer on a screen of its own; its exit code is left in $code. xvfb-run has an
+# exit code and words of its own when it cannot tidy up behind itself, so the viewer's are taken inside.
 in_window() {
     code=124
     rm -f "$folder/code"
@@ -90,6 +90,15 @@ expect_refusal "no such scene" "none.yaml"
 
 in_window 60 "$scene" --device software --frames 1 --view nowhere
 expect_refusal "no such view" "nowhere"
+
+# Names reach the terminal as text.
+escape=$(printf '\033')
+for arguments in "$folder/a${escape}[31mb.yaml" "$scene --view ${escape}[31mb"; do
+    # shellcheck disable=SC2086 # an option and its value
+    in_window 60 $arguments --device software --frames 1
+    expect_refusal "a control character" 'x1b\[31mb'
+    ! grep -q "$escape" "$folder/stderr" || fail "a control character reached the terminal"
+done
 
 VK_ICD_FILENAMES=/dev/null VK_DRIVER_FILES=/dev/null in_window 60 "$scene" --frames 1
 expect_refusal "no Vulkan device" "vulkan"

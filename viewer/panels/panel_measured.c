@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "panels.h"
 
@@ -85,7 +86,7 @@ static void DrawReplaySpeed(Sea* sea, int index)
     double seconds = GetReplaySeconds(sea, index);
     float speed = (float)fabs(replay->speed);
     bool isBackwards = replay->speed < 0.0, stands = replay->speed == 0.0;
-    UiMarkNext(replay->speed != filed->speed, "x %.4g in the file; click to go back to it", filed->speed);
+    UiMarkNext(replay->speed != filed->speed, "In the file: x %.4g. Click to go back to it.", filed->speed);
     bool hasChanged = UiLogSlider("replay speed", &speed, 0.1f, 1e5f, stands ? "stands still" : "x %.1f");
     UiTip("Seconds of records that pass in one of the sea; the timeline above moves through them");
     if (UiWasReset())
@@ -117,7 +118,8 @@ static void DrawReplayMoment(Sea* sea, int index)
     double last = swMeasuredSea_GetRecord(waves->measured, place.firstRecord + place.recordCount - 1).seconds;
     double now = GetReplaySeconds(sea, index), filed = GetFiledReplaySeconds(sea, index);
     double hours = (now - first) / 3600.0;
-    UiMarkNext(fabs(now - filed) > 1e-3, "%.2f h by the file now; click to go there", (filed - first) / 3600.0);
+    UiMarkNext(fabs(now - filed) > 1e-3, "By the file it would be %.2f h. Click to go there.",
+               (filed - first) / 3600.0);
     bool hasChanged = UiDoubleSlider("moment", &hours, 0.0, (last - first) / 3600.0, "%.2f h");
     UiTip("Hours since the first record; pull to go to another moment of them, the waves run on");
     if (UiWasReset())
@@ -155,7 +157,9 @@ bool DrawMeasured(Sea* sea, int index)
     swSpectrumDef* spectrum = &waves->def.spectrum;
     const swSpectrumDef* filed = &waves->filedDef.spectrum;
     bool hasChanged = false;
-    UiFaint("%s", waves->file);
+    const char* slash = strrchr(waves->file, '/');
+    UiFaint("%s", slash != NULL ? slash + 1 : waves->file);
+    UiTip(waves->file);
     if (waves->replay != NULL)
     {
         DrawReplay(sea, index);

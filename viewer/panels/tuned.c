@@ -9,7 +9,7 @@ static void Mark(const void* value, const void* filed, size_t size, const char* 
 {
     if (filed != NULL)
     {
-        UiMarkNext(memcmp(value, filed, size) != 0, "%s in the file; click to go back to it", text);
+        UiMarkNext(memcmp(value, filed, size) != 0, "In the file: %s. Click to go back to it.", text);
     }
 }
 

@@ -67,14 +67,15 @@ struct swCompiledSpectrum
     swElfouhaily elfouhaily;
     swOctaveShape octaves;
 
-    // Tables; frequencies in Hz.
+    // Tables; frequencies in Hz. See spectrum_table.c.
     swSpectrumTable table;
-    double scale;                            // from the table's density to calibrated density
-    double binScale;                         // the same where bins are summed by their widths instead of integrated
-    double lowEdge;                          // of the first bin
-    double highEdge;                         // of the last bin, where the tail begins
-    double tailLevel;                        // S(f) = tailLevel f^-5, calibrated; 0 without tail
-    double energy[SW_MAX_TABLE_FREQUENCIES]; // of each bin, all directions, not yet scaled
+    double scale;     // from the table's density to calibrated density
+    double lowEdge;   // of the first bin
+    double highEdge;  // of the last bin, where the tail begins
+    double tailLevel; // S(f) = tailLevel f^-5, calibrated; 0 without tail
+    double edges[SW_MAX_TABLE_FREQUENCIES + 1];
+    double energy[SW_MAX_TABLE_FREQUENCIES];         // mean over a bin, all directions, not yet scaled
+    double edgeEnergy[SW_MAX_TABLE_FREQUENCIES + 1]; // at the edges, likewise
 
     // Owned copy of the table, if any.
     void* memory;
@@ -144,16 +145,21 @@ int swFindOctave(double k);                                          // SW_OCTAV
 
 // ---- tables ----
 
-// A frequency between the centres of bins `index` and `index` + 1, a fraction of the way. Outside: the nearest centre.
-typedef struct swTablePlace
-{
-    int index;
-    double fraction;
-} swTablePlace;
-
 bool swPrepareTable(swCompiledSpectrum* spectrum, const swSpectrumDef* def, swComplaint* complaint);
-swTablePlace swFindTablePlace(const swSpectrumTable* table, double frequency);
+
+// The bin in which a frequency lies; -1 below the first, the number of bins above the last.
+int swFindTableBin(const swCompiledSpectrum* spectrum, double frequency);
+
+// Density of a bin times its bandwidth over the bin's true width: densities of the table times this are the bin's means.
+double swGetBinFactor(const swCompiledSpectrum* spectrum, int bin);
+
+// Of one bin, all directions, a mean over its width: the integral over the circle of density times cos and sin. Not scaled.
+void swGetBinVector(const swCompiledSpectrum* spectrum, int bin, double* x, double* z);
+
 int swGetTailBins(const swSpectrumTable* table); // the last bins, which shape the tail
 double swGetTableDensity(const swCompiledSpectrum* spectrum, double omega);
-double swGetTableSpreading(const swCompiledSpectrum* spectrum, double frequency, double theta);
+double swGetTableDensity2(const swCompiledSpectrum* spectrum, double omega, double theta);
 void swIntegrateTable(const swCompiledSpectrum* spectrum, double omega0, double omega1, swSpectrumMoments* moments);
+
+// Part of a bin's energy that lies between two frequencies, in [0, 1].
+double swGetBinPart(const swCompiledSpectrum* spectrum, int bin, double frequency0, double frequency1);

@@ -321,14 +321,15 @@ swMeasuredLocation swMeasuredSea_GetLocation(const swMeasuredSea* sea, int locat
 
 swMeasuredDirections swMeasuredSea_GetDirections(const swMeasuredSea* sea)
 {
-    swMeasuredDirections none = {0};
-    return sea != NULL ? sea->directions : none;
+    SW_REQUIRE(sea != NULL, (swMeasuredDirections){0}, NULL, "swMeasuredSea_GetDirections() needs a measured sea");
+    return sea->directions;
 }
 
 void swMeasuredSea_SetDirections(swMeasuredSea* sea, const swMeasuredDirections* directions)
 {
-    SW_REQUIRE_VOID(sea != NULL && directions != NULL, sea != NULL ? &sea->host : NULL,
-                    "swMeasuredSea_SetDirections() needs a sea and its directions");
+    SW_REQUIRE_VOID(sea != NULL && directions != NULL && (unsigned)directions->meaning <= SW_DIRECTIONS_TO_FROM_EAST,
+                    sea != NULL ? &sea->host : NULL,
+                    "swMeasuredSea_SetDirections() needs a measured sea, and directions of a meaning that exists");
     sea->directions = *directions;
     sea->directions.basis[sizeof(sea->directions.basis) - 1] = '\0';
 }

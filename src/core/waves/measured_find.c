@@ -122,11 +122,8 @@ static int findLargest(const swMeasuredSea* sea, int location)
 
 int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, const char* time)
 {
+    SW_REQUIRE(sea != NULL, -1, NULL, "swMeasuredSea_FindRecord() needs a measured sea");
     double seconds = 0.0;
-    if (sea == NULL)
-    {
-        return -1;
-    }
     if (time == NULL)
     {
         return findLargest(sea, location);
@@ -189,8 +186,12 @@ static swResult failTime(const swMeasuredSea* sea, const char* time, const Searc
 
 swResult swMeasuredSea_ChooseRecord(const swMeasuredSea* sea, int location, const char* time, int* record)
 {
+    if (record != NULL)
+    {
+        *record = -1;
+    }
     SW_REQUIRE(sea != NULL && record != NULL, SW_ERROR_INVALID, sea != NULL ? &sea->host : NULL,
-               "swMeasuredSea_ChooseRecord() needs a sea and a place for the record");
+               "swMeasuredSea_ChooseRecord() needs a measured sea and a place for the index");
     double seconds = 0.0;
     *record = swMeasuredSea_FindRecord(sea, location, time);
     if (*record < 0 && findLargest(sea, location) < 0)
@@ -241,10 +242,15 @@ static bool isOnGlobe(double longitude, double latitude)
 
 int swMeasuredSea_FindNearest(const swMeasuredSea* sea, double longitude, double latitude, double* distance)
 {
+    if (distance != NULL)
+    {
+        *distance = 0.0;
+    }
+    SW_REQUIRE(sea != NULL, -1, NULL, "swMeasuredSea_FindNearest() needs a measured sea");
     int best = -1;
     double nearest = 0.0;
-    const swMeasuredLocation* places = sea != NULL ? sea->locations.data : NULL;
-    for (int i = 0; places != NULL && isOnGlobe(longitude, latitude) && i < (int)sea->locations.count; ++i)
+    const swMeasuredLocation* places = sea->locations.data;
+    for (int i = 0; isOnGlobe(longitude, latitude) && i < (int)sea->locations.count; ++i)
     {
         if (places[i].recordCount == 0 || !isOnGlobe(places[i].longitude, places[i].latitude))
         {
@@ -267,11 +273,18 @@ int swMeasuredSea_FindNearest(const swMeasuredSea* sea, double longitude, double
 swResult swMeasuredSea_ChooseNearest(const swMeasuredSea* sea, double longitude, double latitude, int* location,
                                      double* distance)
 {
+    if (location != NULL)
+    {
+        *location = -1;
+    }
+    if (distance != NULL)
+    {
+        *distance = 0.0;
+    }
     SW_REQUIRE(sea != NULL && location != NULL, SW_ERROR_INVALID, sea != NULL ? &sea->host : NULL,
-               "swMeasuredSea_ChooseNearest() needs a sea and a place for the location");
+               "swMeasuredSea_ChooseNearest() needs a measured sea and a place for the index");
     double metres = 0.0;
     int nearest = swMeasuredSea_FindNearest(sea, longitude, latitude, &metres);
-    *location = -1;
     if (distance != NULL)
     {
         *distance = metres;

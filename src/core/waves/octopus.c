@@ -12,7 +12,8 @@
 //   0,0.0000000,...                a line for each direction that waves come from, degrees, and its sum at the end
 //   fSpec,...  den,...             sums over the directions
 //
-// A cell holds the variance of its band and sector, m2: bands reach half-way to their neighbours.
+// and the whole again for another place. A cell holds the variance of its band and sector, m2: bands reach half-way to their
+// neighbours.
 
 #include <math.h>
 #include <string.h>
@@ -26,7 +27,7 @@
 typedef struct Reader
 {
     swSeaReader file;
-    int frequencyCount, directionCount;
+    int frequencyCount, directionCount, location;
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double widths[SW_SEA_MAX_FREQUENCIES];
     double directions[SW_SEA_MAX_DIRECTIONS];
@@ -37,6 +38,12 @@ typedef struct Reader
 static bool isRecord(swSeaText* text)
 {
     return swHasSeaPrefix(text, "CCYYMM");
+}
+
+// The lines above a place's records.
+static bool isHeading(swSeaText* text)
+{
+    return swHasSeaPrefix(text, "Forecast") || swHasSeaPrefix(text, "nfreqs,");
 }
 
 bool swIsOctopus(const char* text, size_t size)
@@ -64,7 +71,27 @@ static swResult readField(swSeaText* text, const char* what, double low, double 
                   text->line, what, field.size, field.text, low, high);
 }
 
-// Lines of a word and a number, up to the first record.
+// Room for a spectrum of as many frequencies and directions as the heading tells.
+static swResult makeRoom(Reader* reader)
+{
+    const swHost* host = reader->file.text.host;
+    swFree(host, reader->density, reader->densitySize);
+    reader->densitySize = (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double);
+    reader->density = swAllocate(host, reader->densitySize);
+    return reader->density != NULL
+               ? SW_SUCCESS
+               : swFail(host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.", reader->file.text.name);
+}
+
+static swResult findPlace(Reader* reader, const double place[2])
+{
+    reader->location = swFindSeaPlace(reader->file.sea, "", place[1], place[0]);
+    return reader->location >= 0
+               ? SW_SUCCESS
+               : swMeasuredSea_AddLocation(reader->file.sea, NULL, place[1], place[0], &reader->location);
+}
+
+// Lines of a word and a number, from the line at hand to the first record.
 static swResult readHead(Reader* reader)
 {
     double counts[2] = {0.0, 0.0}, place[2] = {(double)NAN, (double)NAN};
@@ -78,7 +105,7 @@ static swResult readHead(Reader* reader)
                    {"Latitude", -90.0, 90.0, &place[0]},
                    {"Longitude", -360.0, 360.0, &place[1]}};
     swSeaText* text = &reader->file.text;
-    swResult result = swNeedSeaLine(text, "the heading");
+    swResult result = SW_SUCCESS;
     while (result == SW_SUCCESS && !isRecord(text))
     {
         swSeaToken key;
@@ -96,9 +123,10 @@ static swResult readHead(Reader* reader)
         result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: nfreqs and ndir must stand above the first record.",
                         text->name, text->line);
     }
-    reader->frequencyCount = (int)counts[0];
-    reader->directionCount = (int)counts[1];
-    return result == SW_SUCCESS ? swMeasuredSea_AddLocation(reader->file.sea, NULL, place[1], place[0], NULL) : result;
+    reader->frequencyCount = result == SW_SUCCESS ? (int)counts[0] : 0;
+    reader->directionCount = result == SW_SUCCESS ? (int)counts[1] : 0;
+    result = result == SW_SUCCESS ? makeRoom(reader) : result;
+    return result == SW_SUCCESS ? findPlace(reader, place) : result;
 }
 
 // ---- records ----
@@ -108,7 +136,7 @@ static swResult nextLine(Reader* reader, const char* what)
 {
     swSeaText* text = &reader->file.text;
     swResult result = swNeedSeaLine(text, what);
-    if (result == SW_SUCCESS && isRecord(text))
+    if (result == SW_SUCCESS && (isRecord(text) || isHeading(text)))
     {
         result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: another record begins where %s should stand.", text->name,
                         text->line, what);
@@ -185,6 +213,7 @@ static swResult readRecord(Reader* reader)
     {
         result = readSector(reader, i);
     }
+    def.location = reader->location;
     def.frequencyCount = reader->frequencyCount;
     def.frequencies = reader->frequencies;
     def.bandwidths = reader->widths;
@@ -194,40 +223,44 @@ static swResult readRecord(Reader* reader)
     return result == SW_SUCCESS ? swMeasuredSea_AddSpectrum(reader->file.sea, &def) : result;
 }
 
-// From the line of the first record on.
-static swResult readRecords(Reader* reader)
+// To the line at hand or the next where a record or a heading begins; beyond line `line` in any case.
+static bool nextPart(Reader* reader, int line)
 {
     swSeaText* text = &reader->file.text;
-    swResult result = SW_SUCCESS;
-    bool isMore = true;
-    while (result == SW_SUCCESS && isMore)
+    bool isMore = text->line > line || swNextSeaLine(text);
+    text->at = text->lineBegin;
+    while (isMore && !isRecord(text) && !isHeading(text))
     {
-        int line = text->line;
-        result = swJudgeRecord(&reader->file, readRecord(reader), line);
-        isMore = text->line > line || swNextSeaLine(text);
-        text->at = text->lineBegin;
-        while (isMore && !isRecord(text))
-        {
-            isMore = swNextSeaLine(text);
-        }
+        isMore = swNextSeaLine(text);
     }
-    return result;
+    return isMore;
+}
+
+// A place's heading, or a record; those below a broken heading are passed over.
+static swResult readPart(Reader* reader)
+{
+    swSeaText* text = &reader->file.text;
+    int line = text->line;
+    if (isHeading(text))
+    {
+        return swJudgeRecord(&reader->file, readHead(reader), line);
+    }
+    return reader->frequencyCount > 0 ? swJudgeRecord(&reader->file, readRecord(reader), line) : SW_SUCCESS;
 }
 
 static swResult read(void* context)
 {
     Reader* reader = context;
-    const swHost* host = reader->file.text.host;
-    swResult result = readHead(reader);
-    if (result == SW_SUCCESS)
+    swSeaText* text = &reader->file.text;
+    swResult result = SW_SUCCESS;
+    bool isMore = nextPart(reader, 0);
+    while (result == SW_SUCCESS && isMore)
     {
-        reader->densitySize = (size_t)reader->frequencyCount * (size_t)reader->directionCount * sizeof(double);
-        reader->density = swAllocate(host, reader->densitySize);
-        result = reader->density != NULL
-                     ? readRecords(reader)
-                     : swFail(host, SW_ERROR_NO_MEMORY, "No memory for a spectrum of %s.", reader->file.text.name);
+        int line = text->line;
+        result = readPart(reader);
+        isMore = result == SW_SUCCESS && nextPart(reader, line);
     }
-    swFree(host, reader->density, reader->densitySize);
+    swFree(text->host, reader->density, reader->densitySize);
     return result;
 }
 

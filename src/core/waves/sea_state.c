@@ -17,25 +17,14 @@ typedef struct Vector
     double x, y;
 } Vector;
 
-// Of one bin of a table, not scaled. Linear interpolation between directions keeps sinc^2(half a step) of the sums.
 static Vector getRowVector(const swCompiledSpectrum* spectrum, int row)
 {
-    int count = spectrum->table.directionCount;
-    const float* density = spectrum->table.density + (size_t)row * (size_t)count;
-    double half = SW_PI / count;
-    double sinc = swSin(half) / half;
-    Vector sum = {0.0, 0.0};
-    for (int i = 0; i < count; ++i)
-    {
-        double angle = 2.0 * half * i + (double)spectrum->table.firstDirection + spectrum->direction;
-        sum.x += (double)density[i] * swCos(angle);
-        sum.y += (double)density[i] * swSin(angle);
-    }
-    double scale = 2.0 * half * sinc * sinc;
-    return (Vector){sum.x * scale, sum.y * scale};
+    Vector vector;
+    swGetBinVector(spectrum, row, &vector.x, &vector.y);
+    return vector;
 }
 
-// Of a table over a range of frequencies, calibrated. Linear between bins as the density is.
+// Of a table over a range of frequencies, calibrated. Of a part of a bin the directions are those of the bin.
 static Vector integrateVector(const swCompiledSpectrum* spectrum, double frequency0, double frequency1)
 {
     const swSpectrumTable* table = &spectrum->table;
@@ -51,27 +40,10 @@ static Vector integrateVector(const swCompiledSpectrum* spectrum, double frequen
             tail.y += row.y;
             tailEnergy += spectrum->energy[i];
         }
-        // The bin's share is the integral of its hat: 1 at its centre, 0 at its neighbours', 1 outside of the ends.
-        double left = i > 0 ? (double)table->frequencies[i - 1] : spectrum->lowEdge;
-        double centre = (double)table->frequencies[i];
-        double right = i + 1 < table->frequencyCount ? (double)table->frequencies[i + 1] : spectrum->highEdge;
-        double share = 0.0;
-        double a = left > frequency0 ? left : frequency0;
-        double b = centre < frequency1 ? centre : frequency1;
-        if (b > a)
-        {
-            double climb = i > 0 ? (0.5 * (a + b) - left) / (centre - left) : 1.0;
-            share += (b - a) * climb;
-        }
-        a = centre > frequency0 ? centre : frequency0;
-        b = right < frequency1 ? right : frequency1;
-        if (b > a)
-        {
-            double fall = i + 1 < table->frequencyCount ? (right - 0.5 * (a + b)) / (right - centre) : 1.0;
-            share += (b - a) * fall;
-        }
-        total.x += spectrum->scale * share * row.x;
-        total.y += spectrum->scale * share * row.y;
+        double width = spectrum->edges[i + 1] - spectrum->edges[i];
+        double share = spectrum->scale * width * swGetBinPart(spectrum, i, frequency0, frequency1);
+        total.x += share * row.x;
+        total.y += share * row.y;
     }
     double begin = frequency0 > spectrum->highEdge ? frequency0 : spectrum->highEdge;
     if (frequency1 > begin && tailEnergy > 0.0)
@@ -83,8 +55,9 @@ static Vector integrateVector(const swCompiledSpectrum* spectrum, double frequen
     return total;
 }
 
-// Where in [frequency0, frequency1] the density is largest. Most formulas have one peak that is known; a table is linear
-// between its bins and falls beyond them. Bins that are equal but for rounding tie, and the lowest frequency wins.
+// Where in [frequency0, frequency1] the density is largest. Most formulas have one peak that is known; of a table it is the
+// frequency of the bin whose mean is largest, or an end of the range. Bins that are equal but for rounding tie, and the
+// lowest frequency wins.
 static double findPeak(const swCompiledSpectrum* spectrum, double frequency0, double frequency1)
 {
     if (spectrum->kind == SW_SPECTRUM_TMA || spectrum->kind == SW_SPECTRUM_ELFOUHAILY ||
@@ -98,34 +71,31 @@ static double findPeak(const swCompiledSpectrum* spectrum, double frequency0, do
         return peak < frequency0 ? frequency0 : peak > frequency1 ? frequency1 : peak;
     }
     double best = frequency0;
-    double largest = swGetTableDensity(spectrum, SW_TURN * frequency0);
+    double largest = SW_TURN * swGetTableDensity(spectrum, SW_TURN * frequency0);
     for (int i = 0; i < spectrum->table.frequencyCount; ++i)
     {
         double frequency = (double)spectrum->table.frequencies[i];
-        double density = swGetTableDensity(spectrum, SW_TURN * frequency);
+        double density = spectrum->scale * spectrum->energy[i];
         if (frequency >= frequency0 && frequency <= frequency1 && density > largest * (1.0 + 1e-6))
         {
             best = frequency;
             largest = density;
         }
     }
-    return swGetTableDensity(spectrum, SW_TURN * frequency1) > largest ? frequency1 : best;
+    return SW_TURN * swGetTableDensity(spectrum, SW_TURN * frequency1) > largest * (1.0 + 1e-6) ? frequency1 : best;
 }
 
 static Vector getPeakVector(const swCompiledSpectrum* spectrum, double frequency)
 {
-    swTablePlace place = swFindTablePlace(&spectrum->table, frequency);
-    Vector a = getRowVector(spectrum, place.index);
-    Vector b = getRowVector(spectrum, place.index + 1);
-    double keep = 1.0 - place.fraction;
-    return (Vector){keep * a.x + place.fraction * b.x, keep * a.y + place.fraction * b.y};
+    int bin = swFindTableBin(spectrum, frequency), last = spectrum->table.frequencyCount - 1;
+    return getRowVector(spectrum, bin < 0 ? 0 : bin > last ? last : bin);
 }
 
 static void sumBins(const swCompiledSpectrum* spectrum, swSpectrumMoments* moments, Vector* vector)
 {
     for (int i = 0; i < spectrum->table.frequencyCount; ++i)
     {
-        double width = spectrum->binScale * (double)spectrum->table.bandwidths[i];
+        double width = spectrum->scale * (spectrum->edges[i + 1] - spectrum->edges[i]);
         Vector row = getRowVector(spectrum, i);
         swAddSpectrumMoments(moments, spectrum, SW_TURN * (double)spectrum->table.frequencies[i],
                              width * spectrum->energy[i]);

@@ -38,6 +38,7 @@ target_sources(seaway_core PRIVATE
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/mode_mix.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves_bins.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_fft.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_gerstner.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_scalar.c)

@@ -15,12 +15,11 @@
 // Elfouhaily: by wave number, in spectrum_elfouhaily.c; S(omega) = S(k) / c_g over deep water.
 // Octaves: in spectrum_octaves.c.
 // All formulas are over the frequency that a wave keeps when it comes over a sea floor.
-// Table: runs linearly between the centres of its frequency bins and between its directions, is constant in the outer
-// halves of the first and last bin, and is scaled so that its variance is exactly the sum of density times bandwidth.
-// Above the last bin it may go on as f^-5 [Phillips 1958], at the level and with the directions of the last few bins.
+// Table: in spectrum_table.c.
 
 #include "core/waves/compiled.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -188,7 +187,8 @@ static double getSpreading(const swCompiledSpectrum* spectrum, double omega, dou
 {
     if (spectrum->kind == SW_SPECTRUM_TABLE)
     {
-        return swGetTableSpreading(spectrum, omega / SW_TURN, theta);
+        double density = swGetTableDensity(spectrum, omega);
+        return density > 0.0 ? swGetTableDensity2(spectrum, omega, theta) / density : 0.0;
     }
     swSpread spread = swFindSpread(&spectrum->spreading, omega);
     return swGetSpread(&spread, theta - spectrum->direction);
@@ -196,6 +196,10 @@ static double getSpreading(const swCompiledSpectrum* spectrum, double omega, dou
 
 double swGetCompiledDensity2(const swCompiledSpectrum* spectrum, double omega, double theta)
 {
+    if (spectrum->kind == SW_SPECTRUM_TABLE)
+    {
+        return swGetTableDensity2(spectrum, omega, theta);
+    }
     double density = swGetCompiledDensity(spectrum, omega);
     return density > 0.0 ? density * getSpreading(spectrum, omega, theta) : 0.0;
 }
@@ -217,6 +221,60 @@ double swIntegrateCompiled(const swCompiledSpectrum* spectrum, double omega0, do
     swSpectrumMoments moments = {0};
     swIntegrateMoments(spectrum, omega0, omega1, &moments);
     return moments.zero;
+}
+
+static_assert(SW_MAX_SPECTRUM_BINS == SW_MAX_TABLE_FREQUENCIES + 2, "one bin below and one above a table's");
+
+int swFindCompiledBin(const swCompiledSpectrum* spectrum, double omega)
+{
+    return spectrum->kind == SW_SPECTRUM_TABLE ? swFindTableBin(spectrum, omega / SW_TURN) + 1 : 0;
+}
+
+int swGetCompiledBins(const swCompiledSpectrum* spectrum, double omega0, double omega1, double* variances)
+{
+    if (spectrum->kind != SW_SPECTRUM_TABLE)
+    {
+        variances[0] = swIntegrateCompiled(spectrum, omega0, omega1);
+        return 1;
+    }
+    int count = spectrum->table.frequencyCount;
+    for (int i = 0; i < count; ++i)
+    {
+        double whole = spectrum->scale * spectrum->energy[i] * (spectrum->edges[i + 1] - spectrum->edges[i]);
+        variances[i + 1] = whole * swGetBinPart(spectrum, i, omega0 / SW_TURN, omega1 / SW_TURN);
+    }
+    variances[0] = 0.0;
+    double tail = SW_TURN * spectrum->highEdge;
+    variances[count + 1] = tail < omega1 ? swIntegrateCompiled(spectrum, tail > omega0 ? tail : omega0, omega1) : 0.0;
+    return count + 2;
+}
+
+bool swGetCompiledBinMean(const swCompiledSpectrum* spectrum, int bin, double* x, double* z)
+{
+    int count = spectrum->kind == SW_SPECTRUM_TABLE ? spectrum->table.frequencyCount : 0;
+    int first = bin - 1, last = bin; // rows; the tail has the directions of several
+    if (bin == count + 1)
+    {
+        first = count - swGetTailBins(&spectrum->table);
+        last = count;
+    }
+    if (bin < 1 || bin > count + 1 || count == 0)
+    {
+        return false;
+    }
+    double energy = 0.0;
+    *x = *z = 0.0;
+    for (int i = first; i < last; ++i)
+    {
+        double rowX, rowZ;
+        swGetBinVector(spectrum, i, &rowX, &rowZ);
+        *x += rowX;
+        *z += rowZ;
+        energy += spectrum->energy[i];
+    }
+    *x = energy > 0.0 ? *x / energy : 0.0;
+    *z = energy > 0.0 ? *z / energy : 0.0;
+    return energy > 0.0;
 }
 
 void swSpectrum_GetDensities(const swSpectrumDef* def, int count, const float* frequencies, float* densities)

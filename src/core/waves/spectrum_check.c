@@ -177,7 +177,7 @@ static bool isSameTable(const swSpectrumTable* a, const swSpectrumTable* b)
     size_t frequencies = (size_t)a->frequencyCount;
     size_t densities = frequencies * (size_t)a->directionCount;
     return a->frequencyCount == b->frequencyCount && a->directionCount == b->directionCount &&
-           a->firstDirection == b->firstDirection && a->firstDirection == b->firstDirection &&
+           a->firstDirection == b->firstDirection &&
            memcmp(a->frequencies, b->frequencies, frequencies * sizeof(float)) == 0 &&
            memcmp(a->bandwidths, b->bandwidths, frequencies * sizeof(float)) == 0 &&
            memcmp(a->density, b->density, densities * sizeof(float)) == 0;

@@ -151,12 +151,11 @@ static void normalize(int count, float* density)
     }
 }
 
-// What averaging over cells and running linearly between them leaves of the n-th moment.
+// What averaging over cells leaves of the n-th moment.
 static double getResponse(int count, int n)
 {
     double half = SW_PI * n / count;
-    double sinc = swSin(half) / half;
-    return sinc * sinc * sinc;
+    return swSin(half) / half;
 }
 
 void swFillMaximumEntropy(const swMoments* moments, int count, float* density)

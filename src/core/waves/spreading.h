@@ -25,8 +25,8 @@ typedef struct swMoments
 // Returns whether they were impossible.
 bool swCorrectMoments(swMoments* moments);
 
-// The maximum-entropy distribution of possible moments on directions 2 pi j / count. The function that runs linearly
-// between these directions has the given moments and integrates to one.
+// The maximum-entropy distribution of possible moments on directions 2 pi j / count, each the mean of its cell. The sums over
+// these directions have the given moments.
 void swFillMaximumEntropy(const swMoments* moments, int count, float* density);
 
 // cos^2s around a mean direction on directions 2 pi j / count, with integral one.

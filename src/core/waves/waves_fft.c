@@ -6,7 +6,7 @@
 // energy that the directional spectrum has in its lattice cell,
 //   E = integral over the cell of S(omega, theta) (d omega / d k) / k,
 // where the ring cuts a cell: in the part inside. Then all are scaled so that the band's variance is exactly the
-// integral of S over its frequencies. Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for,
+// integral of S over its frequencies, and of a table that of each of its bins (waves_bins.c). Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for,
 // and hundreds to thousands of waves a band make the surface as good as Gaussian.
 //
 // A tile holds spline coefficients, and a cubic B-spline over samples damps a wave of q bins of N by sinc^4(q / N)
@@ -24,6 +24,7 @@
 #include "core/base/host.h"
 #include "core/math/random.h"
 #include "core/math/scalar.h"
+#include "core/waves/waves_bins.h"
 #include "core/waves/waves_kernels.h"
 
 #define TURN (2.0 * SW_PI)
@@ -51,10 +52,9 @@ typedef struct Builder
 // One band's lattice.
 typedef struct Ring
 {
-    int maxBin;
-    double dk;      // 2 pi / side, rad/m
-    double k0, k1;  // rad/m
-    double* energy; // [2 maxBin + 1][2 maxBin + 1] by qz, qx; m^2
+    double dk;     // 2 pi / side, rad/m
+    double k0, k1; // rad/m
+    swBandCells cells;
 } Ring;
 
 double swGetTileSide(int band, int tileWaves)
@@ -67,24 +67,36 @@ double swGetTileSide(int band, int tileWaves)
     return tileWaves * shortest * factor;
 }
 
-// Energy per area of the k plane, m^4.
-static double getDensity(const Builder* builder, double kx, double kz)
+static double getWaveNumber(const Ring* ring, int qx, int qz)
+{
+    return ring->dk * sqrt((double)(qx * qx + qz * qz));
+}
+
+// Energy per area of the k plane, m^4, at a point of the wave's cell. A point beyond an edge of the spectrum's bin that the
+// wave is in stands for its direction only.
+static double getDensity(const Builder* builder, const Ring* ring, int qx, int qz, double kx, double kz)
 {
     double k = sqrt(kx * kx + kz * kz);
     double omega = swGetOmega(&builder->dispersion, k);
     double theta = swAtan2(kz, kx);
+    if (swFindCompiledBin(builder->spectrum, omega) != ring->cells.bins[swGetCellIndex(&ring->cells, qx, qz)])
+    {
+        k = getWaveNumber(ring, qx, qz);
+        omega = swGetOmega(&builder->dispersion, k);
+    }
     double density = swGetCompiledDensity2(builder->spectrum, omega, theta);
     return density > 0.0 ? density * swGetGroupSpeed(&builder->dispersion, k) / k : 0.0;
 }
 
 // Gauss's rule: three points an axis where cells are wide, two where they are narrow. A cell of the usual 32 waves
 // spans two to four degrees; two points are then good to 5e-4 at the peak of the narrowest swell (s = 200).
-static double integrateInnerCell(const Builder* builder, double dk, int qx, int qz)
+static double integrateInnerCell(const Builder* builder, const Ring* ring, int qx, int qz)
 {
     static const double offsets[2][3] = {{-0.28867513459481288, 0.28867513459481288},
                                          {-0.38729833462074170, 0.0, 0.38729833462074170}};
     static const double weights[2][3] = {{0.5, 0.5}, {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}};
     int rule = builder->def->tileWaves < 16 ? 1 : 0;
+    double dk = ring->dk;
     double sum = 0.0;
     for (int j = 0; j < rule + 2; ++j)
     {
@@ -92,7 +104,7 @@ static double integrateInnerCell(const Builder* builder, double dk, int qx, int 
         {
             double kx = dk * (qx + offsets[rule][i]);
             double kz = dk * (qz + offsets[rule][j]);
-            sum += weights[rule][j] * weights[rule][i] * getDensity(builder, kx, kz);
+            sum += weights[rule][j] * weights[rule][i] * getDensity(builder, ring, qx, qz, kx, kz);
         }
     }
     return sum * dk * dk;
@@ -124,7 +136,7 @@ static double integrateRimCell(const Builder* builder, const Ring* ring, int qx,
         return 0.0;
     }
     double part = (double)count / (RIM_POINTS * RIM_POINTS);
-    return getDensity(builder, sumX / count, sumZ / count) * part * ring->dk * ring->dk;
+    return getDensity(builder, ring, qx, qz, sumX / count, sumZ / count) * part * ring->dk * ring->dk;
 }
 
 static double integrateCell(const Builder* builder, const Ring* ring, int qx, int qz)
@@ -139,39 +151,30 @@ static double integrateCell(const Builder* builder, const Ring* ring, int qx, in
     }
     if (innermost > ring->k0 && outermost < ring->k1)
     {
-        return integrateInnerCell(builder, ring->dk, qx, qz);
+        return integrateInnerCell(builder, ring, qx, qz);
     }
     return integrateRimCell(builder, ring, qx, qz);
 }
 
-static double* getEnergy(const Ring* ring, int qx, int qz)
+static double getEnergy(const Ring* ring, int qx, int qz)
 {
-    return ring->energy + (qz + ring->maxBin) * (2 * ring->maxBin + 1) + qx + ring->maxBin;
+    return ring->cells.energy[swGetCellIndex(&ring->cells, qx, qz)];
 }
 
-// Fill the ring's energies so that they sum up to `variance`. Returns false if there is none to be found.
-static bool fillEnergies(const Builder* builder, Ring* ring, double variance)
+// Fill the ring's energies so that each of the spectrum's bins has its own.
+static swResult fillEnergies(const Builder* builder, Ring* ring, int binCount, const double* wanted)
 {
-    double sum = 0.0;
-    for (int qz = -ring->maxBin; qz <= ring->maxBin; ++qz)
+    for (int qz = -ring->cells.maxBin; qz <= ring->cells.maxBin; ++qz)
     {
-        for (int qx = -ring->maxBin; qx <= ring->maxBin; ++qx)
+        for (int qx = -ring->cells.maxBin; qx <= ring->cells.maxBin; ++qx)
         {
-            double energy = integrateCell(builder, ring, qx, qz);
-            *getEnergy(ring, qx, qz) = energy;
-            sum += energy;
+            int i = swGetCellIndex(&ring->cells, qx, qz);
+            double omega = swGetOmega(&builder->dispersion, getWaveNumber(ring, qx, qz));
+            ring->cells.bins[i] = swFindCompiledBin(builder->spectrum, omega);
+            ring->cells.energy[i] = integrateCell(builder, ring, qx, qz);
         }
     }
-    if (!(sum > 0.0))
-    {
-        return false;
-    }
-    double scale = variance / sum;
-    for (int i = 0; i < (2 * ring->maxBin + 1) * (2 * ring->maxBin + 1); ++i)
-    {
-        ring->energy[i] *= scale;
-    }
-    return true;
+    return swShareBins(builder->host, builder->spectrum, binCount, wanted, &ring->cells);
 }
 
 int64_t swGetLoopTicks(const swWaveSystemDef* def)
@@ -228,7 +231,7 @@ double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef
 // Amplitude of the wave at q: real and imaginary part.
 static void getAmplitude(const Builder* builder, int band, const Ring* ring, int qx, int qz, double* re, double* im)
 {
-    double amplitude = sqrt(2.0 * *getEnergy(ring, qx, qz));
+    double amplitude = sqrt(2.0 * getEnergy(ring, qx, qz));
     double phase = TURN * swHashToUnit(swHashWave(builder->def->seed, band, qx, qz, 0));
     *re = amplitude * swCos(phase);
     *im = amplitude * swSin(phase);
@@ -262,11 +265,11 @@ static swMode makeMode(const Builder* builder, const swBandModes* band, const Ri
 static int listModes(const Builder* builder, const swBandModes* band, const Ring* ring, double least, swMode* modes)
 {
     int count = 0;
-    for (int qz = 0; qz <= ring->maxBin; ++qz)
+    for (int qz = 0; qz <= ring->cells.maxBin; ++qz)
     {
-        for (int qx = qz == 0 ? 1 : -ring->maxBin; qx <= ring->maxBin; ++qx)
+        for (int qx = qz == 0 ? 1 : -ring->cells.maxBin; qx <= ring->cells.maxBin; ++qx)
         {
-            if (*getEnergy(ring, qx, qz) + *getEnergy(ring, -qx, -qz) <= least)
+            if (getEnergy(ring, qx, qz) + getEnergy(ring, -qx, -qz) <= least)
             {
                 continue;
             }
@@ -286,11 +289,11 @@ static void measureVariances(const Builder* builder, swBandModes* band, const Ri
     double strain = 0.0;
     double slopeX = 0.0;
     double slopeZ = 0.0;
-    for (int qz = -ring->maxBin; qz <= ring->maxBin; ++qz)
+    for (int qz = -ring->cells.maxBin; qz <= ring->cells.maxBin; ++qz)
     {
-        for (int qx = -ring->maxBin; qx <= ring->maxBin; ++qx)
+        for (int qx = -ring->cells.maxBin; qx <= ring->cells.maxBin; ++qx)
         {
-            double energy = *getEnergy(ring, qx, qz);
+            double energy = getEnergy(ring, qx, qz);
             variance += energy;
             slopeX += energy * (ring->dk * qx) * (ring->dk * qx);
             slopeZ += energy * (ring->dk * qz) * (ring->dk * qz);
@@ -351,27 +354,34 @@ static swResult buildBand(const Builder* builder, int index, swBandModes* band)
     band->minWavelength = (float)shortest;
     band->maxWavelength = (float)longest;
     Ring ring = {.dk = TURN / band->side, .k0 = TURN / longest, .k1 = TURN / shortest};
-    double variance = swIntegrateCompiled(builder->spectrum, swGetOmega(&builder->dispersion, ring.k0),
-                                          swGetOmega(&builder->dispersion, ring.k1));
+    double wanted[SW_MAX_SPECTRUM_BINS], variance = 0.0;
+    int binCount = swGetCompiledBins(builder->spectrum, swGetOmega(&builder->dispersion, ring.k0),
+                                     swGetOmega(&builder->dispersion, ring.k1), wanted);
+    for (int i = 0; i < binCount; ++i)
+    {
+        variance += wanted[i];
+    }
     if (!(variance > LEAST_VARIANCE))
     {
         return SW_SUCCESS;
     }
     // A cell reaches half a bin inwards, so the largest bin is at most tileWaves.
-    ring.maxBin = (int)floor(ring.k1 / ring.dk + 0.5);
-    size_t size = (size_t)((2 * ring.maxBin + 1) * (2 * ring.maxBin + 1)) * sizeof(double);
-    ring.energy = swAllocate(builder->host, size);
-    if (ring.energy == NULL)
+    ring.cells.maxBin = (int)floor(ring.k1 / ring.dk + 0.5);
+    size_t cellCount = (size_t)((2 * ring.cells.maxBin + 1) * (2 * ring.cells.maxBin + 1));
+    size_t size = cellCount * (sizeof(double) + sizeof(int));
+    ring.cells.energy = swAllocate(builder->host, size);
+    if (ring.cells.energy == NULL)
     {
         return SW_ERROR_NO_MEMORY;
     }
-    swResult result = SW_SUCCESS;
-    if (fillEnergies(builder, &ring, variance))
+    ring.cells.bins = (int*)(ring.cells.energy + cellCount);
+    swResult result = fillEnergies(builder, &ring, binCount, wanted);
+    if (result == SW_SUCCESS)
     {
         result = fillModes(builder, band, &ring, variance);
     }
-    swFree(builder->host, ring.energy, size);
-    return result;
+    swFree(builder->host, ring.cells.energy, size);
+    return result == SW_ERROR_INVALID ? SW_SUCCESS : result; // a band without waves
 }
 
 static void buildBands(void* context, int begin, int end, int worker)

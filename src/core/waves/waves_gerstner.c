@@ -11,6 +11,7 @@
 // [Owen 1995]). And of many such draws the one is taken whose waves together come nearest to the spectrum's mean direction
 // and spread: to energy times cos and sin of the direction and of twice the direction.
 // Place and phase are drawn independently of that.
+// Of a table, the waves whose places are in one of its bins are scaled to that bin's energy, as a strip may reach across edges.
 //
 // reverseWeight gives each wave a twin that runs the other way with that part of its height; the two share the energy.
 //
@@ -266,9 +267,36 @@ static void addStrip(Builder* builder, int band, int index, double k0, double k1
     strip->index = index;
     strip->energy = energy;
     strip->omega = findPlace(builder, omega0, omega1, place * energy);
-    Spread spread;
-    fillSpread(builder, strip->omega, &spread);
-    drawDirections(builder, &spread, strip);
+}
+
+// Strips come longest first, so that bins come in ascending order. A bin without a strip's place leaves its energy to the next.
+static void keepBins(Builder* builder)
+{
+    double wanted[SW_MAX_SPECTRUM_BINS], rest = 0.0;
+    const swWaveSystemDef* def = builder->def;
+    double first = swGetOmega(&builder->dispersion, TURN / (double)def->maxWavelength);
+    double last = swGetOmega(&builder->dispersion, TURN / (double)def->minWavelength);
+    int binCount = swGetCompiledBins(builder->spectrum, first, last, wanted);
+    int bin = 0;
+    for (int begin = 0, end = 0; begin < builder->stripCount && binCount > 1; begin = end)
+    {
+        int own = swFindCompiledBin(builder->spectrum, builder->strips[begin].omega);
+        double found = 0.0;
+        for (; end < builder->stripCount && swFindCompiledBin(builder->spectrum, builder->strips[end].omega) == own;
+             ++end)
+        {
+            found += builder->strips[end].energy;
+        }
+        int lastBin = end == builder->stripCount ? binCount - 1 : own;
+        for (rest = 0.0; bin <= lastBin; ++bin)
+        {
+            rest += wanted[bin];
+        }
+        for (int i = begin; i < end; ++i)
+        {
+            builder->strips[i].energy *= rest / found;
+        }
+    }
 }
 
 static void addWaves(Builder* builder, const Strip* strip, int draw)
@@ -320,6 +348,13 @@ static swResult addOctaves(Builder* builder, const swHost* host)
         fillMoments(-SW_PI + i * DIRECTION_STEP, builder->circle[i]);
     }
     addStrips(builder);
+    keepBins(builder);
+    for (int i = 0; i < builder->stripCount; ++i)
+    {
+        Spread spread;
+        fillSpread(builder, builder->strips[i].omega, &spread);
+        drawDirections(builder, &spread, &builder->strips[i]);
+    }
     int draw = chooseDraw(builder);
     for (int i = 0; i < builder->stripCount; ++i)
     {

@@ -19,10 +19,6 @@
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define SW_CLOUD_DRIFT 0.015 // km/s
 
-// The clouds' noise has no period of its own. Floats hold a metre within half of this around the sea's origin, km; another
-// sky begins beyond.
-#define SW_CLOUD_PERIOD 16384.0
-
 static swVec4 withW(swVec3 v, float w)
 {
     return (swVec4){v.x, v.y, v.z, w};
@@ -33,10 +29,14 @@ static double wrap(double x, double period)
     return x - floor(x / period) * period;
 }
 
-// Within half a period on both sides of 0.
-static double wrapEven(double x, double period)
+// Anywhere in the clouds, km, to a place between the edges of their noise, and which way it runs there.
+static void placeInClouds(double x, float* place, float* way)
 {
-    return wrap(x + 0.5 * period, period) - 0.5 * period;
+    const double edge = (double)SW_CLOUD_EDGE;
+    double along = wrap(x + edge, 4.0 * edge) - edge; // the mirror image is from edge to 3 edge
+    bool isMirrored = along > edge;
+    *place = (float)(isMirrored ? 2.0 * edge - along : along);
+    *way = isMirrored ? -1.0f : 1.0f;
 }
 
 // Projection times view, columns. Both are camera-relative, so the fourth column is the projection's own.
@@ -187,8 +187,8 @@ static void setTime(const swPicture* picture, swPictureFrame* built)
     p->foamZ = (float)wrap(built->rings.anchorZ, SW_FOAM_PERIOD);
     p->foamPhase = (float)(turn - floor(turn));
     p->foamSeed = (float)wrap(2.0 * floor(turn), 512.0);
-    p->cloudX = (float)wrapEven(picture->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * picture->time, SW_CLOUD_PERIOD);
-    p->cloudZ = (float)wrapEven(picture->camera.position.z * 1e-3, SW_CLOUD_PERIOD);
+    placeInClouds(picture->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * picture->time, &p->cloudX, &p->cloudWayX);
+    placeInClouds(picture->camera.position.z * 1e-3, &p->cloudZ, &p->cloudWayZ);
 }
 
 void swBuildPicture(const swPicture* inHost, swPosXZ origin, const swFrame* frame, const swViewFrame* view,

@@ -107,11 +107,11 @@ static swResult createTables(swGpu* gpu, swSky* sky)
     }
     if (result == SW_SUCCESS)
     {
-        result = createTable(gpu, SW_SKY_VIEW_WIDTH, SW_SKY_VIEW_HEIGHT, 2, 1, "sky view", &sky->view);
+        result = createTable(gpu, SW_SKY_VIEW_WIDTH, SW_SKY_VIEW_HEIGHT, 4, 1, "sky view", &sky->view);
     }
     if (result == SW_SUCCESS)
     {
-        result = createTable(gpu, SW_SKY_AIR_SIDE, SW_SKY_AIR_SIDE, 2, 1, "sky air", &sky->air);
+        result = createTable(gpu, SW_SKY_AIR_SIDE, SW_SKY_AIR_SIDE, 3, 1, "sky air", &sky->air);
     }
     if (result == SW_SUCCESS)
     {

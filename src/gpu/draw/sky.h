@@ -21,8 +21,8 @@ typedef struct swSky
     swPipeline drawPipeline;
     swImage transmittance; // to the top of the air
     swImage multiple;      // light scattered more than once
-    swImage view;          // layer 0 from the camera, 1 from the sea
-    swImage air;           // layer 0 added, 1 let through between camera and sea
+    swImage view;          // layer 0 from the camera, 1 from the sea; 2 and 3 what haze adds to them
+    swImage air;           // between camera and sea: layer 0 added, 1 let through, 2 added by haze
     swImage map;           // what waves reflect, with blurred mips
     swBuffer light;        // swSkyLight
     bool isValid;

@@ -31,7 +31,10 @@ static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swS
         .name = "surface cull",
     };
     swResult result = swCreateComputePipeline(gpu, &cull, &surface->cullPipeline);
+    const uint32_t constants[] = {gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0};
     swGraphicsDef draw = {
+        .constantCount = 1,
+        .constants = constants,
         .vertex = SW_SHADER(vertexCode),
         .fragment = SW_SHADER(fragmentCode),
         .bindingCount = 13,
