@@ -323,11 +323,11 @@ static WaveSums* SumWaves(const swSpectrumTable* table, const double* edges)
     def.spectrum = MakeDef(table);
     def.minWavelength = (float)(9.81 / (TURN * pow(1.05 * edges[table->frequencyCount], 2.0)));
     def.maxWavelength = 4096.0f;
-    swBandModes bands[SW_MAX_BANDS];
+    swBandModes bands[SW_SET_TILES];
     assert_int_equal(swBuildModes(&host, &def, 9.81f, 7.4e-5f, bands), SW_SUCCESS);
     WaveSums* sums = calloc(1, sizeof(WaveSums));
     assert_non_null(sums);
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         for (int j = 0; j < bands[i].modeCount; ++j)
         {

@@ -280,22 +280,31 @@ static int listOctaves(const swWaveSet* set, float square, swBandInfo* bands)
     return count;
 }
 
+// Parallel tiles of a band are one.
 static int listBands(const swWaveSet* set, float square, swBandInfo* bands)
 {
-    int count = 0;
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    swBandInfo infos[SW_MAX_BANDS] = {0};
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         const swBandModes* band = &set->bands[i];
+        swBandInfo* info = &infos[band->band];
         if (band->modeCount > 0)
         {
-            bands[count++] = (swBandInfo){
-                .minWavelength = band->minWavelength,
-                .maxWavelength = band->maxWavelength,
-                .tileSide = (float)band->side,
-                .modeCount = band->modeCount,
-                .variance = band->variance * square,
-                .meanSquareSlope = (band->slopeVarianceX + band->slopeVarianceZ) * square,
-            };
+            info->minWavelength = band->minWavelength;
+            info->maxWavelength = band->maxWavelength;
+            info->tileSide = info->tileCount == 0 ? (float)band->side : info->tileSide;
+            info->tileCount += 1;
+            info->modeCount += band->modeCount;
+            info->variance += band->variance * square;
+            info->meanSquareSlope += (band->slopeVarianceX + band->slopeVarianceZ) * square;
+        }
+    }
+    int count = 0;
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        if (infos[band].modeCount > 0)
+        {
+            bands[count++] = infos[band];
         }
     }
     return count;

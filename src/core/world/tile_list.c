@@ -33,11 +33,12 @@ static void addTile(swWorld* world, swWaveSet* set, int bandIndex)
 static void listTilesOfSet(swWorld* world, swWaveSet* set)
 {
     int first = world->frame.tileCount;
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
-        if (set->bands[band].modeCount > 0)
+        int tile = i % SW_BAND_TILES * SW_MAX_BANDS + i / SW_BAND_TILES; // band by band
+        if (set->bands[tile].modeCount > 0)
         {
-            addTile(world, set, band);
+            addTile(world, set, tile);
         }
     }
     for (int tile = first; tile < world->frame.tileCount; tile += 2)
