@@ -412,6 +412,14 @@ static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves
         return swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode, SW_MISTAKE_NO_ENERGY,
                           "the record of %s in %s has no energy; choose another with at.", record.time, waves->file);
     }
+    if (record.meanDirection == NULL)
+    {
+        swLog(yaml->host, SW_LOG_WARNING,
+              "%s: the record of %s in %s has no directions: its waves are made around east, spread as cos^16 of half "
+              "the "
+              "angle.",
+              yaml->name, record.time, waves->file);
+    }
     return SW_SUCCESS;
 }
 
