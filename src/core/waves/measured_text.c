@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/waves/measured_readers.h"
 
 static swSeaText openText(const char* text, size_t size)
@@ -139,7 +139,7 @@ swResult swParseNdbcEnergy(const swHost* host, const char* text, size_t size, co
 
 swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    *sea = NULL;
+    SW_REQUIRE_PLACE(host, sea, "swParseMeasuredSea()");
     swMeasuredFormat format = swFindMeasuredFormat(text, size);
     if (format == SW_MEASURED_UNKNOWN)
     {
