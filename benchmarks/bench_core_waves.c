@@ -28,11 +28,11 @@ enum
 typedef struct Sea
 {
     swHost host;
-    swBandModes bands[SW_MAX_BANDS];
+    swBandModes bands[SW_SET_TILES];
     int size;
     int tileCount;
-    swTile tiles[SW_MAX_BANDS];
-    float* texels[SW_MAX_BANDS];
+    swTile tiles[SW_SET_TILES];
+    float* texels[SW_SET_TILES];
     void* scratch;
 } Sea;
 
@@ -79,7 +79,7 @@ static bool CreateSea(Sea* sea, int size)
     printf("modes of all bands: %.1f ms\n", 1e3 * (Now() - start));
     sea->scratch = swAllocate(&sea->host, swGetTileScratchSize(size));
     size_t bytes = (size_t)(size + 3) * (size_t)(size + 3) * 16;
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         const swBandModes* band = &sea->bands[i];
         if (band->modes == NULL)

@@ -151,6 +151,7 @@ static void CreateBench(Bench* bench)
 {
     swHost host = swDefaultHost();
     swGpuDef gpuDef = swDefaultGpuDef();
+    gpuDef.layers = SW_LAYERS_GPU; // it is the passes that are timed, whatever the device
     gpuDef.choice = bench->options.choice;
     gpuDef.deviceIndex = bench->options.deviceIndex;
     gpuDef.framesInFlight = SLOTS;

@@ -74,7 +74,12 @@ static swWorld* CreateSea(const swHost* host, bool enableQueries, int* tileCount
         return NULL;
     }
     swBandInfo bands[SW_MAX_BANDS];
-    *tileCount = swWaveSystem_GetBands(world, id, bands);
+    int count = swWaveSystem_GetBands(world, id, bands);
+    *tileCount = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        *tileCount += bands[i].tileCount;
+    }
     return world;
 }
 

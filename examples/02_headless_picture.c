@@ -290,12 +290,17 @@ int main(int argc, char** argv)
     swRenderer* renderer = NULL;
     swWaveSystemId sea;
     Picture picture = {0};
-    bool isDrawn =
-        swCreateWorld(&host, &worldDef, &world) == SW_SUCCESS &&
-        swCreateWaveSystem(world, &waves, &sea) == SW_SUCCESS && swCreateView(world, &viewDef, &view) == SW_SUCCESS &&
-        swCreateGpu(&host, &gpuDef, &gpu) == SW_SUCCESS && swCreateGpuWorld(gpu, world, &gpuWorld) == SW_SUCCESS &&
-        swCreateRenderer(gpuWorld, &rendererDef, &renderer) == SW_SUCCESS &&
-        CreatePicture(&picture, gpu, &rendererDef) && DrawSea(&picture, world, view, gpuWorld, renderer);
+    bool isDrawn = swCreateGpu(&host, &gpuDef, &gpu) == SW_SUCCESS;
+    if (isDrawn)
+    {
+        viewDef = swGpu_FitView(gpu, &viewDef, HEIGHT); // without a GPU the core makes the view's layers
+    }
+    isDrawn = isDrawn && swCreateWorld(&host, &worldDef, &world) == SW_SUCCESS &&
+              swCreateWaveSystem(world, &waves, &sea) == SW_SUCCESS &&
+              swCreateView(world, &viewDef, &view) == SW_SUCCESS &&
+              swCreateGpuWorld(gpu, world, &gpuWorld) == SW_SUCCESS &&
+              swCreateRenderer(gpuWorld, &rendererDef, &renderer) == SW_SUCCESS &&
+              CreatePicture(&picture, gpu, &rendererDef) && DrawSea(&picture, world, view, gpuWorld, renderer);
     bool isWritten = isDrawn && WritePpm(&picture, path);
     if (isWritten)
     {

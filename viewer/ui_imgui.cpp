@@ -64,6 +64,7 @@ static void SetStyle(float scale)
     style.ScrollbarSize = 12.0f;
     style.WindowBorderSize = 0.0f;
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.05f, 0.08f, 0.10f, 0.84f);
+    style.Colors[ImGuiCol_PopupBg] = ImVec4(0.06f, 0.11f, 0.14f, 1.0f);
     style.Colors[ImGuiCol_TitleBg] = ImVec4(0.06f, 0.17f, 0.22f, 0.95f);
     style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.07f, 0.24f, 0.31f, 0.95f);
     style.Colors[ImGuiCol_Header] = ImVec4(0.10f, 0.30f, 0.38f, 0.75f);

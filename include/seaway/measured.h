@@ -162,8 +162,8 @@ SW_API swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeas
 SW_API bool swIsNdbcSummary(const char* text, size_t size);
 
 /// Parse an NDBC spectral wave summary (STATION.spec): heights, periods and directions of swell and wind sea. Each becomes
-/// a JONSWAP spectrum spread as cos^2s and the record their sum, scaled to the height of the whole sea; docs/spectra.md
-/// says with which shapes. A line that does not tell them apart, as those of standard meteorological files, becomes one
+/// a peaked spectrum spread as cos^2s and the record their sum, scaled to the height of the whole sea, of shapes that give
+/// it the average period that the line tells; docs/spectra.md says which. A line that does not tell them apart, as those of standard meteorological files, becomes one
 /// system by height, dominant or average period, and mean direction. Prefer swParseNdbc() where spectra are at hand.
 /// Lines without height or period are left out. Records come in ascending time, at most 16,384.
 /// @param name file name for messages, may be NULL

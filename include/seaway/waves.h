@@ -10,7 +10,7 @@
 ///
 /// SW_WAVES_FFT makes tens of thousands of waves by fast Fourier transforms [Tessendorf 2001]. Each octave of wavelength
 /// is a band with a periodic tile of its own; tile sides of neighbouring bands are incommensurate, so their sum never
-/// visibly repeats. SW_WAVES_GERSTNER makes some hundred waves at most, each with its exact length and direction
+/// visibly repeats. A narrow swell, whose energy is all in one octave, has up to three such tiles there, side by side. SW_WAVES_GERSTNER makes some hundred waves at most, each with its exact length and direction
 /// [Gerstner 1802]: cheap where there are few, and to be placed by hand.
 
 typedef struct swWorld swWorld;
@@ -143,10 +143,11 @@ SW_API float swWaveSystem_GetWeight(const swWorld* world, swWaveSystemId id);
 typedef struct swBandInfo
 {
     float minWavelength, maxWavelength; ///< m
-    float tileSide;                     ///< m; 0 of a Gerstner system
-    int modeCount;                      ///< waves in the band
-    float variance;                     ///< of height, m^2
-    float meanSquareSlope;              ///< of both directions together
+    float tileSide;                     ///< m, of the largest of its tiles; 0 of a Gerstner system
+    int tileCount;         ///< 1, up to 3 where a narrow swell would be seen to repeat; 0 of a Gerstner system
+    int modeCount;         ///< waves in the band
+    float variance;        ///< of height, m^2
+    float meanSquareSlope; ///< of both directions together
 } swBandInfo;
 
 /// Bands with energy, shortest first, of the sea as it is now (of a cross-fade: of the sea to come). `bands` has room for

@@ -70,10 +70,14 @@ static swNetcdfRole findRole(const swNetcdfFile* file, const char* name)
         lower[i] = name[i] >= 'A' && name[i] <= 'Z' ? (char)(name[i] + 32) : name[i];
     }
     lower[i] = '\0';
-    return swIsOneOf(lower, timeNames)        ? SW_NETCDF_TIME
-           : swIsOneOf(lower, frequencyNames) ? SW_NETCDF_FREQUENCY
-           : swIsOneOf(lower, directionNames) ? SW_NETCDF_DIRECTION
-                                              : findRoleByVariable(file, name);
+    swNetcdfRole role = swIsOneOf(lower, timeNames)        ? SW_NETCDF_TIME
+                        : swIsOneOf(lower, frequencyNames) ? SW_NETCDF_FREQUENCY
+                        : swIsOneOf(lower, directionNames) ? SW_NETCDF_DIRECTION
+                                                           : findRoleByVariable(file, name);
+    bool isUnclear = role == SW_NETCDF_PLACE; // names such as wave_freq and direction_from
+    return isUnclear && strstr(lower, "freq") != NULL                                           ? SW_NETCDF_FREQUENCY
+           : isUnclear && (strstr(lower, "direction") != NULL || strncmp(lower, "dir", 3) == 0) ? SW_NETCDF_DIRECTION
+                                                                                                : role;
 }
 
 bool swHasNetcdfRole(const swNetcdfAxes* axes, swNetcdfRole role)

@@ -71,7 +71,7 @@ static bool isOfWaves(const Words* words, int i)
 // "nautical convention": such a word counts beside "convention", or where hardly another one is.
 static bool isConvention(const Words* words)
 {
-    bool isNamed = words->count <= 2;
+    bool isNamed = words->count <= 4;
     for (int i = 0; i < words->count; ++i)
     {
         isNamed = isNamed || strncmp(words->words[i], "convention", 10) == 0;
@@ -172,9 +172,19 @@ void swTurnMoments(swDirectionMeaning meaning, int order, double* a, double* b)
 // The first attribute of a variable or of the file that tells; its name becomes the basis.
 static swDirectionMeaning findInAttributes(const swNetcdfFile* file, int variable, swMeasuredDirections* found)
 {
-    static const char* const names[] = {"standard_name", "long_name", "direction_convention", "directional_convention",
-                                        "convention",    "comment",   "description",          "definition",
-                                        "note",          "reference", "direction_reference",  NULL};
+    static const char* const names[] = {"standard_name",
+                                        "long_name",
+                                        "direction_convention",
+                                        "directional_convention",
+                                        "convention",
+                                        "comment",
+                                        "description",
+                                        "definition",
+                                        "note",
+                                        "reference",
+                                        "direction_reference",
+                                        "units",
+                                        NULL};
     static const char* const ofFile[] = {"direction_convention", "directional_convention",    "Directional_convention",
                                          "Direction_convention", "wave_direction_convention", NULL};
     const char* const* name = variable == NC_GLOBAL ? ofFile : names;
@@ -192,6 +202,19 @@ static swDirectionMeaning findInAttributes(const swNetcdfFile* file, int variabl
     return SW_DIRECTIONS_BY_FORMAT;
 }
 
+// "direction_from", "dir_to".
+static swDirectionMeaning findInName(const swNetcdfFile* file, int variable, swMeasuredDirections* found)
+{
+    char name[257];
+    swGetNetcdfVariableName(file, variable, name);
+    for (char* c = name; *c != '\0'; ++c)
+    {
+        *c = *c == '_' ? ' ' : *c;
+    }
+    snprintf(found->basis, sizeof(found->basis), "%s", "the name of the directions");
+    return swFindDirectionWords(name);
+}
+
 static const char* nameMeaning(swDirectionMeaning meaning)
 {
     return meaning == SW_DIRECTIONS_FROM ? "where waves come from"
@@ -204,6 +227,10 @@ static swMeasuredDirections findTold(const swNetcdfFile* file, int directions, i
 {
     swMeasuredDirections found = {0};
     found.meaning = directions >= 0 ? findInAttributes(file, directions, &found) : SW_DIRECTIONS_BY_FORMAT;
+    if (found.meaning == SW_DIRECTIONS_BY_FORMAT && directions >= 0)
+    {
+        found.meaning = findInName(file, directions, &found);
+    }
     if (found.meaning == SW_DIRECTIONS_BY_FORMAT)
     {
         found.meaning = findInAttributes(file, NC_GLOBAL, &found);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "scene/scene_file.h"
+#include "core/base/misuse.h"
 
 #define MAX_FILES 1024
 
@@ -47,6 +48,11 @@ swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text)
 
 int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text)
 {
+    SW_REQUIRE(sea != NULL, -1, NULL, "swFindMeasuredPlace() needs a sea");
+    if (text == NULL)
+    {
+        return -1;
+    }
     int location = swMeasuredSea_FindLocation(sea, text);
     char* end = NULL;
     long number = strtol(text, &end, 10);
@@ -411,6 +417,14 @@ static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves
     {
         return swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode, SW_MISTAKE_NO_ENERGY,
                           "the record of %s in %s has no energy; choose another with at.", record.time, waves->file);
+    }
+    if (record.meanDirection == NULL)
+    {
+        swLog(yaml->host, SW_LOG_WARNING,
+              "%s: the record of %s in %s has no directions: its waves are made around east, spread as cos^16 of half "
+              "the "
+              "angle.",
+              yaml->name, record.time, waves->file);
     }
     return SW_SUCCESS;
 }

@@ -133,8 +133,20 @@ out '"directional_spread_deg": \[' && out '"peak_r1": 0' && out '"peak_spread_de
 printf '#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 01 01 00 00 90 (0.070) 999.0 (0.080) 100 (0.090)\n' >alone.swdir
 run 0 spectrum alone.data_spec --json
 out '"direction_from_deg": \[ 90, null, 100\]' && out '"r1": \[ null, null, null\]'
+out '"mean_direction_from_deg": [0-9]' && out '"spread_deg": null'
+run 0 spectrum alone.data_spec
+out 'spread not measured; one was assumed'
 run 1 spectrum alone.swdir
 err 'not energies: name the file of energies, alone.data_spec'
+# Energies that are all missing.
+printf '2022 01 01 00 00 9.999 0.2 (0.070) 1.0 (0.080)\n2022 01 01 01 00 9.999 999 (0.070) MM (0.080)\n' >gap.data_spec
+run 0 spectrum gap.data_spec --list
+err '1 of 2 records have no energies'
+# A scene of a sea without directions says so.
+rm alone.swdir
+printf 'waves:\n  - spectrum: file\n    file: alone.data_spec\n' >alone.yaml
+"$seaway" check alone.yaml >out 2>err
+out 'has no directions: its waves are made around east'
 # A calm has no periods and no directions.
 printf 'time,hs_m,tp_s\n2022-01-01,0,0\n' >calm.csv
 run 0 spectrum calm.csv --json

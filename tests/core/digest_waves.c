@@ -23,7 +23,7 @@ static const size_t TEXEL_BYTES = sizeof(float) * 4 * PITCH * PITCH;
 static int ListTiles(const swBandModes* bands, float** texels, swTile* tiles)
 {
     int count = 0;
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         const swBandModes* band = &bands[i];
         if (band->modes != NULL)
@@ -85,17 +85,17 @@ int main(void)
                            .weight = 1.0f,
                            .seed = 3};
     def.spectrum.depth = 60.0f;
-    static swBandModes bands[SW_MAX_BANDS];
+    static swBandModes bands[SW_SET_TILES];
     if (swBuildModes(&host, &def, 9.81f, 7.4e-5f, bands) != SW_SUCCESS)
     {
         return 2;
     }
-    float* texels[SW_MAX_BANDS];
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    float* texels[SW_SET_TILES];
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         texels[i] = swAllocateZero(&host, TEXEL_BYTES);
     }
-    static swTile tiles[SW_MAX_BANDS];
+    static swTile tiles[SW_SET_TILES];
     int count = ListTiles(bands, texels, tiles);
     void* scratch = swAllocate(&host, swGetTileScratchSize(SIZE));
     uint64_t first = 0;
@@ -113,7 +113,7 @@ int main(void)
         printf("%-8s %016llx\n", swIsa_GetName((swIsa)isa), (unsigned long long)hash);
     }
     swFree(&host, scratch, swGetTileScratchSize(SIZE));
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         swFree(&host, texels[i], TEXEL_BYTES);
     }

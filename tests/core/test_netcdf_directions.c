@@ -187,6 +187,8 @@ static void LabelsInAnyWordsAreUnderstood(void** state)
         {"long_name", "direction, from 0 to 360", -1.0},
         {"long_name", "wave direction", -1.0},
         {"comment", "obtained from a model", -1.0},
+        {"comment", "direction, meteorological", MEAN},
+        {"comment", "mean direction (oceanographic)", MEAN + 180.0},
         {"comment", "mean direction from buoy motion", -1.0},
         {"comment", "see the manual of the Oceanographic Institute", -1.0},
         {"comment", "sine towards north, cosine towards east", -1.0},
@@ -261,6 +263,30 @@ static void UnlabelledFilesMeanWhatTheirWritersMean(void** state)
             GetAngleBetween(bearing, cases[i].from == MEAN
                                          ? (strcmp(cases[i].variable, "density") == 0 ? 270.0 - MEAN : MEAN + 180.0)
                                          : MEAN) < 0.05);
+    }
+}
+
+// Names that nobody else has, which tell what the directions mean.
+static void NamesTellDirectionsToo(void** state)
+{
+    (void)state;
+    static const struct
+    {
+        const char *frequency, *direction;
+        double from;
+    } cases[] = {{"wave_freq", "direction_from", MEAN},
+                 {"freqs_hz", "dir_to", MEAN + 180.0},
+                 {"frequency", "wave_to_direction", MEAN + 180.0},
+                 {"f", "wave_from_direction", MEAN}};
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        FileText text = MakeText();
+        text.frequency = cases[i].frequency;
+        text.direction = cases[i].direction;
+        swMeasuredDirections directions;
+        assert_true(GetAngleBetween(ReadBearing(&text, SW_DIRECTIONS_BY_FORMAT, &directions), cases[i].from) < 0.05);
+        assert_false(directions.isAssumed);
+        assert_string_equal(directions.basis, "the name of the directions");
     }
 }
 
@@ -538,6 +564,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(LabelsInAnyWordsAreUnderstood),
         cmocka_unit_test(UnlabelledFilesMeanWhatTheirWritersMean),
+        cmocka_unit_test(NamesTellDirectionsToo),
         cmocka_unit_test(TheCallersWordWins),
         cmocka_unit_test(FormatsThatLayItDownTakeNoWord),
         cmocka_unit_test(UnitsThatAreNotToldAreAssumedAloud),

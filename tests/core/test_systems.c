@@ -104,6 +104,10 @@ static void ChangeKind(swWaveSystemDef* def)
     def->chop = 0.4f;
     def->maxWavelength = 300.0f;
 }
+static void ChangeToSwell(swWaveSystemDef* def)
+{
+    def->spectrum = swMakeSwellSpectrum(1.2f, 9.0f, 0.4f, 0.15f);
+}
 static void ChangeSeed(swWaveSystemDef* def)
 {
     def->seed = 99;
@@ -137,6 +141,7 @@ static const struct
 } changes[] = {
     {"wind and direction", ChangeWind},
     {"kind, chop, lengths", ChangeKind},
+    {"a narrow swell", ChangeToSwell}, // some bands get parallel tiles
     {"seed", ChangeSeed},
     {"depth", ChangeDepth},
     {"tiles", ChangeTiles},
@@ -444,6 +449,44 @@ static void AStepThatChangesTheSeaAllocatesNothing(void** state)
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
 
+// ---- parallel tiles ----
+
+static void NarrowSwellsHaveParallelTiles(void** state)
+{
+    (void)state;
+    static const float periods[] = {7.0f, 8.0f, 10.0f, 12.0f, 14.0f, 18.0f};
+    for (int i = 0; i < 12; ++i)
+    {
+        swWaveSystemDef def = swDefaultWaveSystemDef();
+        bool isSwell = i < 6;
+        def.spectrum = isSwell ? swMakeSwellSpectrum(2.0f, periods[i], 0.4f, 0.05f * (float)(i % 4 + 2))
+                               : swMakeBeaufortSpectrum((float)(2 * i - 10), 0.4f);
+        Sea sea = OpenSea(&def);
+        const swFrame* frame = swGetWorldFrame(sea.world);
+        swBandInfo bands[SW_MAX_BANDS];
+        int count = swWaveSystem_GetBands(sea.world, sea.waves, bands), tiles = 0;
+        double variance = 0.0;
+        for (int k = 0; k < count; ++k)
+        {
+            tiles += bands[k].tileCount;
+            variance += (double)bands[k].variance;
+        }
+        double largest = 0.0;
+        for (int k = 0; k < frame->tileCount; ++k)
+        {
+            largest = fmax(largest, (double)frame->tiles[k].variance / variance);
+            assert_true(k == 0 || frame->tiles[k].minWavelength >= frame->tiles[k - 1].minWavelength);
+        }
+        print_message("%s %d: %d bands, %d tiles, the largest has %.0f %% of the energy\n",
+                      isSwell ? "swell" : "wind sea", i % 6, count, tiles, 100.0 * largest);
+        assert_int_equal(tiles, frame->tileCount);
+        assert_true(isSwell ? tiles > count && tiles <= count + 3 && largest < 0.3 : tiles == count);
+        double height = (double)def.spectrum.significantHeight;
+        assert_true(fabs(4.0 * sqrt(variance) / height - 1.0) < 2e-3);
+        swDestroyWorld(sea.world);
+    }
+}
+
 // ---- free waves ----
 
 static void AGerstnerSeaHasTheEnergyOfItsSpectrum(void** state)
@@ -676,6 +719,7 @@ int main(void)
         cmocka_unit_test(WavesWithoutWeightCostNothing),
         cmocka_unit_test(EveryAllocationOfAChangeMayFail),
         cmocka_unit_test(AStepThatChangesTheSeaAllocatesNothing),
+        cmocka_unit_test(NarrowSwellsHaveParallelTiles),
         cmocka_unit_test(AGerstnerSeaHasTheEnergyOfItsSpectrum),
         cmocka_unit_test(AGerstnerSeaFoldsNoMoreThanAsked),
         cmocka_unit_test(AGivenWaveIsJustThatWave),

@@ -22,11 +22,11 @@ typedef struct Sea
 {
     swHost host;
     swWaveSystemDef def;
-    swBandModes bands[SW_MAX_BANDS];
+    swBandModes bands[SW_SET_TILES];
     int tileCount;
-    swTile tiles[SW_MAX_BANDS];
+    swTile tiles[SW_SET_TILES];
     size_t texelBytes;
-    float* texels[SW_MAX_BANDS];
+    float* texels[SW_SET_TILES];
 } Sea;
 
 static Sea* CreateSea(const swWaveSystemDef* def)
@@ -37,7 +37,7 @@ static Sea* CreateSea(const swWaveSystemDef* def)
     assert_int_equal(swBuildModes(&sea->host, def, 9.81f, 7.4e-5f, sea->bands), SW_SUCCESS);
     size_t side = (size_t)def->resolution + 3;
     sea->texelBytes = side * side * 4 * sizeof(float);
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         const swBandModes* band = &sea->bands[i];
         if (band->modes == NULL)
@@ -169,7 +169,7 @@ static void SplineAgreesWithTheSumOfItsWaves(void** state)
     double totals[6] = {0};
     static double allTruth[POINTS][9];
     memset(allTruth, 0, sizeof allTruth);
-    assert_in_range(sea->tileCount, 8, SW_MAX_BANDS);
+    assert_in_range(sea->tileCount, 8, SW_SET_TILES);
     for (int t = 0; t < sea->tileCount; ++t)
     {
         double sums[6] = {0};
@@ -262,8 +262,8 @@ static void TilesHaveTheirVarianceAndSlope(void** state)
     {
         TIMES = 24
     };
-    double variance[SW_MAX_BANDS] = {0};
-    double slopes[SW_MAX_BANDS] = {0};
+    double variance[SW_SET_TILES] = {0};
+    double slopes[SW_SET_TILES] = {0};
     for (int time = 0; time < TIMES; ++time)
     {
         TransformSea(sea, SW_ISA_BEST, (int64_t)(7.31 * time * SW_TICKS_PER_SECOND));

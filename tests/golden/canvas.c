@@ -61,6 +61,7 @@ Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation)
     canvas->height = height;
     swGpuDef def = swDefaultGpuDef();
     def.enableValidation = enableValidation;
+    def.layers = SW_LAYERS_CORE; // where a shot has them
     VkImageUsageFlags drawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     bool isReady = swCreateGpu(&canvas->host, &def, &canvas->gpu) == SW_SUCCESS &&
                    CreateTarget(canvas, VK_FORMAT_R16G16B16A16_SFLOAT, drawn | VK_IMAGE_USAGE_SAMPLED_BIT,
@@ -114,7 +115,7 @@ static void DestroySea(Sea* sea)
 static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
 {
     swWorldDef worldDef = swDefaultWorldDef();
-    worldDef.enableQueries = false;
+    worldDef.enableQueries = shot->hasCoreLayers;
     swWaveSystemDef waves = swDefaultWaveSystemDef();
     waves.spectrum.windSpeed = shot->windSpeed;
     waves.spectrum.direction = SW_DIRECTION_FROM_BEARING(240.0);
@@ -129,6 +130,7 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
     swell.minWavelength = 32.0f;
     swell.seed = 7;
     swViewDef viewDef = swDefaultViewDef();
+    viewDef.enableCpuLayers = shot->hasCoreLayers;
     swRendererDef rendererDef = swDefaultRendererDef();
     swWaveSystemId id;
     return swCreateWorld(&canvas->host, &worldDef, &sea->world) == SW_SUCCESS &&
@@ -218,14 +220,8 @@ static float HalfToFloat(uint16_t half)
     return half & 0x8000 ? -value : value;
 }
 
-// One frame, of the waves alone or with the picture.
-static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr)
+static bool RecordAll(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, VkCommandBuffer commands)
 {
-    VkCommandBuffer commands;
-    if (swBeginSubmit(canvas->gpu, &commands) != SW_SUCCESS)
-    {
-        return false;
-    }
     bool isGood = swGpuWorld_Record(sea->gpuWorld, commands, canvas->frameIndex) == SW_SUCCESS;
     if (isGood && picture)
     {
@@ -236,6 +232,25 @@ static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool re
         }
     }
     ++canvas->frameIndex;
+    return isGood;
+}
+
+// One frame, of the waves alone or with the picture.
+static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, bool isDroppedFirst)
+{
+    VkCommandBuffer commands;
+    bool isGood = true;
+    if (isDroppedFirst)
+    {
+        isGood =
+            swBeginSubmit(canvas->gpu, &commands) == SW_SUCCESS && RecordAll(canvas, sea, picture, readHdr, commands);
+        swGpuWorld_Discard(sea->gpuWorld, canvas->frameIndex - 1);
+    }
+    if (!isGood || swBeginSubmit(canvas->gpu, &commands) != SW_SUCCESS)
+    {
+        return false;
+    }
+    isGood = RecordAll(canvas, sea, picture, readHdr, commands);
     return swEndSubmit(canvas->gpu) == SW_SUCCESS && isGood;
 }
 
@@ -257,17 +272,17 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
     bool isGood = swWorld_Step(sea->world, 0.0) == SW_SUCCESS;
     for (int i = 0; i < shot->steps && isGood; ++i)
     {
-        isGood = RunFrame(canvas, sea, NULL, false) && swWorld_Step(sea->world, 0.1) == SW_SUCCESS;
+        isGood = RunFrame(canvas, sea, NULL, false, shot->dropsCommands) && swWorld_Step(sea->world, 0.1) == SW_SUCCESS;
     }
     size_t count = 4ull * canvas->width * canvas->height;
     if (isGood && pixels)
     {
-        isGood = RunFrame(canvas, sea, &picture, false);
+        isGood = RunFrame(canvas, sea, &picture, false, shot->dropsCommands);
         memcpy(pixels, canvas->readback.mapped, count);
     }
     if (isGood && hdr)
     {
-        isGood = RunFrame(canvas, sea, &picture, true);
+        isGood = RunFrame(canvas, sea, &picture, true, shot->dropsCommands);
         const uint16_t* halves = canvas->readback.mapped;
         for (size_t i = 0; i < count; ++i)
         {

@@ -20,6 +20,8 @@ typedef struct Shot
     double x, z;
     swDebugMode debug;
     int steps;                    // simulated before the picture, a tenth of a second each, so that foam has a past
+    bool hasCoreLayers;           // the core makes the layers
+    bool dropsCommands;           // each frame is recorded once more before, and thrown away
     const swWaveSystemDef* waves; // instead of a sea of that wind and swell; NULL for none
 } Shot;
 

@@ -250,6 +250,38 @@ static void NoWedgeShowsStraightBelow(void** state)
     assert_true(contrast < NADIR_CONTRAST);
 }
 
+// From the same sea by other ways.
+static void LayersOfTheCoreGiveTheSamePicture(void** state)
+{
+    (void)state;
+    static uint8_t passes[4 * WIDTH * HEIGHT], core[4 * WIDTH * HEIGHT];
+    Shot shot = s_shots[3];
+    assert_true(DrawShot(s_canvas, &shot, passes, NULL));
+    shot.hasCoreLayers = true;
+    assert_true(DrawShot(s_canvas, &shot, core, NULL));
+    Difference difference = Compare(passes, core);
+    print_message("layers of the core: mean %.3f, worst block %.3f of 255\n", difference.mean, difference.worst);
+    assert_true(difference.mean < 0.1 && difference.worst < 1.5);
+}
+
+static void ThrownAwayCommandsLeaveThePictureAsItIs(void** state)
+{
+    (void)state;
+    static uint8_t sound[4 * WIDTH * HEIGHT], hurt[4 * WIDTH * HEIGHT];
+    Shot shot = s_shots[0];
+    shot.hasCoreLayers = true;
+    assert_true(DrawShot(s_canvas, &shot, sound, NULL));
+    for (int way = 0; way < 2; ++way)
+    {
+        shot.hasCoreLayers = way == 0;
+        shot.dropsCommands = true;
+        assert_true(DrawShot(s_canvas, &shot, hurt, NULL));
+        Difference difference = Compare(sound, hurt);
+        print_message("thrown away: mean %.3f, worst block %.3f of 255\n", difference.mean, difference.worst);
+        assert_true(way == 0 ? difference.worst == 0.0 : difference.mean < 0.1);
+    }
+}
+
 static int OpenCanvas(void** state)
 {
     (void)state;
@@ -423,9 +455,13 @@ int main(int argc, char** argv)
         return DrawRequest(&request);
     }
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(PicturesLookAsTheirReferences), cmocka_unit_test(PicturesHoldNoFirefliesAndOnlyNumbers),
-        cmocka_unit_test(SeaAndSkyJoinAtTheHorizon),     cmocka_unit_test(TheAureoleHasNoUprightEdges),
+        cmocka_unit_test(PicturesLookAsTheirReferences),
+        cmocka_unit_test(PicturesHoldNoFirefliesAndOnlyNumbers),
+        cmocka_unit_test(SeaAndSkyJoinAtTheHorizon),
+        cmocka_unit_test(TheAureoleHasNoUprightEdges),
         cmocka_unit_test(NoWedgeShowsStraightBelow),
+        cmocka_unit_test(LayersOfTheCoreGiveTheSamePicture),
+        cmocka_unit_test(ThrownAwayCommandsLeaveThePictureAsItIs),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
 }

@@ -48,6 +48,22 @@ static void ADefaultViewAgrees(void** state)
     FreeParity(&parity);
 }
 
+static void ASwellOfParallelTilesAgrees(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.spectrum = swMakeSwellSpectrum(2.5f, 10.0f, 0.4f, 0.15f);
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(parity.world, &def, &id), SW_SUCCESS);
+    AddParityView(&parity, 5, 128, (swPos){3.3, 40.0, -7.1});
+    StepParity(&parity, 12.0);
+    swBandInfo bands[SW_MAX_BANDS];
+    int count = swWaveSystem_GetBands(parity.world, id, bands);
+    assert_true(swGetWorldFrame(parity.world)->tileCount > count);
+    CheckSlices(&parity, "narrow swell, 5 x 128^2");
+    FreeParity(&parity);
+}
+
 static void ViewersEverywhereAgree(void** state)
 {
     const struct
@@ -201,10 +217,15 @@ static void ViewsComeAndGo(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ADefaultViewAgrees),         cmocka_unit_test(ViewersEverywhereAgree),
-        cmocka_unit_test(TwoSystemsAgreeAfterAMonth), cmocka_unit_test(FreeWavesAgree),
-        cmocka_unit_test(ASeaThatChangesAgrees),      cmocka_unit_test(WaterWithoutWavesIsFlat),
-        cmocka_unit_test(SlicesFollowAMovingViewer),  cmocka_unit_test(ViewsComeAndGo),
+        cmocka_unit_test(ADefaultViewAgrees),
+        cmocka_unit_test(ViewersEverywhereAgree),
+        cmocka_unit_test(ASwellOfParallelTilesAgrees),
+        cmocka_unit_test(TwoSystemsAgreeAfterAMonth),
+        cmocka_unit_test(FreeWavesAgree),
+        cmocka_unit_test(ASeaThatChangesAgrees),
+        cmocka_unit_test(WaterWithoutWavesIsFlat),
+        cmocka_unit_test(SlicesFollowAMovingViewer),
+        cmocka_unit_test(ViewsComeAndGo),
     };
     return cmocka_run_group_tests_name("slices: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

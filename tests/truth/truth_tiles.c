@@ -2,6 +2,9 @@
 // A tile holds spline coefficients; what a query reads from it is held here against the direct sum, in double, of the very
 // waves that the tile was made of, band by band and for every instruction set of the machine, at the default resolution.
 // Errors are relative to the band's own root mean square.
+//
+// A tile repeats. A swell would be seen to, whose energy is all in one octave: how much it does is its correlation with
+// itself as far away as each of its tiles is wide, and twice as far.
 
 #include "truth.h"
 
@@ -9,6 +12,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
+#include "core/frame/frame.h"
 #include "core/math/random.h"
 #include "core/waves/waves_fft.h"
 
@@ -126,7 +130,7 @@ static void TilesAreTheDirectSumOfTheirWaves(void** state)
     (void)state;
     swHost host = swDefaultHost();
     swWaveSystemDef def = swDefaultWaveSystemDef();
-    swBandModes bands[SW_MAX_BANDS];
+    swBandModes bands[SW_SET_TILES];
     assert_int_equal(def.resolution, 128);
     assert_int_equal(def.tileWaves, 32);
     assert_int_equal(swBuildModes(&host, &def, 9.81f, 7.4e-5f, bands), SW_SUCCESS);
@@ -135,7 +139,7 @@ static void TilesAreTheDirectSumOfTheirWaves(void** state)
     float* texels = swAllocateZero(&host, bytes);
     void* scratch = swAllocate(&host, scratchBytes);
     int count = 0;
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         if (bands[i].modes != NULL)
         {
@@ -149,10 +153,76 @@ static void TilesAreTheDirectSumOfTheirWaves(void** state)
     swFreeModes(&host, bands);
 }
 
+// Of heights of particles at many places, and as far from them.
+static double FindCorrelation(const swWorld* world, double x, double z)
+{
+    enum
+    {
+        PLACES = 20000
+    };
+    static swPosXZ places[PLACES];
+    static float heights[2][PLACES];
+    double products = 0.0, squares[2] = {0.0, 0.0};
+    swQueryDef query = swDefaultQueryDef();
+    for (int k = 0; k < 2; ++k)
+    {
+        ScatterPoints(40e3, 5, PLACES, places);
+        for (int i = 0; i < PLACES && k == 1; ++i)
+        {
+            places[i] = (swPosXZ){places[i].x + x, places[i].z + z};
+        }
+        swSurfaceSamples samples = {.height = heights[k]};
+        swWorld_QueryParticles(world, &query, PLACES, places, &samples, NULL, NULL);
+    }
+    for (int i = 0; i < PLACES; ++i)
+    {
+        double a = (double)heights[0][i], b = (double)heights[1][i];
+        products += a * b;
+        squares[0] += a * a;
+        squares[1] += b * b;
+    }
+    return products / sqrt(squares[0] * squares[1]);
+}
+
+// The largest correlation with the sea one and two tiles away, of any of the tiles that matter.
+static double FindRepetition(const swSpectrumDef* spectrum)
+{
+    swWaveSystemDef def = MakeWaves(spectrum, 16.0, 4096.0, 1);
+    swWorld* world = CreateTruthSea(&def);
+    const swFrame* frame = swGetWorldFrame(world);
+    double worst = 0.0, height = (double)spectrum->significantHeight, total = height * height / 16.0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        for (int times = 1; times <= 2 && (double)frame->tiles[i].variance > 0.1 * total; ++times)
+        {
+            double away = times * frame->tiles[i].side;
+            worst = fmax(worst, fabs(FindCorrelation(world, away, 0.0)));
+            worst = fmax(worst, fabs(FindCorrelation(world, 0.0, away)));
+        }
+    }
+    swDestroyWorld(world);
+    return worst;
+}
+
+static void NarrowSwellsHardlyRepeat(void** state)
+{
+    (void)state;
+    static const double rows[][2] = {{8.0, 0.1}, {10.0, 0.1}, {14.0, 0.1}, {10.0, 0.15}, {18.0, 0.15}, {10.0, 0.25}};
+    for (int i = 0; i < (int)(sizeof(rows) / sizeof(rows[0])); ++i)
+    {
+        swSpectrumDef spectrum = swMakeSwellSpectrum(2.0f, (float)rows[i][0], 0.4f, (float)rows[i][1]);
+        char what[128];
+        snprintf(what, sizeof(what), "Correlation one and two tiles away, swell of %.0f s that spreads by %.2f rad",
+                 rows[i][0], rows[i][1]);
+        FindBelow(&(Finding){"Tile", what, "one tile alone has 0.7 to 0.8", "", 2}, 0.4, FindRepetition(&spectrum));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(TilesAreTheDirectSumOfTheirWaves),
+        cmocka_unit_test(NarrowSwellsHardlyRepeat),
     };
     BeginTruth("truth_tiles");
     return cmocka_run_group_tests(tests, NULL, NULL);

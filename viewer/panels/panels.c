@@ -35,6 +35,10 @@ static void DrawPace(const App* app)
         UiMarked("Sea at %.2g x the clock, %.0f ms a frame", (double)app->pace.ratio, (double)app->pace.frameMs);
         UiTip("Frames take longer than the sea may advance at once, so it runs slower than the clock");
     }
+    else if (app->options.frameCount > 0)
+    {
+        UiFaint("Frames are counted, 1/30 s of the sea each");
+    }
     else
     {
         UiFaint("%s", app->clock.isPaused       ? "The sea is paused"

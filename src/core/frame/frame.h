@@ -180,6 +180,15 @@ static inline void swAddFreeWaveStrain(swStrain* strain, const swFreeWave* wave)
     strain->ssss += share * wave->dz * wave->dz * wave->dz * wave->dz;
 }
 
+static inline void swScaleStrain(swStrain* strain, float factor)
+{
+    strain->cccc *= factor;
+    strain->cccs *= factor;
+    strain->ccss *= factor;
+    strain->csss *= factor;
+    strain->ssss *= factor;
+}
+
 // Variance of dDx/dx + dDz/dz: of J to first order.
 static inline float swGetStrainVariance(const swStrain* strain)
 {

@@ -4,6 +4,8 @@
 // in both, so that the mixture has it too. Where only one has, energies would add up to less on the way ((1 - s)^2 + s^2);
 // the factor c makes up for that for each band as a whole: with V0, V1 the band's variances and C their covariance,
 //   c^2 = ((1 - s) V0 + s V1) / ((1 - s)^2 V0 + s^2 V1 + 2 s (1 - s) C).
+// Parallel tiles of a band have one factor: a tile that only one of the seas has begins with the amplitudes of a part s, not
+// with those of an energy s, which would be a jump.
 
 #include "core/waves/mode_mix.h"
 
@@ -30,7 +32,7 @@ typedef struct BandMix
 
 struct swModeMix
 {
-    BandMix bands[SW_MAX_BANDS];
+    BandMix bands[SW_SET_TILES];
 };
 
 static int compareModes(const swMode* a, const swMode* b)
@@ -151,13 +153,13 @@ swResult swMakeModeMix(const swHost* host, const swBandModes* from, const swBand
                        swBandModes* bands, swModeMix** mixOut)
 {
     *mixOut = NULL;
-    memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
+    memset(bands, 0, SW_SET_TILES * sizeof(swBandModes));
     swModeMix* mix = swAllocateZero(host, sizeof *mix);
     if (mix == NULL)
     {
         return SW_ERROR_NO_MEMORY;
     }
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         swResult result = mixBand(host, &from[i], &to[i], response, &mix->bands[i], &bands[i]);
         if (result != SW_SUCCESS)
@@ -178,28 +180,37 @@ void swFreeModeMix(const swHost* host, swModeMix* mix)
     {
         return;
     }
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         swFree(host, mix->bands[i].pairs, (size_t)mix->bands[i].count * sizeof(Pair));
     }
     swFree(host, mix, sizeof *mix);
 }
 
-// The factor that keeps the band's energy.
-static float getEnergyFactor(const BandMix* band, double s)
+// Variance of a tile at a share, without the factor.
+static double getMixedVariance(const BandMix* band, double s)
 {
-    double wanted = (1.0 - s) * band->variance0 + s * band->variance1;
-    double mixed =
-        (1.0 - s) * (1.0 - s) * band->variance0 + s * s * band->variance1 + 2.0 * s * (1.0 - s) * band->covariance;
-    return mixed > 0.0 ? (float)sqrt(wanted / mixed) : 1.0f;
+    return (1.0 - s) * (1.0 - s) * band->variance0 + s * s * band->variance1 + 2.0 * s * (1.0 - s) * band->covariance;
 }
 
-static void applyBand(const BandMix* band, float share, swBandModes* out)
+// The factor that keeps a band's energy, all of its tiles together.
+static double getEnergyFactor(const swModeMix* mix, int band, double s)
+{
+    double wanted = 0.0, mixed = 0.0;
+    for (int i = band; i < SW_SET_TILES; i += SW_MAX_BANDS)
+    {
+        const BandMix* tile = &mix->bands[i];
+        wanted += (1.0 - s) * tile->variance0 + s * tile->variance1;
+        mixed += getMixedVariance(tile, s);
+    }
+    return mixed > 0.0 ? sqrt(wanted / mixed) : 1.0;
+}
+
+static void applyBand(const BandMix* band, double factor, float share, swBandModes* out)
 {
     float keep = 1.0f - share;
-    float factor = getEnergyFactor(band, (double)share);
-    float keepFactor = keep * factor;
-    float shareFactor = share * factor;
+    float keepFactor = keep * (float)factor;
+    float shareFactor = share * (float)factor;
     for (int i = 0; i < band->count; ++i)
     {
         const Pair* pair = &band->pairs[i];
@@ -211,15 +222,19 @@ static void applyBand(const BandMix* band, float share, swBandModes* out)
         mode->qr = keepFactor * pair->from[4] + shareFactor * pair->to[4];
         mode->qi = keepFactor * pair->from[5] + shareFactor * pair->to[5];
     }
-    out->variance = keep * band->from.variance + share * band->to.variance;
-    out->slopeVarianceX = keep * band->from.slopeVarianceX + share * band->to.slopeVarianceX;
-    out->slopeVarianceZ = keep * band->from.slopeVarianceZ + share * band->to.slopeVarianceZ;
+    // Of a tile alone the part is 1.
+    double wanted = (1.0 - (double)share) * band->variance0 + (double)share * band->variance1;
+    double mixed = factor * factor * getMixedVariance(band, (double)share);
+    float part = wanted > 0.0 && mixed > 0.0 ? (float)(mixed / wanted) : 1.0f;
+    out->variance = part * (keep * band->from.variance + share * band->to.variance);
+    out->slopeVarianceX = part * (keep * band->from.slopeVarianceX + share * band->to.slopeVarianceX);
+    out->slopeVarianceZ = part * (keep * band->from.slopeVarianceZ + share * band->to.slopeVarianceZ);
     const float* fromStrain = &band->from.strain.cccc;
     const float* toStrain = &band->to.strain.cccc;
     float* strain = &out->strain.cccc;
     for (int i = 0; i < 5; ++i)
     {
-        strain[i] = keep * fromStrain[i] + share * toStrain[i];
+        strain[i] = part * (keep * fromStrain[i] + share * toStrain[i]);
     }
     for (int i = 0; i < SW_WIND_STEPS; ++i)
     {
@@ -229,15 +244,15 @@ static void applyBand(const BandMix* band, float share, swBandModes* out)
 
 void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands)
 {
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
-        applyBand(&mix->bands[i], share, &bands[i]);
+        applyBand(&mix->bands[i], getEnergyFactor(mix, i % SW_MAX_BANDS, (double)share), share, &bands[i]);
     }
 }
 
 void swAddHashMix(swHash* hash, const swModeMix* mix)
 {
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         const BandMix* band = &mix->bands[i];
         swAddHash(hash, (uint64_t)band->count);
@@ -357,7 +372,7 @@ swResult swStreamModeMix(swStream* stream, const swHost* host, int tileWaves, in
     swModeMix* mix = *mixPointer;
     if (swIsReading(stream))
     {
-        memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
+        memset(bands, 0, SW_SET_TILES * sizeof(swBandModes));
         mix = swAllocateZero(host, sizeof *mix);
         *mixPointer = mix;
         if (mix == NULL)
@@ -368,12 +383,12 @@ swResult swStreamModeMix(swStream* stream, const swHost* host, int tileWaves, in
     int maxBin = tileWaves < resolution / 4 ? tileWaves : resolution / 4;
     int most = (2 * maxBin + 1) * (maxBin + 1);
     swResult result = SW_SUCCESS;
-    for (int i = 0; i < SW_MAX_BANDS && result == SW_SUCCESS && !stream->isBroken; ++i)
+    for (int i = 0; i < SW_SET_TILES && result == SW_SUCCESS && !stream->isBroken; ++i)
     {
         result = streamBandMix(stream, host, most, maxBin, &mix->bands[i], &bands[i]);
         if (swIsReading(stream))
         {
-            bands[i].band = i;
+            bands[i].band = i % SW_MAX_BANDS;
             bands[i].side = swGetTileSide(i, tileWaves);
         }
     }

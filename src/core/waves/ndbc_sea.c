@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/math/scalar.h"
 #include "core/waves/measured.h"
 #include "core/waves/ndbc.h"
@@ -214,11 +214,20 @@ static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* s
         return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the directions of %s.", energy->name);
     }
     swResult result = SW_SUCCESS;
+    size_t emptyCount = 0;
     for (size_t i = 0; i < energy->rows.count && result == SW_SUCCESS; ++i)
     {
-        result = hasEnergy(energy, &rows[i]) ? addRecord(files, &rows[i], sea, moments) : SW_SUCCESS;
+        bool isThere = hasEnergy(energy, &rows[i]);
+        emptyCount += isThere ? 0 : 1;
+        result = isThere ? addRecord(files, &rows[i], sea, moments) : SW_SUCCESS;
     }
     swFree(host, moments, momentsSize);
+    if (emptyCount > 0 && sea->records.count > 0)
+    {
+        swLog(host, SW_LOG_WARNING,
+              "%s: %zu of %zu records have no energies, all being marked as missing, and are left out.", energy->name,
+              emptyCount, energy->rows.count);
+    }
     if (result == SW_SUCCESS && sea->records.count == 0)
     {
         result =
@@ -292,8 +301,8 @@ static swResult checkSlopes(const swHost* host, const swNdbcFile* energy)
 
 swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea** sea)
 {
-    *sea = NULL;
-    if (texts->energy == NULL)
+    SW_REQUIRE_PLACE(host, sea, "swParseNdbc()");
+    if (texts == NULL || texts->energy == NULL)
     {
         return swFail(host, SW_ERROR_INVALID, "swParseNdbc() needs the text of an energy file.");
     }

@@ -13,6 +13,10 @@
 // along each axis [Unser 1999]; the stored amplitudes are divided by that, so that the spline has the energy, not its
 // samples.
 //
+// A narrow swell has nearly all of its energy in one octave, and there in a few dozen waves: it would be seen to repeat from
+// one tile to the next. Such a band gets a second and a third tile beside the first, whose sides have no common multiple
+// near. Each has the same spectrum on another lattice with phases of its own, and its part of the energy.
+//
 // Frequencies are those of dispersion.h, rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is
 // an integer, exact after any time. With a loop period they are whole numbers of turns a loop.
 
@@ -38,7 +42,12 @@
 // Waves with a smaller part of the band's energy than this are left out.
 #define LEAST_PART 1e-11
 
-// What all bands of a system share while they are built.
+// A band is narrow whose energy is in a smaller part of its waves than this: swells that spread by up to some 15 degrees, and
+// no wind sea. Then no tile has a larger part of the system's energy than this, unless it takes more than SW_BAND_TILES.
+#define NARROW 0.12
+#define LARGEST_SHARE 0.25
+
+// What all tiles of a system share while they are built.
 typedef struct Builder
 {
     const swHost* host;
@@ -46,25 +55,29 @@ typedef struct Builder
     const swCompiledSpectrum* spectrum;
     swDispersion dispersion;
     swBandModes* bands;
-    swResult results[SW_MAX_BANDS];
+    swResult results[SW_MAX_BANDS]; // of first tiles
 } Builder;
 
 // One band's lattice.
 typedef struct Ring
 {
+    int points;    // an axis of Gauss's rule for a cell
     double dk;     // 2 pi / side, rad/m
     double k0, k1; // rad/m
     swBandCells cells;
 } Ring;
 
-double swGetTileSide(int band, int tileWaves)
+double swGetTileSide(int tile, int tileWaves)
 {
+    // Any two sides of a band, times 1 to 4, are a seventh of the first apart at least.
+    static const double parallel[SW_BAND_TILES] = {1.0, 0.714, 0.856};
+    int band = tile % SW_MAX_BANDS;
     // Multiples of the golden section modulo one keep away from each other and from simple ratios. The largest factor
     // leaves the bin `tileWaves` itself empty for the usual 32 waves.
     double golden = 0.6180339887498949 * (band + 1);
     double factor = 0.86 + 0.12 * (golden - floor(golden));
     double shortest = ldexp(1.0, band - 4);
-    return tileWaves * shortest * factor;
+    return tileWaves * shortest * factor * parallel[tile / SW_MAX_BANDS];
 }
 
 static double getWaveNumber(const Ring* ring, int qx, int qz)
@@ -95,12 +108,12 @@ static double integrateInnerCell(const Builder* builder, const Ring* ring, int q
     static const double offsets[2][3] = {{-0.28867513459481288, 0.28867513459481288},
                                          {-0.38729833462074170, 0.0, 0.38729833462074170}};
     static const double weights[2][3] = {{0.5, 0.5}, {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0}};
-    int rule = builder->def->tileWaves < 16 ? 1 : 0;
+    int rule = ring->points - 2;
     double dk = ring->dk;
     double sum = 0.0;
-    for (int j = 0; j < rule + 2; ++j)
+    for (int j = 0; j < ring->points; ++j)
     {
-        for (int i = 0; i < rule + 2; ++i)
+        for (int i = 0; i < ring->points; ++i)
         {
             double kx = dk * (qx + offsets[rule][i]);
             double kz = dk * (qz + offsets[rule][j]);
@@ -228,11 +241,11 @@ double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef
     return isinf(depth) ? ratio : ratio / swTanh(k * depth);
 }
 
-// Amplitude of the wave at q: real and imaginary part.
-static void getAmplitude(const Builder* builder, int band, const Ring* ring, int qx, int qz, double* re, double* im)
+// Amplitude of the wave at q of a tile: real and imaginary part.
+static void getAmplitude(const Builder* builder, int tile, const Ring* ring, int qx, int qz, double* re, double* im)
 {
     double amplitude = sqrt(2.0 * getEnergy(ring, qx, qz));
-    double phase = TURN * swHashToUnit(swHashWave(builder->def->seed, band, qx, qz, 0));
+    double phase = TURN * swHashToUnit(swHashWave(builder->def->seed, tile, qx, qz, 0));
     *re = amplitude * swCos(phase);
     *im = amplitude * swSin(phase);
 }
@@ -243,8 +256,9 @@ static swMode makeMode(const Builder* builder, const swBandModes* band, const Ri
     double size = builder->def->resolution;
     double scale = 0.5 / (getSinc4(qx / size) * getSinc4(qz / size));
     double ar, ai, br, bi;
-    getAmplitude(builder, band->band, ring, qx, qz, &ar, &ai);
-    getAmplitude(builder, band->band, ring, -qx, -qz, &br, &bi);
+    int tile = (int)(band - builder->bands);
+    getAmplitude(builder, tile, ring, qx, qz, &ar, &ai);
+    getAmplitude(builder, tile, ring, -qx, -qz, &br, &bi);
     uint64_t frequency = swGetTurnsPerTick(swGetWaveOmega(builder->spectrum, k), band->loopTicks);
     swMode mode;
     mode.qx = (int16_t)qx;
@@ -296,6 +310,7 @@ static void addStrain(double strain[5], double variance, double c, double s)
 static void measureVariances(const Builder* builder, swBandModes* band, const Ring* ring)
 {
     double variance = 0.0;
+    double squares = 0.0;
     double strain[5] = {0};
     double slopeX = 0.0;
     double slopeZ = 0.0;
@@ -305,6 +320,7 @@ static void measureVariances(const Builder* builder, swBandModes* band, const Ri
         {
             double energy = getEnergy(ring, qx, qz);
             variance += energy;
+            squares += energy * energy;
             slopeX += energy * (ring->dk * qx) * (ring->dk * qx);
             slopeZ += energy * (ring->dk * qz) * (ring->dk * qz);
             double k = ring->dk * sqrt((double)(qx * qx + qz * qz));
@@ -319,6 +335,8 @@ static void measureVariances(const Builder* builder, swBandModes* band, const Ri
     band->slopeVarianceX = (float)slopeX;
     band->slopeVarianceZ = (float)slopeZ;
     band->strain = (swStrain){(float)strain[0], (float)strain[1], (float)strain[2], (float)strain[3], (float)strain[4]};
+    double octave = SW_PI * (ring->k1 * ring->k1 - ring->k0 * ring->k0) / (ring->dk * ring->dk);
+    band->breadth = (float)(variance * variance / squares / octave);
 }
 
 static int findMaxBin(const swBandModes* band)
@@ -351,11 +369,11 @@ static swResult fillModes(const Builder* builder, swBandModes* band, const Ring*
     return SW_SUCCESS;
 }
 
-static swResult buildBand(const Builder* builder, int index, swBandModes* band)
+static swResult buildTile(const Builder* builder, int index, swBandModes* band)
 {
     const swWaveSystemDef* def = builder->def;
-    double shortest = fmax(ldexp(1.0, index - 4), (double)def->minWavelength);
-    double longest = fmin(ldexp(1.0, index - 3), (double)def->maxWavelength);
+    double shortest = fmax(ldexp(1.0, band->band - 4), (double)def->minWavelength);
+    double longest = fmin(ldexp(1.0, band->band - 3), (double)def->maxWavelength);
     if (!(shortest < longest))
     {
         return SW_SUCCESS;
@@ -375,6 +393,7 @@ static swResult buildBand(const Builder* builder, int index, swBandModes* band)
     {
         return SW_SUCCESS;
     }
+    ring.points = ldexp(band->side, 4 - band->band) < 0.85 * 16.0 ? 3 : 2;
     // A cell reaches half a bin inwards, so the largest bin is at most tileWaves.
     ring.cells.maxBin = (int)floor(ring.k1 / ring.dk + 0.5);
     size_t cellCount = (size_t)((2 * ring.cells.maxBin + 1) * (2 * ring.cells.maxBin + 1));
@@ -394,20 +413,91 @@ static swResult buildBand(const Builder* builder, int index, swBandModes* band)
     return result == SW_ERROR_INVALID ? SW_SUCCESS : result; // a band without waves
 }
 
-static void buildBands(void* context, int begin, int end, int worker)
+static void buildTiles(void* context, int begin, int end, int worker)
 {
     (void)worker;
     Builder* builder = context;
-    for (int band = begin; band < end; ++band)
+    for (int tile = begin; tile < end; ++tile)
     {
-        builder->results[band] = buildBand(builder, band, &builder->bands[band]);
+        builder->results[tile] = buildTile(builder, tile, &builder->bands[tile]);
     }
+}
+
+static swResult buildFirstTiles(Builder* builder)
+{
+    const swHost* host = builder->host;
+    host->parallelFor(host->taskContext, buildTiles, builder, SW_MAX_BANDS, 1);
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        if (builder->results[band] != SW_SUCCESS)
+        {
+            return builder->results[band];
+        }
+    }
+    return SW_SUCCESS;
+}
+
+static void scaleEnergy(swBandModes* band, double part)
+{
+    float factor = (float)sqrt(part);
+    for (int i = 0; i < band->modeCount; ++i)
+    {
+        swMode* mode = &band->modes[i];
+        mode->pr *= factor;
+        mode->pi *= factor;
+        mode->qr *= factor;
+        mode->qi *= factor;
+    }
+    band->variance *= (float)part;
+    band->slopeVarianceX *= (float)part;
+    band->slopeVarianceZ *= (float)part;
+    swScaleStrain(&band->strain, (float)part);
+}
+
+// Tiles that a band is shared out to; `total` is the system's variance.
+static int countParallel(const swBandModes* band, double total)
+{
+    if (band->modeCount == 0 || (double)band->breadth >= NARROW || band->band < SW_FIRST_PARALLEL_BAND)
+    {
+        return 1;
+    }
+    double wanted = ceil((double)band->variance / (LARGEST_SHARE * total));
+    return wanted < SW_BAND_TILES ? (int)wanted : SW_BAND_TILES;
+}
+
+// Tiles beside the first, each with all of the band's energy until it is shared out.
+static swResult addParallelTiles(Builder* builder)
+{
+    double total = 0.0;
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        total += (double)builder->bands[band].variance;
+    }
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        int count = countParallel(&builder->bands[band], total), made = 1;
+        for (int k = 1; k < count; ++k)
+        {
+            int tile = k * SW_MAX_BANDS + band;
+            swResult result = buildTile(builder, tile, &builder->bands[tile]);
+            if (result != SW_SUCCESS)
+            {
+                return result;
+            }
+            made += builder->bands[tile].modeCount > 0;
+        }
+        for (int k = 0; k < count && made > 1; ++k)
+        {
+            scaleEnergy(&builder->bands[k * SW_MAX_BANDS + band], 1.0 / made);
+        }
+    }
+    return SW_SUCCESS;
 }
 
 swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
                       swBandModes* bands)
 {
-    memset(bands, 0, SW_MAX_BANDS * sizeof(swBandModes));
+    memset(bands, 0, SW_SET_TILES * sizeof(swBandModes));
     Builder builder = {.host = host, .def = def, .bands = bands};
     swCompiledSpectrum* spectrum = NULL;
     swResult result = swCompileSpectrum(host, &def->spectrum, (double)gravity, (double)surfaceTension, &spectrum);
@@ -417,33 +507,31 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
     }
     builder.spectrum = spectrum;
     builder.dispersion = swGetCompiledDispersion(spectrum);
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    swWarnOfLongWaves(host, def, spectrum);
+    for (int tile = 0; tile < SW_SET_TILES; ++tile)
     {
-        bands[band].band = band;
-        bands[band].loopTicks = swGetLoopTicks(def);
-        bands[band].depth = (float)builder.dispersion.depth;
+        bands[tile].band = tile % SW_MAX_BANDS;
+        bands[tile].loopTicks = swGetLoopTicks(def);
+        bands[tile].depth = (float)builder.dispersion.depth;
     }
     swFillWindLevels(spectrum, &def->spectrum, bands);
-    host->parallelFor(host->taskContext, buildBands, &builder, SW_MAX_BANDS, 1);
+    result = buildFirstTiles(&builder);
+    result = result == SW_SUCCESS ? addParallelTiles(&builder) : result;
     swFreeCompiledSpectrum(host, spectrum);
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    if (result != SW_SUCCESS)
     {
-        if (builder.results[band] != SW_SUCCESS)
-        {
-            swFreeModes(host, bands);
-            return builder.results[band];
-        }
+        swFreeModes(host, bands);
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 void swFreeModes(const swHost* host, swBandModes* bands)
 {
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    for (int tile = 0; tile < SW_SET_TILES; ++tile)
     {
-        swFree(host, bands[band].modes, (size_t)bands[band].modeCount * sizeof(swMode));
-        bands[band].modes = NULL;
-        bands[band].modeCount = 0;
+        swFree(host, bands[tile].modes, (size_t)bands[tile].modeCount * sizeof(swMode));
+        bands[tile].modes = NULL;
+        bands[tile].modeCount = 0;
     }
 }
 

@@ -8,7 +8,13 @@
 #include "core/waves/spectrum.h"
 #include "core/waves/wind_level.h"
 
-// One band's waves. `modes` is NULL if the band has no energy.
+// A band has one tile, or up to three parallel ones. Tile i is of band i % SW_MAX_BANDS; the first SW_MAX_BANDS are there
+// wherever a band has energy. No swell is shorter than the first band that may have more, of waves from 1 m up.
+#define SW_BAND_TILES 3
+#define SW_FIRST_PARALLEL_BAND 4
+#define SW_SET_TILES (SW_BAND_TILES * SW_MAX_BANDS)
+
+// The waves of one tile. `modes` is NULL if there are none.
 typedef struct swBandModes
 {
     int band;
@@ -18,13 +24,15 @@ typedef struct swBandModes
     float minWavelength, maxWavelength;
     float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
     swStrain strain;
-    float wind[SW_WIND_STEPS]; // see wind_level.h
+    float wind[SW_WIND_STEPS]; // of the band, in its first tile; see wind_level.h
     float depth;               // m, of the dispersion
+    float
+        breadth; // the number of waves that would share the energy evenly, (sum E)^2 / sum E^2, over all of the octave
     int modeCount;
     swMode* modes;
 } swBandModes;
 
-// Fill bands[SW_MAX_BANDS] for a system, at weight 1. Frees nothing on failure that it did not allocate.
+// Fill bands[SW_SET_TILES] for a system, at weight 1. Frees nothing on failure that it did not allocate.
 swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
                       swBandModes* bands);
 void swFreeModes(const swHost* host, swBandModes* bands);
@@ -48,9 +56,9 @@ double swGetWaveOmega(const swCompiledSpectrum* spectrum, double k);
 // the ellipses of shallow water.
 double swGetOrbitRatio(const swCompiledSpectrum* spectrum, const swWaveSystemDef* def, double k);
 
-// The side of band b's tile, m: tileWaves * shortest wavelength * a factor in (0.85, 1] that is different for each
-// band.
-double swGetTileSide(int band, int tileWaves);
+// The side of tile i, m: tileWaves * shortest wavelength * a factor that is different for each tile, in (0.85, 1] of a
+// band's first and in (0.6, 0.85) of those parallel to it.
+double swGetTileSide(int tile, int tileWaves);
 
 // The kernels of one instruction set. NULL if this machine or build lacks it; SW_ISA_BEST never returns NULL.
 typedef struct swWaveKernels swWaveKernels;

@@ -64,7 +64,7 @@ uint64_t swHashSet(const swWaveSet* set)
     {
         swAddHash(&hash, (uint64_t)set->def.resolution);
     }
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         addModes(&hash, &set->bands[i], set->mix != NULL);
     }
@@ -92,7 +92,7 @@ uint64_t swIdentifySet(const swWaveSet* set)
 {
     swHash hash = swBeginHash();
     swAddHash(&hash, set->hash);
-    for (int i = 0; i < SW_MAX_BANDS; ++i)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
         addBand(&hash, &set->bands[i]);
     }

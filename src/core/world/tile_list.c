@@ -35,11 +35,12 @@ static void addTile(swWorld* world, swWaveSet* set, int bandIndex)
 static void listTilesOfSet(swWorld* world, swWaveSet* set)
 {
     int first = world->frame.tileCount;
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    for (int i = 0; i < SW_SET_TILES; ++i)
     {
-        if (set->bands[band].modeCount > 0)
+        int tile = i % SW_BAND_TILES * SW_MAX_BANDS + i / SW_BAND_TILES; // band by band
+        if (set->bands[tile].modeCount > 0)
         {
-            addTile(world, set, band);
+            addTile(world, set, tile);
         }
     }
     for (int tile = first; tile < world->frame.tileCount; tile += 2)
@@ -119,8 +120,8 @@ static void weighTile(swTile* tile, const swWaveSource* source)
     tile->variance = band->variance * square;
     tile->slopeVarianceX = band->slopeVarianceX * square;
     tile->slopeVarianceZ = band->slopeVarianceZ * square;
-    tile->strain = (swStrain){band->strain.cccc * square, band->strain.cccs * square, band->strain.ccss * square,
-                              band->strain.csss * square, band->strain.ssss * square};
+    tile->strain = band->strain;
+    swScaleStrain(&tile->strain, square);
     tile->spectrumVersion = set->version;
 }
 

@@ -31,7 +31,7 @@ static void freeSet(swWorld* world, swWaveSet* set)
     const swHost* host = &world->countedHost;
     for (int field = 0; field < SW_TEXELS_COUNT; ++field)
     {
-        for (int band = 0; band < SW_MAX_BANDS; ++band)
+        for (int band = 0; band < SW_SET_TILES; ++band)
         {
             swFree(host, set->texels[field][band], getTexelBytes(set->def.resolution));
         }
@@ -153,7 +153,7 @@ static bool copyDef(const swHost* host, const swWaveSystemDef* def, swWaveSet* s
 static bool allocateTexels(swWorld* world, swWaveSet* set)
 {
     size_t size = getTexelBytes(set->def.resolution);
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    for (int band = 0; band < SW_SET_TILES; ++band)
     {
         if (set->bands[band].modeCount == 0)
         {

@@ -40,8 +40,8 @@ typedef struct swWaveSet
 
     int tileCount;
     float response[SW_LIMIT_RESOLUTION / 4 + 1];
-    swBandModes bands[SW_MAX_BANDS];
-    float* texels[SW_TEXELS_COUNT][SW_MAX_BANDS]; // NULL where a band has no energy, or the world no such field
+    swBandModes bands[SW_SET_TILES];
+    float* texels[SW_TEXELS_COUNT][SW_SET_TILES]; // NULL where a band has no energy, or the world no such field
 
     int waveCount;
     swFreeWave* waves; // at weight 1, longest first
@@ -111,7 +111,7 @@ typedef struct swTilePair
 typedef struct swWaveSource
 {
     swWaveSet* set;
-    int index; // band, or wave
+    int index; // of its bands, or waves
 } swWaveSource;
 
 struct swWorld
