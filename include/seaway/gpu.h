@@ -211,7 +211,7 @@ typedef struct swGpuQueryDef
     /// Bits of swGpuQueryOutput. Each costs memory and time of the bus. Default 0.
     uint32_t outputs;
 
-    /// As in swQueryDef. minWavelength: m, default 0. tolerance: m, range [1e-5, inf), default 0.0005. maxIterations: range
+    /// As in swQueryDef. minWavelength: m, default 0. tolerance: m, range [1e-5, 1e9], default 0.0005. maxIterations: range
     /// [1, 64], default 24.
     float minWavelength;
     float tolerance;

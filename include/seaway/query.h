@@ -44,7 +44,7 @@ typedef struct swQueryDef
     /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Default 0.
     float minWavelength;
 
-    /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, inf). Default 0.0005.
+    /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, 1e9]. Default 0.0005.
     float tolerance;
 
     /// Range [1, 64]. Default 24.

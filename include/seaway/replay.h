@@ -25,7 +25,7 @@ typedef struct swSeaReplayDef
     /// The world's time at which the sea is that of `startSeconds`, s. Default 0.
     double startTime;
 
-    /// Seconds since 1970, UTC. Default NAN: the first record's.
+    /// Seconds since 1970, UTC. Range [-1e15, 1e15]. Default NAN: the first record's.
     double startSeconds;
 
     /// Seconds of records a second of the world. Range [-1e6, 1e6]. Default 1.

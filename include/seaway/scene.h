@@ -87,7 +87,7 @@ SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSe
 /// @return as swSeaReplay_Advance()
 SW_API swResult swSceneSea_Advance(swSceneSea* sea, double time);
 
-/// Stop the replays, while the world is still there. The wave systems stay as they are.
+/// Stop the replays, while the world is still there. The wave systems stay as they are. NULL is allowed.
 SW_API void swDestroySceneSea(swSceneSea* sea);
 
 /// Create a world with the scene's wave systems and step it to the scene's time.

@@ -371,8 +371,9 @@ static swResult parseFile(const swHost* host, FileSet* set, swDirectionMeaning d
     {
         return parseNdbc(host, set, sea);
     }
-    return format != SW_MEASURED_UNKNOWN ? swParseMeasuredSea(host, text->data, text->size, path, sea)
-                                         : failUnknown(host, path);
+    bool isWide = beginsWith(text, "\xFF\xFE", 2) || beginsWith(text, "\xFE\xFF", 2); // the parser says so
+    return format != SW_MEASURED_UNKNOWN || isWide ? swParseMeasuredSea(host, text->data, text->size, path, sea)
+                                                   : failUnknown(host, path);
 }
 
 swMeasuredFileDef swDefaultMeasuredFileDef(void)

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "scene/scene_file.h"
+#include "core/base/misuse.h"
 
 #define MAX_FILES 1024
 
@@ -47,6 +48,11 @@ swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text)
 
 int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text)
 {
+    SW_REQUIRE(sea != NULL, -1, NULL, "swFindMeasuredPlace() needs a sea");
+    if (text == NULL)
+    {
+        return -1;
+    }
     int location = swMeasuredSea_FindLocation(sea, text);
     char* end = NULL;
     long number = strtol(text, &end, 10);

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "scene/scene_components.h"
 #include "scene/scene_file.h"
 #include "scene/scene_measured.h"
@@ -876,7 +876,9 @@ static swResult readRoot(const swHost* host, const char* text, size_t size, cons
 swResult swReadSceneText(const swHost* host, const char* text, size_t size, const char* name, const char* folder,
                          swScene** scene)
 {
-    *scene = NULL;
+    SW_REQUIRE_PLACE(host, scene, "swReadSceneText()");
+    SW_REQUIRE(text != NULL || size == 0, SW_ERROR_INVALID, host, "swReadSceneText() needs the text of a scene");
+    text = text != NULL ? text : "";
     name = name != NULL ? name : "scene";
     if (size > MAX_SCENE_SIZE)
     {
@@ -906,7 +908,8 @@ swResult swReadSceneText(const swHost* host, const char* text, size_t size, cons
 
 swResult swReadScene(const swHost* host, const char* path, swScene** scene)
 {
-    *scene = NULL;
+    SW_REQUIRE_PLACE(host, scene, "swReadScene()");
+    SW_REQUIRE(path != NULL, SW_ERROR_INVALID, host, "swReadScene() needs a path");
     char folder[SW_MAX_PATH] = "";
     const char* slash = strrchr(path, '/');
     if (strlen(path) >= sizeof(folder))

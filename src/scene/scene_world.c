@@ -3,11 +3,12 @@
 
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "seaway/scene.h"
 
 const swSceneView* swScene_FindView(const swScene* scene, const char* name)
 {
+    SW_REQUIRE(scene != NULL, NULL, NULL, "swScene_FindView() needs a scene");
     for (int i = 0; i < scene->viewCount; ++i)
     {
         if (name == NULL || strcmp(scene->views[i].name, name) == 0)
@@ -20,6 +21,7 @@ const swSceneView* swScene_FindView(const swScene* scene, const char* name)
 
 swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view)
 {
+    SW_REQUIRE(scene != NULL, swDefaultSkyDef(), NULL, "swScene_GetSky() needs a scene");
     swSkyDef sky = scene->sky;
     if (view != NULL && view->hasSun)
     {
@@ -48,7 +50,12 @@ static swResult createSystem(swWorld* world, const swSceneWaves* waves, swSceneS
 
 swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
-    memset(sea, 0, sizeof(*sea));
+    if (sea != NULL)
+    {
+        memset(sea, 0, sizeof(*sea));
+    }
+    SW_REQUIRE(world != NULL && scene != NULL && sea != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swCreateSceneSea() needs a world, a scene and a place for the sea");
     for (int i = 0; i < scene->wavesCount; ++i)
     {
         swResult result = createSystem(world, &scene->waves[i], sea);
@@ -71,6 +78,8 @@ swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
 
 swResult swSceneSea_Advance(swSceneSea* sea, double time)
 {
+    SW_REQUIRE(sea != NULL && time - time == 0.0, SW_ERROR_INVALID, NULL,
+               "swSceneSea_Advance() needs a sea and a time that is a number");
     swResult result = SW_SUCCESS;
     for (int i = 0; i < sea->systemCount && result == SW_SUCCESS; ++i)
     {
@@ -81,6 +90,10 @@ swResult swSceneSea_Advance(swSceneSea* sea, double time)
 
 void swDestroySceneSea(swSceneSea* sea)
 {
+    if (sea == NULL)
+    {
+        return;
+    }
     for (int i = 0; i < sea->systemCount; ++i)
     {
         swDestroySeaReplay(sea->replays[i]);
@@ -91,8 +104,19 @@ void swDestroySceneSea(swSceneSea* sea)
 
 swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** world, swSceneSea* sea)
 {
-    *world = NULL;
-    memset(sea, 0, sizeof(*sea));
+    if (sea != NULL)
+    {
+        memset(sea, 0, sizeof(*sea));
+    }
+    if (world != NULL)
+    {
+        *world = NULL;
+    }
+    SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swOpenScene() needs a host made by swDefaultHost()");
+    SW_REQUIRE_PLACE(host, world, "swOpenScene()");
+    SW_REQUIRE(scene != NULL && sea != NULL, SW_ERROR_INVALID, host,
+               "swOpenScene() needs a scene and a place for its sea");
     swWorld* made = NULL;
     swResult result = swCreateWorld(host, &scene->world, &made);
     if (result != SW_SUCCESS)

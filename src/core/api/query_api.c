@@ -43,9 +43,9 @@ static bool checkDef(const swWorld* world, const char* call, const swQueryDef* d
     {
         return refuse(world, call, "the def's minWavelength is below 0 or NaN");
     }
-    if (!(def->tolerance >= 1e-6f))
+    if (!(def->tolerance >= 1e-6f && def->tolerance <= 1e9f))
     {
-        return refuse(world, call, "the def's tolerance is below 1e-6 m or NaN");
+        return refuse(world, call, "the def's tolerance is NaN or outside of 1e-6 to 1e9 m");
     }
     if (def->maxIterations < 1 || def->maxIterations > 64)
     {

@@ -3,9 +3,8 @@
 
 #include <string.h>
 
-#include "core/base/assert.h"
 #include "core/base/hash.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/world/world.h"
 #include "seaway/save.h"
 
@@ -55,12 +54,8 @@ static swResult writeWorld(swWorld* world, swStream* stream)
 
 swResult swWorld_Save(const swWorld* world, void* data, size_t* size)
 {
-    bool isValid = world != NULL && size != NULL;
-    SW_ASSERT(isValid);
-    if (!isValid)
-    {
-        return SW_ERROR_INVALID;
-    }
+    SW_REQUIRE(world != NULL && size != NULL, SW_ERROR_INVALID, swFindHost(world),
+               "swWorld_Save() needs a world and a place for the size");
     swStream stream = {.purpose = SW_STREAM_COUNT};
     size_t room = *size;
     *size = 0;
@@ -151,14 +146,16 @@ static swResult readState(swWorld* world, swStream* stream, size_t memoryBudget)
 swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const swRestoreDef* restoreDef,
                         swWorld** worldOut)
 {
-    bool isValid = swIsHostValid(host) && data != NULL && restoreDef != NULL &&
-                   restoreDef->internalValue == SW_DEF_COOKIE && restoreDef->memoryBudget > 0 && worldOut != NULL;
-    SW_ASSERT(isValid);
-    if (!isValid)
+    if (worldOut != NULL)
     {
-        return SW_ERROR_INVALID;
+        *worldOut = NULL;
     }
-    *worldOut = NULL;
+    SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, host, "swRestoreWorld() needs a host made by swDefaultHost()");
+    SW_REQUIRE(data != NULL && worldOut != NULL, SW_ERROR_INVALID, host,
+               "swRestoreWorld() needs the bytes of a saved world and a place for the world");
+    SW_REQUIRE(restoreDef != NULL && restoreDef->internalValue == SW_DEF_COOKIE && restoreDef->memoryBudget > 0,
+               SW_ERROR_INVALID, host,
+               "swRestoreWorld() needs a def made by swDefaultRestoreDef() with a budget above 0");
     swResult result = checkBytes(host, data, size);
     if (result != SW_SUCCESS)
     {
@@ -199,12 +196,8 @@ static bool isSameDef(const swWorldDef* a, const swWorldDef* b)
 
 swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
 {
-    bool isValid = world != NULL && data != NULL;
-    SW_ASSERT(isValid);
-    if (!isValid)
-    {
-        return SW_ERROR_INVALID;
-    }
+    SW_REQUIRE(world != NULL && data != NULL, SW_ERROR_INVALID, swFindHost(world),
+               "swWorld_Rewind() needs a world and the bytes of a saved one");
     swResult result = checkBytes(&world->host, data, size);
     if (result != SW_SUCCESS)
     {
@@ -236,12 +229,13 @@ swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
 
 int swWorld_GetViewCount(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, 0, NULL, "swWorld_GetViewCount() needs a world");
     return world->viewCount;
 }
 
 swView* swWorld_GetView(swWorld* world, int index)
 {
-    bool isValid = world != NULL && index >= 0 && index < world->viewCount;
-    SW_ASSERT(isValid);
-    return isValid ? world->views[index] : NULL;
+    SW_REQUIRE(world != NULL && index >= 0 && index < world->viewCount, NULL, swFindHost(world),
+               "swWorld_GetView() was asked for the view %d, which the world does not have", index);
+    return world->views[index];
 }

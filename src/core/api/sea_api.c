@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <string.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/world/world.h"
 #include "seaway/sea.h"
 
@@ -41,13 +40,14 @@ static swWaveSystemDef makeSwell(const swWorld* world, const swSeaDef* def, int 
 
 swResult swCreateSea(swWorld* world, const swSeaDef* def, swSea* sea)
 {
-    bool isValid = world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && sea != NULL;
-    SW_ASSERT(isValid);
-    if (!isValid)
+    if (sea != NULL)
     {
-        return SW_ERROR_INVALID;
+        memset(sea, 0, sizeof(*sea));
     }
-    memset(sea, 0, sizeof(*sea));
+    SW_REQUIRE(world != NULL && sea != NULL, SW_ERROR_INVALID, swFindHost(world),
+               "swCreateSea() needs a world and a place for the sea's handles");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
+               "swCreateSea() needs a def made by swDefaultSeaDef()");
     if (def->swellCount < 0 || def->swellCount > SW_MAX_SWELLS)
     {
         return swFail(&world->host, SW_ERROR_INVALID, "a sea has %d swells; it must have 0 to %d", def->swellCount,
@@ -73,11 +73,8 @@ swResult swCreateSea(swWorld* world, const swSeaDef* def, swSea* sea)
 
 void swDestroySea(swWorld* world, swSea* sea)
 {
-    SW_ASSERT(world != NULL && sea != NULL);
-    if (world == NULL || sea == NULL)
-    {
-        return;
-    }
+    SW_REQUIRE_VOID(world != NULL && sea != NULL, swFindHost(world),
+                    "swDestroySea() needs a world and the sea's handles");
     for (int i = 0; i < SW_MAX_SWELLS; ++i)
     {
         if (swWaveSystem_IsValid(world, sea->swells[i]))

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/world/world.h"
 
 swWaveSystemDef swDefaultWaveSystemDef(void)
@@ -137,13 +136,14 @@ swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def)
 
 swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSystemId* idOut)
 {
-    bool isValid = world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && idOut != NULL;
-    SW_ASSERT(isValid);
-    if (!isValid)
+    if (idOut != NULL)
     {
-        return SW_ERROR_INVALID;
+        *idOut = (swWaveSystemId){0, 0};
     }
-    *idOut = (swWaveSystemId){0, 0};
+    SW_REQUIRE(world != NULL && idOut != NULL, SW_ERROR_INVALID, swFindHost(world),
+               "swCreateWaveSystem() needs a world and a place for the handle");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
+               "swCreateWaveSystem() needs a def made by swDefaultWaveSystemDef()");
     swResult result = swCheckWaveSystemDef(&world->host, def);
     swId id;
     result = result == SW_SUCCESS ? swAddSystem(world, def, &id) : result;
@@ -154,18 +154,19 @@ swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSy
     return result;
 }
 
-// NULL for a stale handle.
-static swWaveSystem* findSystem(const swWorld* world, swWaveSystemId id)
+// NULL for a handle that is stale or null, which is told.
+static swWaveSystem* findSystem(const swWorld* world, swWaveSystemId id, const char* call)
 {
-    bool isValid = swWaveSystem_IsValid(world, id);
-    return isValid ? (swWaveSystem*)&world->systems[id.index1 - 1] : NULL;
+    SW_REQUIRE(
+        swWaveSystem_IsValid(world, id), NULL, swFindHost(world),
+        "%s was given the wave system %d of generation %u, which is not there: destroyed, of another world, or null",
+        call, id.index1, id.generation);
+    return (swWaveSystem*)&world->systems[id.index1 - 1];
 }
 
 void swDestroyWaveSystem(swWorld* world, swWaveSystemId id)
 {
-    bool isValid = swWaveSystem_IsValid(world, id);
-    SW_ASSERT(isValid);
-    if (isValid)
+    if (findSystem(world, id, "swDestroyWaveSystem()") != NULL)
     {
         swRemoveSystem(world, (swId){id.index1, id.generation});
     }
@@ -183,21 +184,22 @@ static bool isTransition(double seconds)
 
 swResult swWaveSystem_Set(swWorld* world, swWaveSystemId id, const swWaveSystemDef* def, double seconds)
 {
-    swWaveSystem* system = findSystem(world, id);
-    bool isValid = system != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && isTransition(seconds);
-    SW_ASSERT(isValid);
-    if (!isValid)
+    swWaveSystem* system = findSystem(world, id, "swWaveSystem_Set()");
+    if (system == NULL)
     {
         return SW_ERROR_INVALID;
     }
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
+               "swWaveSystem_Set() needs a def made by swDefaultWaveSystemDef()");
+    SW_REQUIRE(isTransition(seconds), SW_ERROR_INVALID, &world->host,
+               "swWaveSystem_Set() was asked to take %g s; a change takes 0 to %g s", seconds, SW_MAX_TRANSITION);
     swResult result = swCheckWaveSystemDef(&world->host, def);
     return result == SW_SUCCESS ? swChangeSystem(world, system, def, seconds) : result;
 }
 
 swWaveSystemDef swWaveSystem_Get(const swWorld* world, swWaveSystemId id)
 {
-    const swWaveSystem* system = findSystem(world, id);
-    SW_ASSERT(system != NULL);
+    const swWaveSystem* system = findSystem(world, id, "swWaveSystem_Get()");
     if (system == NULL)
     {
         return swDefaultWaveSystemDef();
@@ -209,8 +211,8 @@ swWaveSystemDef swWaveSystem_Get(const swWorld* world, swWaveSystemId id)
 
 swResult swWaveSystem_SetSpectrum(swWorld* world, swWaveSystemId id, const swSpectrumDef* spectrum)
 {
-    SW_ASSERT(spectrum != NULL);
-    if (spectrum == NULL || !swWaveSystem_IsValid(world, id))
+    SW_REQUIRE(spectrum != NULL, SW_ERROR_INVALID, swFindHost(world), "swWaveSystem_SetSpectrum() needs a spectrum");
+    if (findSystem(world, id, "swWaveSystem_SetSpectrum()") == NULL)
     {
         return SW_ERROR_INVALID;
     }
@@ -226,19 +228,20 @@ void swWaveSystem_SetWeight(swWorld* world, swWaveSystemId id, float weight)
 
 void swWaveSystem_FadeWeight(swWorld* world, swWaveSystemId id, float weight, double seconds)
 {
-    swWaveSystem* system = findSystem(world, id);
-    bool isValid = system != NULL && isWithin(weight, 0.0, 10.0) && isTransition(seconds);
-    SW_ASSERT(isValid);
-    if (isValid)
+    swWaveSystem* system = findSystem(world, id, "swWaveSystem_FadeWeight()");
+    if (system == NULL)
     {
-        swRampWeight(world, system, weight, seconds);
+        return;
     }
+    SW_REQUIRE_VOID(isWithin(weight, 0.0, 10.0) && isTransition(seconds), &world->host,
+                    "a wave system was asked for the weight %g (0 to 10) over %g s (0 to %g)", (double)weight, seconds,
+                    SW_MAX_TRANSITION);
+    swRampWeight(world, system, weight, seconds);
 }
 
 float swWaveSystem_GetWeight(const swWorld* world, swWaveSystemId id)
 {
-    const swWaveSystem* system = findSystem(world, id);
-    SW_ASSERT(system != NULL);
+    const swWaveSystem* system = findSystem(world, id, "swWaveSystem_GetWeight()");
     return system != NULL ? swGetRamp(&system->weight, world->frame.ticks) : 0.0f;
 }
 
@@ -309,12 +312,12 @@ static int listBands(const swWaveSet* set, float square, swBandInfo* bands)
 
 int swWaveSystem_GetBands(const swWorld* world, swWaveSystemId id, swBandInfo* bands)
 {
-    const swWaveSystem* system = findSystem(world, id);
-    SW_ASSERT(system != NULL && bands != NULL);
-    if (system == NULL || bands == NULL)
+    const swWaveSystem* system = findSystem(world, id, "swWaveSystem_GetBands()");
+    if (system == NULL)
     {
         return 0;
     }
+    SW_REQUIRE(bands != NULL, 0, &world->host, "swWaveSystem_GetBands() needs room for SW_MAX_BANDS bands");
     const swWaveSet* set = system->layers[system->layerCount - 1].set;
     float weight = swGetRamp(&system->weight, world->frame.ticks);
     float square = weight * weight;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/world/world.h"
 
 #define SW_LONGEST_STEP 3600.0
@@ -69,15 +68,13 @@ swResult swCheckWorldDef(const swHost* host, const swWorldDef* def)
 
 swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld** world)
 {
-    SW_ASSERT(swIsHostValid(host) && def != NULL && def->internalValue == SW_DEF_COOKIE && world != NULL);
     if (world != NULL)
     {
         *world = NULL;
     }
-    if (!swIsHostValid(host) || def == NULL || def->internalValue != SW_DEF_COOKIE || world == NULL)
-    {
-        return SW_ERROR_INVALID;
-    }
+    SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, host, "swCreateWorld() needs a host made by swDefaultHost()");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE && world != NULL, SW_ERROR_INVALID, host,
+               "swCreateWorld() needs a def made by swDefaultWorldDef() and a place for the world");
     swResult result = swCheckWorldDef(host, def);
     if (result != SW_SUCCESS)
     {
@@ -101,81 +98,74 @@ void swDestroyWorld(swWorld* world)
 
 swResult swWorld_Step(swWorld* world, double dt)
 {
-    bool isValid = world != NULL && dt >= 0.0 && dt <= SW_LONGEST_STEP && fabs(world->time + dt) <= SW_LARGEST_TIME;
-    SW_ASSERT(isValid);
-    if (!isValid)
-    {
-        return SW_ERROR_INVALID;
-    }
+    SW_REQUIRE(world != NULL, SW_ERROR_INVALID, NULL, "swWorld_Step() needs a world");
+    SW_REQUIRE(dt >= 0.0 && dt <= SW_LONGEST_STEP, SW_ERROR_INVALID, &world->host,
+               "swWorld_Step() was asked to advance by %g s; it must be 0 to %g", dt, SW_LONGEST_STEP);
+    SW_REQUIRE(fabs(world->time + dt) <= SW_LARGEST_TIME, SW_ERROR_INVALID, &world->host,
+               "swWorld_Step() was asked to go on to %.17g s; times end at %.17g", world->time + dt, SW_LARGEST_TIME);
     swStepWorld(world, dt);
     return SW_SUCCESS;
 }
 
 void swWorld_SetTime(swWorld* world, double time)
 {
-    bool isValid = fabs(time) <= SW_LARGEST_TIME;
-    SW_ASSERT(world != NULL && isValid);
-    if (world != NULL && isValid)
-    {
-        world->time = time;
-    }
+    SW_REQUIRE_VOID(world != NULL && fabs(time) <= SW_LARGEST_TIME, swFindHost(world),
+                    "swWorld_SetTime() was given %.17g s; a time must be within %.17g of 0", time, SW_LARGEST_TIME);
+    world->time = time;
 }
 
 swResult swWorld_StepTo(swWorld* world, double time)
 {
-    bool isValid = world != NULL && fabs(time) <= SW_LARGEST_TIME;
-    SW_ASSERT(isValid);
-    if (!isValid)
-    {
-        return SW_ERROR_INVALID;
-    }
+    SW_REQUIRE(world != NULL && fabs(time) <= SW_LARGEST_TIME, SW_ERROR_INVALID, swFindHost(world),
+               "swWorld_StepTo() was given %.17g s; a time must be within %.17g of 0", time, SW_LARGEST_TIME);
     swStepWorldTo(world, time);
     return SW_SUCCESS;
 }
 
 void swWorld_SetOrigin(swWorld* world, swPosXZ origin)
 {
-    bool isValid = world != NULL && fabs(origin.x) <= SW_FARTHEST_ORIGIN && fabs(origin.z) <= SW_FARTHEST_ORIGIN;
-    SW_ASSERT(isValid);
-    if (isValid)
-    {
-        world->origin = origin;
-    }
+    SW_REQUIRE_VOID(world != NULL && fabs(origin.x) <= SW_FARTHEST_ORIGIN && fabs(origin.z) <= SW_FARTHEST_ORIGIN,
+                    swFindHost(world), "swWorld_SetOrigin() was given (%g, %g) m; an origin must be within %g m of 0",
+                    origin.x, origin.z, SW_FARTHEST_ORIGIN);
+    world->origin = origin;
 }
 
 swPosXZ swWorld_GetOrigin(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, (swPosXZ){0}, NULL, "swWorld_GetOrigin() needs a world");
     return world->origin;
 }
 
 double swWorld_GetTime(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, 0.0, NULL, "swWorld_GetTime() needs a world");
     return world->frame.time;
 }
 
 void swWorld_SetFoam(swWorld* world, const swFoamDef* foam)
 {
-    bool isValid = world != NULL && foam != NULL && foam->internalValue == SW_DEF_COOKIE && isFoamValid(foam);
-    SW_ASSERT(isValid);
-    if (isValid)
-    {
-        world->def.foam = *foam;
-        world->frame.foam = *foam;
-    }
+    SW_REQUIRE_VOID(world != NULL && foam != NULL && foam->internalValue == SW_DEF_COOKIE && isFoamValid(foam),
+                    swFindHost(world),
+                    "swWorld_SetFoam() needs a world, and a def made by swDefaultFoamDef() with its fields in range");
+    world->def.foam = *foam;
+    world->frame.foam = *foam;
 }
 
 double swWorld_GetSeaLevel(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, 0.0, NULL, "swWorld_GetSeaLevel() needs a world");
     return world->def.seaLevel;
 }
 
 float swWorld_GetGravity(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, 0.0f, NULL, "swWorld_GetGravity() needs a world");
     return world->def.gravity;
 }
 
 swIsa swWorld_GetIsa(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, SW_ISA_BEST, NULL, "swWorld_GetIsa() needs a world");
     return swGetWaveKernelsIsa(world->kernels);
 }
 
@@ -187,10 +177,12 @@ const char* swIsa_GetName(swIsa isa)
 
 uint64_t swWorld_GetDigest(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, 0, NULL, "swWorld_GetDigest() needs a world");
     return swHashWorld(world);
 }
 
 size_t swWorld_GetMemory(const swWorld* world)
 {
+    SW_REQUIRE(world != NULL, 0, NULL, "swWorld_GetMemory() needs a world");
     return world->memory;
 }

@@ -26,7 +26,19 @@ SW_SEAM_END
         }                                                                                                              \
     } while (0)
 
-// The same in a function that returns nothing.
+// At the head of a function that makes an object by a host: `place` is NULL until the object is there.
+#define SW_REQUIRE_PLACE(host, place, call)                                                                            \
+    do                                                                                                                 \
+    {                                                                                                                  \
+        if ((place) != NULL)                                                                                           \
+        {                                                                                                              \
+            *(place) = NULL;                                                                                           \
+        }                                                                                                              \
+        SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, host, call " needs a host made by swDefaultHost()");         \
+        SW_REQUIRE((place) != NULL, SW_ERROR_INVALID, host, call " needs a place for what it makes");                  \
+    } while (0)
+
+// SW_REQUIRE() in a function that returns nothing.
 #define SW_REQUIRE_VOID(condition, host, ...)                                                                          \
     do                                                                                                                 \
     {                                                                                                                  \

@@ -7,8 +7,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 
 typedef struct swTaskWorker
 {
@@ -141,8 +140,12 @@ static void runOnPool(void* context, swTaskFcn task, void* taskContext, int coun
 
 swResult swCreateTaskPool(const swHost* host, int threadCount, swTaskPool** poolOut)
 {
-    *poolOut = NULL;
-    SW_ASSERT(swIsHostValid(host));
+    if (poolOut != NULL)
+    {
+        *poolOut = NULL;
+    }
+    SW_REQUIRE(swIsHostValid(host) && poolOut != NULL, SW_ERROR_INVALID, host,
+               "swCreateTaskPool() needs a host made by swDefaultHost() and a place for the pool");
     if (threadCount < 0 || threadCount > SW_MAX_WORKERS - 1)
     {
         return swFail(host, SW_ERROR_INVALID, "a task pool of %d threads was asked for; 0 to %d are possible",
@@ -178,6 +181,8 @@ swResult swCreateTaskPool(const swHost* host, int threadCount, swTaskPool** pool
 
 void swTaskPool_Attach(swTaskPool* pool, swHost* host)
 {
+    SW_REQUIRE_VOID(pool != NULL && host != NULL, pool != NULL ? &pool->host : host,
+                    "swTaskPool_Attach() needs a pool and a host");
     host->parallelFor = runOnPool;
     host->taskContext = pool;
     host->workerCount = pool->threadCount + 1;

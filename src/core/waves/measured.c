@@ -12,7 +12,7 @@
 
 swResult swCreateMeasuredSea(const swHost* host, const char* name, swMeasuredSea** result)
 {
-    *result = NULL;
+    SW_REQUIRE_PLACE(host, result, "swCreateMeasuredSea()");
     swMeasuredSea* sea = swAllocateZero(host, sizeof(*sea));
     if (sea == NULL)
     {
@@ -50,6 +50,7 @@ void swDestroyMeasuredSea(swMeasuredSea* sea)
 swResult swMeasuredSea_AddLocation(swMeasuredSea* sea, const char* name, double longitude, double latitude,
                                    int* location)
 {
+    SW_REQUIRE(sea != NULL, SW_ERROR_INVALID, NULL, "swMeasuredSea_AddLocation() needs a sea");
     swMeasuredLocation* added = swAppendSeaItems(&sea->host, &sea->locations, 1, sizeof(*added));
     if (added == NULL)
     {
@@ -223,6 +224,7 @@ static void warnOfNegatives(const swMeasuredSea* sea)
 
 swResult swMeasuredSea_Finish(swMeasuredSea* sea)
 {
+    SW_REQUIRE(sea != NULL, SW_ERROR_INVALID, NULL, "swMeasuredSea_Finish() needs a sea");
     if (sea->records.count == 0)
     {
         return swFail(&sea->host, SW_ERROR_FORMAT, "%s holds no spectrum that could be used.", sea->name);
@@ -253,6 +255,7 @@ swResult swMeasuredSea_Finish(swMeasuredSea* sea)
 
 int swMeasuredSea_GetCount(const swMeasuredSea* sea)
 {
+    SW_REQUIRE(sea != NULL, 0, NULL, "swMeasuredSea_GetCount() needs a sea");
     return (int)sea->records.count;
 }
 
@@ -260,6 +263,7 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
 {
     swMeasuredRecord result;
     memset(&result, 0, sizeof(result));
+    SW_REQUIRE(sea != NULL, result, NULL, "swMeasuredSea_GetRecord() needs a sea");
     if (index < 0 || index >= (int)sea->records.count)
     {
         return result;
@@ -302,6 +306,7 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
 
 int swMeasuredSea_GetLocationCount(const swMeasuredSea* sea)
 {
+    SW_REQUIRE(sea != NULL, 0, NULL, "swMeasuredSea_GetLocationCount() needs a sea");
     return (int)sea->locations.count;
 }
 
@@ -309,6 +314,7 @@ swMeasuredLocation swMeasuredSea_GetLocation(const swMeasuredSea* sea, int locat
 {
     swMeasuredLocation none;
     memset(&none, 0, sizeof(none));
+    SW_REQUIRE(sea != NULL, none, NULL, "swMeasuredSea_GetLocation() needs a sea");
     bool isThere = location >= 0 && location < (int)sea->locations.count;
     return isThere ? ((const swMeasuredLocation*)sea->locations.data)[location] : none;
 }
@@ -409,6 +415,9 @@ bool swParseMeasuredTime(const char* text, double* seconds)
 bool swMeasuredSea_Bracket(const swMeasuredSea* sea, int location, double seconds, int* before, int* after,
                            double* fraction)
 {
+    bool isComplete = before != NULL && after != NULL && fraction != NULL;
+    SW_REQUIRE(sea != NULL && isComplete, false, sea != NULL ? &sea->host : NULL,
+               "swMeasuredSea_Bracket() needs a sea and a place for each answer");
     swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
     if (place.recordCount == 0 || seconds != seconds)
     {

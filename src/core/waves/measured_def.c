@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/assert.h"
+#include "core/base/misuse.h"
 #include "core/base/trial.h"
 #include "core/math/scalar.h"
 #include "core/waves/direction_grid.h"
@@ -444,6 +444,8 @@ static swResult addSpectrum(swMeasuredSea* sea, const swMeasuredSpectrumDef* def
 
 swResult swMeasuredSea_AddSpectrum(swMeasuredSea* sea, const swMeasuredSpectrumDef* def)
 {
+    SW_REQUIRE(sea != NULL && def != NULL, SW_ERROR_INVALID, sea != NULL ? &sea->host : NULL,
+               "swMeasuredSea_AddSpectrum() needs a sea and a spectrum");
     SW_ASSERT(def->internalValue == DEF_COOKIE);
     if (def->internalValue != DEF_COOKIE || def->frequencies == NULL ||
         (def->directionCount > 0 ? def->directions == NULL || def->density == NULL : def->energy == NULL))

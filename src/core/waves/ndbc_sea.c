@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/math/scalar.h"
 #include "core/waves/measured.h"
 #include "core/waves/ndbc.h"
@@ -301,8 +301,8 @@ static swResult checkSlopes(const swHost* host, const swNdbcFile* energy)
 
 swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea** sea)
 {
-    *sea = NULL;
-    if (texts->energy == NULL)
+    SW_REQUIRE_PLACE(host, sea, "swParseNdbc()");
+    if (texts == NULL || texts->energy == NULL)
     {
         return swFail(host, SW_ERROR_INVALID, "swParseNdbc() needs the text of an energy file.");
     }

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/waves/measured.h"
 
 typedef struct Slot
@@ -125,6 +125,7 @@ int swFindSeaPlace(const swMeasuredSea* sea, const char* name, double longitude,
 
 int swMeasuredSea_FindLocation(const swMeasuredSea* sea, const char* name)
 {
+    SW_REQUIRE(sea != NULL, -1, NULL, "swMeasuredSea_FindLocation() needs a sea");
     return name != NULL && sea->places.capacity > 0 ? findSlot(sea, name, 0.0, 0.0, true)->location1 - 1 : -1;
 }
 

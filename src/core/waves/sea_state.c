@@ -6,6 +6,7 @@
 
 #include "core/math/scalar.h"
 #include "core/waves/compiled.h"
+#include "core/base/misuse.h"
 
 // Formulas are integrated up to this where no limit is asked for: waves of 6 cm, the shortest band.
 #define MAX_FORMULA_FREQUENCY 5.0
@@ -105,7 +106,12 @@ static void sumBins(const swCompiledSpectrum* spectrum, swSpectrumMoments* momen
 
 swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, float maxFrequency, swSeaState* seaState)
 {
-    memset(seaState, 0, sizeof(*seaState));
+    if (seaState != NULL)
+    {
+        memset(seaState, 0, sizeof(*seaState));
+    }
+    SW_REQUIRE(def != NULL && seaState != NULL, SW_ERROR_INVALID, NULL,
+               "swSpectrum_GetSeaState() needs a def and a place for the sea state");
     swCompiledSpectrum spectrum;
     swComplaint complaint;
     if (!(minFrequency >= 0.0f && maxFrequency >= minFrequency && maxFrequency <= 1000.0f) ||

@@ -43,6 +43,7 @@ typedef struct swSeaText
     const char* lineBegin;
     const char* at;
     const char* lineEnd;
+    char separator; // of fields: ',' unless a heading shows another
 } swSeaText;
 
 typedef struct swSeaToken
@@ -63,7 +64,8 @@ char swPeekSeaChar(swSeaText* text);
 // Empty at the end of the line. Parentheses stand alone.
 swSeaToken swNextSeaToken(swSeaText* text);
 
-// The next field of a line with commas, without the spaces and quotes around it; false behind the last.
+// The next field of a line with commas, or another separator, without the spaces and quotes around it; false behind the
+// last.
 bool swNextSeaField(swSeaText* text, swSeaToken* field);
 
 // Whether a field says that nothing is known: empty, NaN, MM, N/A, null, or -9, -99, -999, ...

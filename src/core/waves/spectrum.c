@@ -23,7 +23,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/assert.h"
+#include "core/base/misuse.h"
 #include "core/waves/spreading.h"
 
 swSpectrumDef swDefaultSpectrumDef(void)
@@ -279,9 +279,13 @@ bool swGetCompiledBinMean(const swCompiledSpectrum* spectrum, int bin, double* x
 
 void swSpectrum_GetDensities(const swSpectrumDef* def, int count, const float* frequencies, float* densities)
 {
+    SW_REQUIRE_VOID(count <= 0 || (frequencies != NULL && densities != NULL), NULL,
+                    "swSpectrum_GetDensities() needs frequencies and a place for their densities");
     swCompiledSpectrum spectrum;
     swComplaint complaint;
-    bool isFine = swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint);
+    SW_ASSERT(def != NULL);
+    bool isFine =
+        def != NULL && swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint);
     for (int i = 0; i < count; ++i)
     {
         double omega = SW_TURN * (double)frequencies[i];
@@ -298,6 +302,7 @@ float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency)
 
 float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float direction)
 {
+    SW_REQUIRE(def != NULL, 0.0f, NULL, "swSpectrum_GetSpreading() needs a def");
     swCompiledSpectrum spectrum;
     swComplaint complaint;
     if (!swPrepareSpectrum(&spectrum, def, SW_STANDARD_GRAVITY, SW_STANDARD_SURFACE_TENSION, &complaint))

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "core/math/scalar.h"
+#include "core/base/misuse.h"
 
 #define LN_10 2.302585092994046
 #define LEAST_POWER -10.0
@@ -146,6 +147,7 @@ static void samplePowers(swSpectrumDef* def, const swCompiledSpectrum* source, d
 
 swSpectrumDef swMakeOctaveSpectrum(const swSpectrumDef* sourceDef)
 {
+    SW_REQUIRE(sourceDef != NULL, swDefaultSpectrumDef(), NULL, "swMakeOctaveSpectrum() needs a def");
     swSpectrumDef def = *sourceDef;
     if (def.kind == SW_SPECTRUM_OCTAVES)
     {

@@ -19,7 +19,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/math/scalar.h"
 #include "core/waves/measured.h"
 #include "core/waves/spreading.h"
@@ -455,7 +455,7 @@ static swResult fillSea(const swHost* host, const swSummaryFile* file, swMeasure
 
 swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    *sea = NULL;
+    SW_REQUIRE_PLACE(host, sea, "swParseNdbcSummary()");
     if (text == NULL)
     {
         return swFail(host, SW_ERROR_INVALID, "swParseNdbcSummary() needs the text of a summary.");

@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-#include "core/base/assert.h"
-#include "core/base/host.h"
+#include "core/base/misuse.h"
 #include "core/world/world.h"
 #include "seaway/replay.h"
 
@@ -99,18 +98,19 @@ static swResult changePair(swSeaReplay* replay, swWaveSystem* system, int before
 
 swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
 {
-    bool isValid = replay != NULL && fabs(time) <= SW_LARGEST_TIME;
-    SW_ASSERT(isValid);
-    if (!isValid || !swWaveSystem_IsValid(replay->world, replay->system))
+    SW_REQUIRE(replay != NULL, SW_ERROR_INVALID, NULL, "swSeaReplay_Advance() needs a replay");
+    SW_REQUIRE(fabs(time) <= SW_LARGEST_TIME, SW_ERROR_INVALID, &replay->world->host,
+               "swSeaReplay_Advance() was given %.17g s; a time must be within %.17g of 0", time, SW_LARGEST_TIME);
+    if (!swWaveSystem_IsValid(replay->world, replay->system))
     {
-        return SW_ERROR_INVALID;
+        return swFail(&replay->world->host, SW_ERROR_INVALID, "a replay's wave system is gone");
     }
     double seconds = replay->def.startSeconds + (time - replay->def.startTime) * replay->def.speed;
     int before = 0, after = 0;
     double fraction = 0.0;
     if (!swMeasuredSea_Bracket(replay->def.sea, replay->def.location, seconds, &before, &after, &fraction))
     {
-        return SW_ERROR_INVALID;
+        return swFail(&replay->world->host, SW_ERROR_INVALID, "a replay's place has no records");
     }
     swWaveSystem* system = &replay->world->systems[replay->system.index1 - 1];
     if (before != replay->before || after != replay->after || replay->rewindCount != replay->world->rewindCount)
@@ -141,9 +141,10 @@ static swResult checkDef(swWorld* world, const swSeaReplayDef* def)
     {
         return failReplay(world, "its waves must have the method SW_WAVES_FFT");
     }
-    if (!(fabs(def->startTime) <= SW_LARGEST_TIME && fabs(def->speed) <= 1e6))
+    bool isStart = isnan(def->startSeconds) || fabs(def->startSeconds) <= 1e15;
+    if (!(fabs(def->startTime) <= SW_LARGEST_TIME && fabs(def->speed) <= 1e6 && isStart))
     {
-        return failReplay(world, "its startTime or speed is out of range");
+        return failReplay(world, "its startTime, startSeconds or speed is out of range");
     }
     return SW_SUCCESS;
 }
@@ -162,13 +163,14 @@ static double findFirstSeconds(const swSeaReplayDef* def)
 
 swResult swCreateSeaReplay(swWorld* world, const swSeaReplayDef* def, swSeaReplay** replayOut)
 {
-    bool isValid = world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE && replayOut != NULL;
-    SW_ASSERT(isValid);
-    if (!isValid)
+    if (replayOut != NULL)
     {
-        return SW_ERROR_INVALID;
+        *replayOut = NULL;
     }
-    *replayOut = NULL;
+    SW_REQUIRE(world != NULL && replayOut != NULL, SW_ERROR_INVALID, swFindHost(world),
+               "swCreateSeaReplay() needs a world and a place for the replay");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE && def->waves.internalValue == SW_DEF_COOKIE,
+               SW_ERROR_INVALID, &world->host, "swCreateSeaReplay() needs a def made by swDefaultSeaReplayDef()");
     swResult result = checkDef(world, def);
     if (result != SW_SUCCESS)
     {
@@ -221,11 +223,15 @@ void swDestroySeaReplay(swSeaReplay* replay)
 
 swWaveSystemId swSeaReplay_GetSystem(const swSeaReplay* replay)
 {
+    SW_REQUIRE(replay != NULL, (swWaveSystemId){0}, NULL, "swSeaReplay_GetSystem() needs a replay");
     return replay->system;
 }
 
 void swSeaReplay_GetRecords(const swSeaReplay* replay, int* before, int* after, double* fraction)
 {
+    bool isComplete = before != NULL && after != NULL && fraction != NULL;
+    SW_REQUIRE_VOID(replay != NULL && isComplete, replay != NULL ? &replay->world->host : NULL,
+                    "swSeaReplay_GetRecords() needs a replay and a place for each answer");
     *before = replay->before;
     *after = replay->after;
     *fraction = replay->fraction;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/assert.h"
+#include "core/base/misuse.h"
 #include "gpu/draw/sky.h"
 #include "gpu/draw/surface.h"
 #include "gpu/draw/tonemap.h"
@@ -134,8 +134,15 @@ static swResult checkFormats(const swGpu* gpu, const swRendererDef* def)
 
 swResult swCreateRenderer(swGpuWorld* gpuWorld, const swRendererDef* def, swRenderer** renderer)
 {
-    *renderer = NULL;
-    SW_ASSERT(gpuWorld && def->internalValue == SW_RENDERER_COOKIE);
+    if (renderer != NULL)
+    {
+        *renderer = NULL;
+    }
+    const swHost* host = gpuWorld != NULL ? &gpuWorld->gpu->host : NULL;
+    SW_REQUIRE(gpuWorld != NULL && renderer != NULL, SW_ERROR_INVALID, host,
+               "swCreateRenderer() needs a swGpuWorld and a place for the renderer");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_RENDERER_COOKIE, SW_ERROR_INVALID, host,
+               "swCreateRenderer() needs a def made by swDefaultRendererDef()");
     swGpu* gpu = gpuWorld->gpu;
     swResult result = checkFormats(gpu, def);
     if (result != SW_SUCCESS)
@@ -180,6 +187,39 @@ void swDestroyRenderer(swRenderer* renderer)
     swFree(&gpu->host, renderer, sizeof(*renderer));
 }
 
+static bool isNumber(double value)
+{
+    return value - value == 0.0; // neither NaN nor infinite
+}
+
+static bool areNumbers(const float* values, int count)
+{
+    bool are = true;
+    for (int i = 0; i < count; ++i)
+    {
+        are = are && isNumber((double)values[i]);
+    }
+    return are;
+}
+
+static bool isLookGood(const swSkyDef* sky, const swWaterDef* water)
+{
+    const float looks[] = {
+        sky->sunAzimuth,     sky->sunElevation,   sky->sunIlluminance, sky->haze,
+        sky->clouds,         water->absorption.x, water->absorption.y, water->absorption.z,
+        water->scattering.x, water->scattering.y, water->scattering.z, water->foamAlbedo.x,
+        water->foamAlbedo.y, water->foamAlbedo.z, water->windSpeed,    water->refractiveIndex,
+    };
+    return sky->internalValue == SW_SKY_COOKIE && water->internalValue == SW_WATER_COOKIE &&
+           areNumbers(looks, (int)(sizeof looks / sizeof looks[0]));
+}
+
+static bool isCameraGood(const swCamera* camera)
+{
+    return camera->width > 0 && camera->height > 0 && isNumber(camera->position.x) && isNumber(camera->position.y) &&
+           isNumber(camera->position.z) && areNumbers(camera->view.m, 16) && areNumbers(camera->projection.m, 16);
+}
+
 static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view)
 {
     for (int i = 0; i < frame->viewCount; ++i)
@@ -210,9 +250,22 @@ static void forgetDiscarded(swRenderer* renderer)
 swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
                             uint64_t frameIndex)
 {
+    SW_REQUIRE(renderer != NULL, SW_ERROR_INVALID, NULL, "swRenderer_Prepare() needs a renderer");
     swGpu* gpu = renderer->gpuWorld->gpu;
     renderer->isPrepared = false;
-    SW_ASSERT(picture->sky.internalValue == SW_SKY_COOKIE && picture->water.internalValue == SW_WATER_COOKIE);
+    SW_REQUIRE(commands != VK_NULL_HANDLE && picture != NULL, SW_ERROR_INVALID, &gpu->host,
+               "swRenderer_Prepare() needs a command buffer and a picture");
+    SW_REQUIRE(isLookGood(&picture->sky, &picture->water), SW_ERROR_INVALID, &gpu->host,
+               "swRenderer_Prepare() needs a sky made by swDefaultSkyDef() and water made by swDefaultWaterDef(), with "
+               "numbers in their fields");
+    SW_REQUIRE(
+        (unsigned)picture->debug < SW_DEBUG_COUNT && isNumber(picture->time) && isNumber((double)picture->exposureEv),
+        SW_ERROR_INVALID, &gpu->host,
+        "swRenderer_Prepare() was given the debug mode %d, the time %g s and the exposure %g; they must be a mode "
+        "of swDebugMode and numbers",
+        (int)picture->debug, picture->time, (double)picture->exposureEv);
+    SW_REQUIRE(isCameraGood(&picture->camera), SW_ERROR_INVALID, &gpu->host,
+               "swRenderer_Prepare() needs a camera with numbers and a size, as swMakeCamera() makes it");
     const swFrame* frame = swGetWorldFrame(renderer->gpuWorld->world);
     const swViewFrame* view = findViewFrame(frame, picture->view);
     renderer->view = swFindGpuView(renderer->gpuWorld, picture->view);
@@ -242,10 +295,24 @@ swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, cons
     return SW_SUCCESS;
 }
 
+static bool canDraw(const swRenderer* renderer, VkCommandBuffer commands, const char* call)
+{
+    SW_REQUIRE(renderer != NULL && commands != VK_NULL_HANDLE, false,
+               renderer != NULL ? &renderer->gpuWorld->gpu->host : NULL, "%s needs a renderer and a command buffer",
+               call);
+    return true;
+}
+
+static bool checkPrepared(const swRenderer* renderer)
+{
+    SW_REQUIRE(renderer->isPrepared, false, &renderer->gpuWorld->gpu->host,
+               "a renderer was asked to draw before swRenderer_Prepare(), or after it failed");
+    return true;
+}
+
 void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands)
 {
-    SW_ASSERT(renderer->isPrepared);
-    if (renderer->isPrepared)
+    if (canDraw(renderer, commands, "swRenderer_DrawSurface()") && checkPrepared(renderer))
     {
         swDrawSurface(renderer->gpuWorld->gpu, commands, &renderer->surface, &renderer->sky, renderer->gpuWorld,
                       renderer->view, &renderer->picture);
@@ -254,8 +321,7 @@ void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands)
 
 void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands)
 {
-    SW_ASSERT(renderer->isPrepared);
-    if (renderer->isPrepared)
+    if (canDraw(renderer, commands, "swRenderer_DrawSky()") && checkPrepared(renderer))
     {
         swDrawSky(renderer->gpuWorld->gpu, commands, &renderer->sky, &renderer->picture);
     }
@@ -263,7 +329,13 @@ void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands)
 
 void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate)
 {
+    if (!canDraw(renderer, commands, "swRenderer_Expose()"))
+    {
+        return;
+    }
     swGpu* gpu = renderer->gpuWorld->gpu;
+    SW_REQUIRE_VOID(hdr != VK_NULL_HANDLE && isNumber((double)dt), &gpu->host,
+                    "swRenderer_Expose() needs a picture, and a time that is a number");
     swClearExposure(gpu, commands, &renderer->tonemap);
     if (renderer->debug == SW_DEBUG_NONE)
     {
@@ -273,6 +345,11 @@ void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageVi
 
 void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr)
 {
+    if (!canDraw(renderer, commands, "swRenderer_Tonemap()"))
+    {
+        return;
+    }
+    SW_REQUIRE_VOID(hdr != VK_NULL_HANDLE, &renderer->gpuWorld->gpu->host, "swRenderer_Tonemap() needs a picture");
     bool isRaw = renderer->debug != SW_DEBUG_NONE;
     swDrawTonemap(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, renderer->time, renderer->exposureEv,
                   isRaw);

@@ -33,9 +33,10 @@ static uint32_t getKnownOutputs(swGpuQueryKind kind)
 static bool isDefValid(const swGpuQueryDef* def)
 {
     return def != NULL && def->internalValue == SW_DEF_COOKIE && def->capacity >= 1 &&
-           def->capacity <= SW_MAX_QUERY_POINTS && def->kind <= SW_GPU_QUERY_KIND_RAYS &&
-           (def->outputs & ~getKnownOutputs(def->kind)) == 0 && def->stretching <= SW_STRETCHING_LINEAR &&
-           def->minWavelength >= 0.0f && def->tolerance >= 1e-5f && def->maxIterations >= 1 && def->maxIterations <= 64;
+           def->capacity <= SW_MAX_QUERY_POINTS && (unsigned)def->kind <= SW_GPU_QUERY_KIND_RAYS &&
+           (def->outputs & ~getKnownOutputs(def->kind)) == 0 && (unsigned)def->stretching <= SW_STRETCHING_LINEAR &&
+           def->minWavelength >= 0.0f && def->tolerance >= 1e-5f && def->tolerance <= 1e9f && def->maxIterations >= 1 &&
+           def->maxIterations <= 64;
 }
 
 static const swHost* findQueryHost(const swGpuQuery* query)
@@ -69,13 +70,18 @@ static bool checkPoints(const swGpuQuery* query, const char* call, swGpuQueryKin
 
 swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query)
 {
-    bool isValid = gpuWorld != NULL && query != NULL && isDefValid(def);
-    SW_ASSERT(isValid);
     if (query != NULL)
     {
         *query = NULL;
     }
-    return isValid ? swMakeGpuQuery(gpuWorld, def, query) : SW_ERROR_INVALID;
+    const swHost* host = gpuWorld != NULL ? &gpuWorld->gpu->host : NULL;
+    SW_REQUIRE(gpuWorld != NULL && query != NULL, SW_ERROR_INVALID, host,
+               "swCreateGpuQuery() needs a swGpuWorld and a place for the query");
+    SW_REQUIRE(
+        isDefValid(def), SW_ERROR_INVALID, host,
+        "swCreateGpuQuery() needs a def made by swDefaultGpuQueryDef() with its fields in range and outputs that "
+        "its kind has");
+    return swMakeGpuQuery(gpuWorld, def, query);
 }
 
 void swDestroyGpuQuery(swGpuQuery* query)
