@@ -25,15 +25,25 @@ vec2 foamJump(float seed)
     return fract(vec2(0.7548777, 0.5698403) * seed);
 }
 
+// What a level of the pattern's pyramid keeps of the values' spread, fitted to the two laces' levels within 0.03. Without it
+// far foam, whose values lie closer to their mean, would pass the edge too seldom and cover less than its amount.
+float foamSpread(float lod, float middle, float power)
+{
+    return 1.0 / (1.0 + pow(exp2(max(lod, 0.0)) / middle, power));
+}
+
 // Two laces, turned against each other so that they line up again only after the whole period. `first` and `second` are
 // their turns, see foamTurn(); `lod` is that of one pattern a period.
 float foamLaces(sampler2D pattern, vec2 p, float lod, vec2 first, vec2 second, float seed)
 {
     vec2 jump = foamJump(seed);
-    float a = textureLod(pattern, foamTurn(p, first) + jump, lod + log2(length(first))).r;
-    float b = textureLod(pattern, foamTurn(p, second) - jump.yx, lod + log2(length(second))).g;
+    float levelA = lod + log2(length(first));
+    float levelB = lod + log2(length(second));
+    float a = textureLod(pattern, foamTurn(p, first) + jump, levelA).r;
+    float b = textureLod(pattern, foamTurn(p, second) - jump.yx, levelB).g;
     // Weights of 0.8 and 0.6 keep the spread of the sum that of one pattern.
-    return 0.8 * (a - 0.5) + 0.6 * (b - 0.5);
+    float kept = length(vec2(0.8 * foamSpread(levelA, 40.0, 1.1), 0.6 * foamSpread(levelB, 18.0, 1.15)));
+    return (0.8 * (a - 0.5) + 0.6 * (b - 0.5)) / max(kept, 0.3);
 }
 
 // The patterns are bent by a slow one, so that rows of equal patches do not show from a height.
@@ -95,7 +105,7 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     FoamDetail foam;
     foam.cover = 0.0;
     foam.thickness = 0.0;
-    if (amount < 0.004)
+    if (amount < 1e-5)
     {
         return foam;
     }
@@ -123,6 +133,12 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     }
 
     float seen = 1.0 - smoothstep(0.5, foamFarthest, pixel);
+    if (amount < 0.004) // less than a pattern's highest peaks cover
+    {
+        foam.cover = amount * (1.0 - seen);
+        foam.thickness = foamMeanThickness;
+        return foam;
+    }
     // Even the densest foam keeps some holes.
     float edge = foamEdge(amount * (1.0 - 0.18 * amount));
     float soft = min(0.12 + 0.12 * smoothstep(0.02, 1.0, pixel), 0.8 * (1.2 - edge));

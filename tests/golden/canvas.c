@@ -257,6 +257,7 @@ static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool re
 static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels, float* hdr)
 {
     swPicture picture = {.view = sea->view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
+    picture.water.foamAlbedo = shot->hasBlackFoam ? (swVec3){0.0f, 0.0f, 0.0f} : picture.water.foamAlbedo;
     picture.camera = swMakeCamera((swPos){shot->x, (double)shot->height, shot->z}, Radians(shot->headingDeg),
                                   Radians(shot->pitchDeg), 0.0f, Radians(shot->fovDeg), canvas->width, canvas->height);
     picture.sky.sunAzimuth = Radians(shot->sunAzimuthDeg);

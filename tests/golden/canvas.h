@@ -22,6 +22,7 @@ typedef struct Shot
     int steps;                    // simulated before the picture, a tenth of a second each, so that foam has a past
     bool hasCoreLayers;           // the core makes the layers
     bool dropsCommands;           // each frame is recorded once more before, and thrown away
+    bool hasBlackFoam;            // so that foam is seen by the difference
     const swWaveSystemDef* waves; // instead of a sea of that wind and swell; NULL for none
 } Shot;
 

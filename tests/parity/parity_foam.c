@@ -94,6 +94,25 @@ static void FoamAgreesAfterJumps(void** state)
     FreeParity(&parity);
 }
 
+// Folds then come from a coarser slice.
+static void FoamOfLongWavesAgrees(void** state)
+{
+    Parity parity = MakeFoamySea(state);
+    AddParityView(&parity, 4, 64, (swPos){0.0, 2.0, 0.0});
+    swFoamDef foam = swDefaultFoamDef();
+    foam.minWavelength = 8.0f;
+    swWorld_SetFoam(parity.world, &foam);
+    Difference difference = {0};
+    for (int i = 0; i < 30; ++i)
+    {
+        swView_SetViewpoint(parity.view, (swPos){0.3 * i, 2.0, 0.0});
+        StepParity(&parity, 1.0 / 20.0);
+        difference = MaxDifference(difference, CompareLayer(&parity, SW_LAYER_FOAM));
+    }
+    CheckFoam(difference, "30 frames, waves of 8 m and more");
+    FreeParity(&parity);
+}
+
 static void RecordingAFrameTwiceDoesNotAgeFoam(void** state)
 {
     Parity parity = MakeFoamySea(state);
@@ -117,9 +136,9 @@ static void RecordingAFrameTwiceDoesNotAgeFoam(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(FoamAgreesOverManyFrames),           cmocka_unit_test(FoamAgreesWhileSlicesScroll),
-        cmocka_unit_test(FoamAgreesWhileTheScaleChanges),     cmocka_unit_test(FoamAgreesAfterJumps),
-        cmocka_unit_test(RecordingAFrameTwiceDoesNotAgeFoam),
+        cmocka_unit_test(FoamAgreesOverManyFrames),       cmocka_unit_test(FoamAgreesWhileSlicesScroll),
+        cmocka_unit_test(FoamAgreesWhileTheScaleChanges), cmocka_unit_test(FoamAgreesAfterJumps),
+        cmocka_unit_test(FoamOfLongWavesAgrees),          cmocka_unit_test(RecordingAFrameTwiceDoesNotAgeFoam),
     };
     return cmocka_run_group_tests_name("foam: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

@@ -95,12 +95,14 @@ static void EveryFormulaHasTheFoamOfItsWind(void** state)
     (void)state;
     static const char* const names[] = {"JONSWAP",    "Pierson-Moskowitz", "TMA 20 m deep",
                                         "Elfouhaily", "Phillips",          "octaves"};
+    bool isShort = Seeds(8) < 8; // sanitizers look at one case
     static const double winds[] = {2.5, 5.0, 8.0, 10.0, 15.0, 20.0};
     for (int kind = 0; kind <= SW_SPECTRUM_OCTAVES; ++kind)
     {
         for (int i = 0; i < 6; ++i)
         {
-            bool isRow = kind == SW_SPECTRUM_JONSWAP || i == 0 || i % 2 == 1;
+            bool isRow = (kind == SW_SPECTRUM_JONSWAP || i == 0 || i % 2 == 1) && !isShort;
+            isRow = isRow || (isShort && kind == SW_SPECTRUM_JONSWAP && i == 3);
             swWaveSystemDef def = MakeSystem((swSpectrumKind)kind, winds[i], 300e3);
             def.spectrum.depth = kind == SW_SPECTRUM_TMA ? 20.0f : INFINITY;
             char name[96];
@@ -116,6 +118,10 @@ static void EveryFormulaHasTheFoamOfItsWind(void** state)
 static void FetchAndSpreadingDoNotChangeIt(void** state)
 {
     (void)state;
+    if (Seeds(8) < 8)
+    {
+        skip(); // too slow under sanitizers, and the same code as the first
+    }
     static const double fetches[] = {10e3, 30e3, 1000e3};
     for (int i = 0; i < 3; ++i)
     {
@@ -144,6 +150,10 @@ static void FetchAndSpreadingDoNotChangeIt(void** state)
 static void BeaufortsNumbersHaveTheFoamOfTheirWind(void** state)
 {
     (void)state;
+    if (Seeds(8) < 8)
+    {
+        skip(); // too slow under sanitizers, and the same code as the first
+    }
     double before = 0.0;
     for (int number = 1; number <= 12; ++number)
     {
@@ -197,12 +207,17 @@ static void CheckTable(const char* name, const swSpectrumDef* formula)
 static void SeasThatNameNoWindTellOfIt(void** state)
 {
     (void)state;
+    if (Seeds(8) < 8)
+    {
+        skip(); // too slow under sanitizers, and the same code as the first
+    }
     for (int i = 0; i < 3; ++i)
     {
         float wind = 7.0f + 5.0f * (float)i;
         char name[96];
-        swSpectrumDef formula = MakeSystem(SW_SPECTRUM_JONSWAP, (double)wind, 100e3).spectrum;
-        snprintf(name, sizeof(name), "a table of JONSWAP, U10 %.0f m/s over 100 km", (double)wind);
+        double fetch = 30e3 + 35e3 * i; // seas that their wind still makes grow
+        swSpectrumDef formula = MakeSystem(SW_SPECTRUM_JONSWAP, (double)wind, fetch).spectrum;
+        snprintf(name, sizeof(name), "a table of JONSWAP, U10 %.0f m/s over %.0f km", (double)wind, fetch / 1e3);
         CheckTable(name, &formula);
         formula = MakeSystem(SW_SPECTRUM_PIERSON_MOSKOWITZ, (double)wind, 0.0).spectrum;
         formula.fetch = 300e3f;
@@ -222,6 +237,10 @@ static void SeasThatNameNoWindTellOfIt(void** state)
 static void SwellHasNone(void** state)
 {
     (void)state;
+    if (Seeds(8) < 8)
+    {
+        skip(); // too slow under sanitizers, and the same code as the first
+    }
     static const float swells[][2] = {{1.0f, 8.0f}, {3.0f, 12.0f}, {5.0f, 14.0f}};
     for (int i = 0; i < 3; ++i)
     {
@@ -240,6 +259,10 @@ static void SwellHasNone(void** state)
 static void AnArtistsFieldsDoWhatTheySay(void** state)
 {
     (void)state;
+    if (Seeds(8) < 8)
+    {
+        skip(); // too slow under sanitizers, and the same code as the first
+    }
     swWaveSystemDef def = MakeSystem(SW_SPECTRUM_JONSWAP, 10.0, 300e3);
     swFoamDef foam = swDefaultFoamDef();
     foam.windSpeed = 16.0f;
