@@ -13,7 +13,7 @@
 #include "progress.h"
 #include "verbs.h"
 
-#define GAUGE_COUNT 256
+#define GAUGE_COUNT 512
 #define SURFACE_POINTS 16384
 #define SURFACE_TIMES 4
 // Squares that each seed is looked at.

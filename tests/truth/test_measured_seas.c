@@ -53,7 +53,7 @@ static swSpectrumDef MakeTableSpectrum(const MeasuredCase* measured)
 static void MeasureSeed(void* context, int seed)
 {
     MeasuredCase* measured = context;
-    SeaGauges gauges = {.area = 8000.0, .gaugeCount = 256, .duration = 800.0};
+    SeaGauges gauges = {.area = 8000.0, .gaugeCount = 1024, .duration = 800.0};
     gauges.duration = fmax(gauges.duration, FindTableDuration(&measured->record.table));
     if (measured->method == SW_WAVES_GERSTNER)
     {

@@ -497,6 +497,7 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
     }
     builder.spectrum = spectrum;
     builder.dispersion = swGetCompiledDispersion(spectrum);
+    swWarnOfLongWaves(host, def, spectrum);
     for (int tile = 0; tile < SW_SET_TILES; ++tile)
     {
         bands[tile].band = tile % SW_MAX_BANDS;

@@ -25,6 +25,7 @@
 #include "core/base/host.h"
 #include "core/math/random.h"
 #include "core/math/scalar.h"
+#include "core/waves/waves_bins.h"
 #include "core/waves/waves_fft.h"
 
 #define TURN (2.0 * SW_PI)
@@ -422,6 +423,7 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
         return result;
     }
     Builder builder = {.def = def, .spectrum = spectrum, .dispersion = swGetCompiledDispersion(spectrum)};
+    swWarnOfLongWaves(host, def, spectrum);
     builder.loopTicks = swGetLoopTicks(def);
     bool isGiven = def->componentCount > 0;
     builder.capacity = isGiven ? def->componentCount : 2 * SW_MAX_BANDS * def->componentsPerOctave;
