@@ -23,7 +23,7 @@
 #define SURFACE_TENSION 7.4e-5
 
 // Longest record for the sake of narrow bins, s.
-#define TABLE_DURATION 2400.0
+#define TABLE_DURATION 3600.0
 
 // Heave and slopes of all gauges, a gauge's record contiguous.
 typedef struct Records
@@ -77,7 +77,7 @@ double FindTableDuration(const swSpectrumTable* table)
         narrowest = holdsMuch ? fmin(narrowest, bins->high[i] - bins->low[i]) : narrowest;
     }
     free(bins);
-    return fmin(6.0 / narrowest, TABLE_DURATION);
+    return fmin(8.0 / narrowest, TABLE_DURATION);
 }
 
 void UseEqualBins(double low, double high, int count, SeaBins* bins)

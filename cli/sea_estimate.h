@@ -41,7 +41,7 @@ typedef struct SeaGauges
 void UseTableBins(const swSpectrumTable* table, SeaBins* bins);
 
 // How long to record for a table's bins, s: the window of a record moves energy by about one over its length, so that it
-// wants to be six times as long as that of the narrowest bin that holds much; at most forty minutes.
+// wants to be eight times as long as one over the width of the narrowest bin that holds much; at most an hour.
 double FindTableDuration(const swSpectrumTable* table);
 
 // `count` equal bins over [low, high] Hz.
