@@ -24,7 +24,20 @@ static swSpectrumDef MakeTableDef(const swMeasuredRecord* record)
     return def;
 }
 
-// What was not measured is NAN: directions that the file does not hold, and all but the height of a calm.
+// Whether the file tells how far directions spread, at any frequency; otherwise that was assumed.
+static bool HasSpread(const swMeasuredRecord* record)
+{
+    for (int i = 0; i < record->table.frequencyCount && record->meanDirection != NULL; ++i)
+    {
+        if (!isnan(record->measuredR1[i]))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+// What was not measured is NAN: directions and spreads that the file does not hold, and all but the height of a calm.
 static bool FindState(const swMeasuredRecord* record, swSeaState* state)
 {
     swSpectrumDef def = MakeTableDef(record);
@@ -37,8 +50,9 @@ static bool FindState(const swMeasuredRecord* record, swSeaState* state)
     }
     if (!hasWaves || record->meanDirection == NULL)
     {
-        state->meanDirection = state->peakDirection = state->spread = NAN;
+        state->meanDirection = state->peakDirection = NAN;
     }
+    state->spread = hasWaves && HasSpread(record) ? state->spread : NAN;
     return hasWaves;
 }
 
@@ -271,13 +285,20 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
     printf("  Te    %6.2f s     energy period\n", (double)state.energyPeriod);
     if (record->meanDirection == NULL)
     {
-        printf("  from   not measured\n  peak   not measured\n  spread not measured\n");
+        printf("  from   not measured\n  peak   not measured\n");
     }
     else
     {
         printf("  from  %6.0f deg   mean direction that waves come from, clockwise from north\n",
                BearingFrom((double)state.meanDirection));
         printf("  peak  %6.0f deg   direction at the peak\n", BearingFrom((double)state.peakDirection));
+    }
+    if (isnan(state.spread))
+    {
+        printf("  spread not measured%s\n", record->meanDirection != NULL ? "; one was assumed" : "");
+    }
+    else
+    {
         printf("  spread%6.0f deg\n", (double)state.spread * (180.0 / SW_PI));
     }
     printf("  slope %8.5f   mean square slope of these frequencies\n", (double)state.meanSquareSlope);

@@ -21,7 +21,9 @@ layout(binding = 3) uniform sampler2D transmittance;
 layout(location = 0) in vec2 clip;
 layout(location = 0) out vec4 color;
 
-vec3 sunDisc(vec3 direction, float radius)
+// `sky` is what is seen beside it. The disc is so much brighter that a pixel with a hundredth of it would be as white as the
+// rest: a pixel at its edge gets a few times the sky's brightness instead, or the disc would be drawn in steps.
+vec3 sunDisc(vec3 direction, float radius, vec3 sky)
 {
     const vec3 limbPower = vec3(0.397, 0.503, 0.652);
     const float sunAngle = 0.004654;
@@ -37,7 +39,8 @@ vec3 sunDisc(vec3 direction, float radius)
     vec3 mean = 2.0 / (limbPower + 2.0);
     vec3 through = textureLod(transmittance, transmittanceUv(radius, direction.y), 0.0).rgb;
     vec3 radiance = picture.sunLight.rgb / (pi * sunAngle * sunAngle) * limb / mean * through;
-    return min(edge * radiance, vec3(60000.0));
+    vec3 rim = 2.0 * sky * (edge / max(1.0 - edge, 1e-6));
+    return min(min(edge * radiance, rim), vec3(60000.0));
 }
 
 void main()
@@ -52,6 +55,6 @@ void main()
     vec4 cover =
         cloudsAlong(direction, radius, clouds, picture.sun.xyz, light, picture.foamAlbedo.w, picture.forward.w);
     float above = smoothstep(horizon - 0.5 * picture.forward.w, horizon + 0.5 * picture.forward.w, asin(direction.y));
-    sky += above * sunDisc(direction, radius);
+    sky += above * sunDisc(direction, radius, sky);
     color = vec4(sky * (1.0 - cover.a) + cover.rgb, 1.0);
 }

@@ -133,6 +133,9 @@ out '"directional_spread_deg": \[' && out '"peak_r1": 0' && out '"peak_spread_de
 printf '#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 01 01 00 00 90 (0.070) 999.0 (0.080) 100 (0.090)\n' >alone.swdir
 run 0 spectrum alone.data_spec --json
 out '"direction_from_deg": \[ 90, null, 100\]' && out '"r1": \[ null, null, null\]'
+out '"mean_direction_from_deg": [0-9]' && out '"spread_deg": null'
+run 0 spectrum alone.data_spec
+out 'spread not measured; one was assumed'
 run 1 spectrum alone.swdir
 err 'not energies: name the file of energies, alone.data_spec'
 # Energies that are all missing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What happens to texts on their way: a byte order mark, other line ends, tabs, a last line without its end, one record of
-// many that is broken, empty partitions, directions taken for energies. Every reader of texts is tried alike.
+// What happens to texts on their way: a byte order mark, other line ends, tabs, a last line without its end, one
+// record of many that is broken, empty partitions, directions taken for energies. Every reader of texts is tried
+// alike.
 
 #include "support/cmocka_setup.h"
 
@@ -282,7 +283,8 @@ static void EveryReaderTakesMarksAndLineEnds(void** state)
 
 // ---- one broken record ----
 
-// 0 to 2: cut off after a fifth and more; 3: a line's digits are letters; 4: a line's end is lost, where lines are records.
+// 0 to 2: cut off after a fifth and more; 3: a line's digits are letters; 4: a line's end is lost, where lines are
+// records.
 #define BREAK_COUNT 5
 
 static bool Break(const char* record, int how, char* broken)
@@ -487,6 +489,61 @@ static void EmptyPartitionsOfWavewatchAreLeftOut(void** state)
     swDestroyMeasuredSea(sea);
 }
 
+// What a spreadsheet leaves when it saves a table.
+static void TablesMayHaveTabsOrSemicolons(void** state)
+{
+    (void)state;
+    static const char pattern[] = "time,hs_m,tp_s,direction_from_deg,location\n2024-03-01T00:00Z,1.5,8.0,240,a\n"
+                                  "2024-03-01T01:00Z,1.2,8.0,,b\n,1.0,8.0,240,a\n";
+    for (int i = 0; i < 3; ++i)
+    {
+        char text[sizeof(pattern)];
+        memcpy(text, pattern, sizeof(pattern));
+        for (char* c = text; *c != '\0'; ++c)
+        {
+            *c = *c == ',' ? ",\t;"[i] : *c;
+        }
+        swMeasuredSea* sea = NULL;
+        assert_int_equal(Parse(text, sizeof(pattern) - 1, &sea), SW_SUCCESS);
+        assert_int_equal(swMeasuredSea_GetCount(sea), 2);
+        assert_true(fabs(GetHeight(sea, 0) - 1.5) < 1e-4 && fabs(GetHeight(sea, 1) - 1.2) < 1e-4);
+        assert_non_null(swMeasuredSea_GetRecord(sea, 0).meanDirection);
+        assert_null(swMeasuredSea_GetRecord(sea, 1).meanDirection);
+        assert_non_null(strstr(s_messages, "x:4: time is ''"));
+        swDestroyMeasuredSea(sea);
+    }
+}
+
+static void BorrowedDirectionsAreTold(void** state)
+{
+    (void)state;
+    static const char text[] = "time,hs_m,tp_s,direction_from_deg\n2024-03-01,1.5,8.0,240\n2024-03-01,0.5,12.0,\n";
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(Parse(text, sizeof(text) - 1, &sea), SW_SUCCESS);
+    assert_non_null(strstr(s_messages, "1 partitions have no direction and take that of the largest"));
+    swDestroyMeasuredSea(sea);
+}
+
+static void WideCharactersAreNamed(void** state)
+{
+    (void)state;
+    static const char text[] = "\xFF\xFEt\0i\0m\0e\0";
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(Parse(text, sizeof(text) - 1, &sea), SW_ERROR_FORMAT);
+    assert_non_null(strstr(s_messages, "x:1: the text is UTF-16; save it as UTF-8"));
+}
+
+static void ABrokenFirstLineHidesNoFormat(void** state)
+{
+    (void)state;
+    static const char text[] = "2022 05 12 x 0.2 1 (0.1) 1 (0.2)\n2022 05 12 23 50 0.2 1 (0.1) 1 (0.2)\n";
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(Parse(text, sizeof(text) - 1, &sea), SW_SUCCESS);
+    assert_int_equal(swMeasuredSea_GetCount(sea), 1);
+    assert_non_null(strstr(s_messages, "x:1: the hour is 'x'"));
+    swDestroyMeasuredSea(sea);
+}
+
 // ---- directions for energies ----
 
 static void DirectionFilesAreKnownByTheirHeading(void** state)
@@ -671,6 +728,10 @@ int main(void)
         cmocka_unit_test(CutLinesOfFrequenciesAreLeftOut),
         cmocka_unit_test(EmptyPartitionsAreLeftOut),
         cmocka_unit_test(EmptyPartitionsOfWavewatchAreLeftOut),
+        cmocka_unit_test(TablesMayHaveTabsOrSemicolons),
+        cmocka_unit_test(BorrowedDirectionsAreTold),
+        cmocka_unit_test(WideCharactersAreNamed),
+        cmocka_unit_test(ABrokenFirstLineHidesNoFormat),
         cmocka_unit_test(DirectionFilesAreKnownByTheirHeading),
         cmocka_unit_test(DirectionArchivesAreKnownByTheirNumbers),
         cmocka_unit_test(FilesOfASetMayNotChangePlaces),

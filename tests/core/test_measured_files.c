@@ -119,6 +119,27 @@ static void SpottersJsonIsRead(void** state)
     swDestroyMeasuredSea(sea);
 }
 
+static void OneBrokenRecordOfJsonIsLeftOut(void** state)
+{
+    (void)state;
+#define RECORD(hour, density)                                                                                          \
+    "{\"frequency\":[0.1,0.2],\"varianceDensity\":[1," density "],\"timestamp\":\"2018-02-14T0" hour ":00:00.000Z\"}"
+    static const char* const broken[] = {RECORD("1", "\"high\""), RECORD("x", "1"), RECORD("1", "1e9"), "7",
+                                         "{\"frequency\":[0.1,0.2],\"varianceDensity\":[1]}"};
+    for (size_t i = 0; i < sizeof(broken) / sizeof(broken[0]); ++i)
+    {
+        char text[1024];
+        snprintf(text, sizeof(text), "\xEF\xBB\xBF{\"data\":{\"frequencyData\":[%s,%s,%s]}}", RECORD("0", "1"),
+                 broken[i], RECORD("2", "1"));
+        WriteFile(text);
+        swMeasuredSea* sea = ReadFine(s_path);
+        assert_int_equal(swMeasuredSea_GetCount(sea), 2);
+        assert_string_equal(swMeasuredSea_GetRecord(sea, 1).time, "2018-02-14 02:00");
+        assert_non_null(strstr(s_messages, "It is left out (record 2)."));
+        swDestroyMeasuredSea(sea);
+    }
+}
+
 static void WrongJsonIsNamed(void** state)
 {
     (void)state;
@@ -478,6 +499,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
 #if defined(SW_HAS_JSON)
         cmocka_unit_test(SpottersJsonIsRead),
+        cmocka_unit_test(OneBrokenRecordOfJsonIsLeftOut),
         cmocka_unit_test(WrongJsonIsNamed),
         cmocka_unit_test(SouthernOceansSpotterIsReadAsExpected),
         cmocka_unit_test(CdipsSpectraHaveTheirMoments),

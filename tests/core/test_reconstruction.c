@@ -17,6 +17,8 @@
 #include "core/waves/spreading.h"
 #include "core/waves/waves_fft.h"
 #include "seaway/measured.h"
+#include "seaway/waves.h"
+#include "seaway/world.h"
 #include "seaway/scene.h"
 
 #define TURN (2.0 * SW_PI)
@@ -399,6 +401,44 @@ static void WavesOfABinHaveItsEnergyAndDirection(void** state)
     }
 }
 
+static char s_message[512];
+
+static void KeepMessage(void* context, swLogLevel level, const char* message)
+{
+    (void)context;
+    (void)level;
+    snprintf(s_message, sizeof(s_message), "%s", message);
+}
+
+static void WavesThatAreTooLongAreToldOf(void** state)
+{
+    (void)state;
+    for (int method = 0; method < 2; ++method)
+    {
+        for (int lost = 0; lost < 2; ++lost)
+        {
+            Sample sample;
+            FillEven(&sample, 30, 0.005, 0.01);
+            AddRow(&sample, 8, 10.0, 1.0, 20.0);
+            AddRow(&sample, lost != 0 ? 0 : 12, 1.0, 1.0, 20.0);
+            swSpectrumTable table = GetTable(&sample);
+            swHost host = swDefaultHost();
+            host.log = KeepMessage;
+            s_message[0] = '\0';
+            swWaveSystemDef def = swDefaultWaveSystemDef();
+            def.spectrum = MakeDef(&table);
+            def.method = method == 0 ? SW_WAVES_FFT : SW_WAVES_GERSTNER;
+            swWorldDef worldDef = swDefaultWorldDef();
+            swWorld* world = NULL;
+            swWaveSystemId id;
+            assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+            assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+            swDestroyWorld(world);
+            assert_true((strstr(s_message, "9.1 % of a measured sea's variance") != NULL) == (lost != 0));
+        }
+    }
+}
+
 // ---- buoys ----
 
 static void CheckFile(const char* path, WaveErrors* worst)
@@ -456,7 +496,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(EveryCellOfATableKeepsItsEnergy), cmocka_unit_test(EveryBinKeepsItsEnergy),
         cmocka_unit_test(BinsMeetWhereTheirWidthsSay),     cmocka_unit_test(WavesOfABinHaveItsEnergyAndDirection),
-        cmocka_unit_test(EveryRecordOfABuoyKeepsItsPeak),
+        cmocka_unit_test(WavesThatAreTooLongAreToldOf),    cmocka_unit_test(EveryRecordOfABuoyKeepsItsPeak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,35 +57,33 @@ swResult swRunSeaReader(const swHost* host, const char* text, size_t size, const
 
 // ---- what a text looks like ----
 
-// NDBC: a heading of dates, or a line that begins with one.
+static bool isNdbcDate(swSeaText* line)
+{
+    double date[4];
+    for (int i = 0; i < 4; ++i)
+    {
+        if (!swParseSeaNumber(swNextSeaToken(line), &date[i]))
+        {
+            return false;
+        }
+    }
+    return date[0] >= 0.0 && date[0] < 2200.0 && date[1] >= 1.0 && date[1] <= 12.0 && date[2] >= 1.0 &&
+           date[2] <= 31.0 && date[3] >= 0.0 && date[3] < 24.0;
+}
+
+// NDBC: a heading of dates, or a line that begins with one, be the first few broken. It is the last that is tried.
 static bool isNdbcSpectrum(const char* text, size_t size)
 {
     swSeaText lines = openText(text, size);
-    while (swNextSeaLine(&lines))
+    for (int others = 0; others < 4 && swNextSeaLine(&lines);)
     {
-        if (swPeekSeaChar(&lines) == '#')
-        {
-            ++lines.at;
-            if (swHasSeaPrefix(&lines, "YY"))
-            {
-                return true;
-            }
-            continue;
-        }
-        if (swHasSeaPrefix(&lines, "YY"))
+        bool isComment = swPeekSeaChar(&lines) == '#';
+        lines.at += isComment ? 1 : 0;
+        if (swHasSeaPrefix(&lines, "YY") || (!isComment && isNdbcDate(&lines)))
         {
             return true;
         }
-        double date[4];
-        for (int i = 0; i < 4; ++i)
-        {
-            if (!swParseSeaNumber(swNextSeaToken(&lines), &date[i]))
-            {
-                return false;
-            }
-        }
-        return date[0] >= 0.0 && date[0] < 2200.0 && date[1] >= 1.0 && date[1] <= 12.0 && date[2] >= 1.0 &&
-               date[2] <= 31.0 && date[3] >= 0.0 && date[3] < 24.0;
+        others += isComment ? 0 : 1;
     }
     return false;
 }
@@ -141,6 +139,12 @@ swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, c
 {
     SW_REQUIRE_PLACE(host, sea, "swParseMeasuredSea()");
     swMeasuredFormat format = swFindMeasuredFormat(text, size);
+    bool isWide = text != NULL && size >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0);
+    if (isWide)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s:1: the text is UTF-16; save it as UTF-8.",
+                      name != NULL ? name : "text");
+    }
     if (format == SW_MEASURED_UNKNOWN)
     {
         return swFail(host, SW_ERROR_FORMAT, "%s:1: the format is not known. Read are %s.",

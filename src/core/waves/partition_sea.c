@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Each partition becomes a JONSWAP spectrum [Hasselmann 1973] of its height with its peak at its period, spread as cos^2s
-// around its direction, and a record is the sum of those of its place and time. What a file does not tell is assumed as of
-// buoys' summaries (core/waves/summary_sea.c): gamma 3.3, for wind sea 2; s = 25 at the peak, for wind sea 10, falling off
-// on both sides [Mitsuyasu 1975]. A spread that is told gives the same s = r1 / (1 - r1) at all frequencies, with
-// r1 = 1 - spread^2 / 2, so that the partition as a whole has it.
+// Each partition becomes a JONSWAP spectrum [Hasselmann 1973] of its height with its peak at its period, spread as
+// cos^2s around its direction, and a record is the sum of those of its place and time. What a file does not tell is
+// assumed as of buoys' summaries (core/waves/summary_sea.c): gamma 3.3, for wind sea 2; s = 25 at the peak, for wind
+// sea 10, falling off on both sides [Mitsuyasu 1975]. A spread that is told gives the same s = r1 / (1 - r1) at all
+// frequencies, with r1 = 1 - spread^2 / 2, so that the partition as a whole has it.
 
 #include "core/waves/partition_sea.h"
 
@@ -151,8 +151,10 @@ static double findBearing(const swSeaPartition* partitions, int count)
     return bearing;
 }
 
-static void fillRecord(const swSeaPartition* partitions, int count, swSeaRecord* record)
+// Returns how many partitions took the direction of another.
+static size_t fillRecord(const swSeaPartition* partitions, int count, swSeaRecord* record)
 {
+    size_t borrowed = 0;
     swMoments moments[FREQUENCIES] = {{0}};
     double energy[FREQUENCIES], square = 0.0;
     double bearing = findBearing(partitions, count);
@@ -174,6 +176,7 @@ static void fillRecord(const swSeaPartition* partitions, int count, swSeaRecord*
         if (partitions[i].height > 0.0)
         {
             bool hasBearing = partitions[i].bearing == partitions[i].bearing;
+            borrowed += !hasBearing && record->hasDirections ? 1 : 0;
             fillEnergy(&partitions[i], scale * partitions[i].height, record, energy);
             addPartition(&partitions[i], energy, hasBearing ? partitions[i].bearing : bearing, record, moments);
             ++record->partitionCount;
@@ -187,11 +190,13 @@ static void fillRecord(const swSeaPartition* partitions, int count, swSeaRecord*
         swKeepSeaMoments(record, i, &mean, true, hasSpreads);
     }
     swSumSeaRecord(record);
+    return borrowed;
 }
 
 swResult swAddPartitions(swMeasuredSea* sea, swSeaPartition* partitions, size_t count)
 {
     swResult result = SW_SUCCESS;
+    size_t borrowed = 0;
     if (count > 0)
     {
         qsort(partitions, count, sizeof(swSeaPartition), comparePartitions);
@@ -210,8 +215,14 @@ swResult swAddPartitions(swMeasuredSea* sea, swSeaPartition* partitions, size_t 
             record->location = partitions[i].location;
             record->hasTime = partitions[i].hasTime;
             record->seconds = partitions[i].seconds;
-            fillRecord(partitions + i, (int)(end - i), record);
+            borrowed += fillRecord(partitions + i, (int)(end - i), record);
         }
+    }
+    if (borrowed > 0)
+    {
+        swLog(&sea->host, SW_LOG_WARNING,
+              "%s: %zu partitions have no direction and take that of the largest one of their hour.", sea->name,
+              borrowed);
     }
     return result;
 }

@@ -300,6 +300,7 @@ static bool nextRow(swSeaText* text)
     {
         if (swPeekSeaChar(text) != '#')
         {
+            text->at = text->lineBegin; // a tab there is an empty field
             return true;
         }
     }
@@ -329,11 +330,27 @@ static bool readHeading(swSeaText* text, int columns[64], int* count)
     return has[TIME] && has[HEIGHT] && has[PERIOD];
 }
 
+// The same, with whatever stands between its names: a comma, a tab or a semicolon.
+static bool readAnyHeading(swSeaText* text, int columns[64], int* count)
+{
+    static const char separators[] = ",\t;";
+    for (const char* separator = separators; *separator != '\0'; ++separator)
+    {
+        text->at = text->lineBegin;
+        text->separator = *separator;
+        if (readHeading(text, columns, count))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool swIsPartitionTable(const char* text, size_t size)
 {
     int columns[64], count = 0;
     swSeaText lines = swOpenSeaText(NULL, text, size, "");
-    return nextRow(&lines) && readHeading(&lines, columns, &count);
+    return nextRow(&lines) && readAnyHeading(&lines, columns, &count);
 }
 
 static swResult failField(const Reader* reader, int column, swSeaToken field, const char* wish)
@@ -432,7 +449,7 @@ static swResult readTable(void* context)
     Reader* reader = context;
     int columns[64], count = 0;
     swResult result = SW_SUCCESS;
-    if (!nextRow(&reader->file.text) || !readHeading(&reader->file.text, columns, &count))
+    if (!nextRow(&reader->file.text) || !readAnyHeading(&reader->file.text, columns, &count))
     {
         result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
                         "%s:%d: the heading must name time, hs_m and tp_s once each.", reader->file.text.name,

@@ -50,7 +50,7 @@ swSeaText swOpenSeaText(const swHost* host, const char* text, size_t size, const
 {
     bool hasMark = size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0; // UTF-8's byte order mark
     const char* begin = hasMark ? text + 3 : text;
-    return (swSeaText){host, name, begin, text + size, 0, begin, begin, begin};
+    return (swSeaText){host, name, begin, text + size, 0, begin, begin, begin, ','};
 }
 
 static bool isSpace(char c)
@@ -141,7 +141,8 @@ bool swNextSeaField(swSeaText* text, swSeaToken* field)
     {
         return false;
     }
-    const char* end = text->at < text->lineEnd ? memchr(text->at, ',', (size_t)(text->lineEnd - text->at)) : NULL;
+    const char* end =
+        text->at < text->lineEnd ? memchr(text->at, text->separator, (size_t)(text->lineEnd - text->at)) : NULL;
     end = end != NULL ? end : text->lineEnd;
     const char* begin = text->at;
     text->at = end + 1;

@@ -12,7 +12,13 @@
 
 #include "core/base/host.h"
 #include "core/math/scalar.h"
+#include "seaway/math.h"
 
+// The longest wave of the last band, m, and the part of a table's variance in longer ones that is worth a warning.
+#define LONGEST 4096.0
+#define LOST_PART 0.005
+
+#define TURN (2.0 * SW_PI)
 #define MAX_STEPS 6
 
 // A mean direction is found when it is off by less than this, some thousandths of a degree.
@@ -186,4 +192,22 @@ swResult swShareBins(const swHost* host, const swCompiledSpectrum* spectrum, int
     }
     swFree(host, shares, size);
     return hasWaves ? SW_SUCCESS : SW_ERROR_INVALID;
+}
+
+void swWarnOfLongWaves(const swHost* host, const swWaveSystemDef* def, const swCompiledSpectrum* spectrum)
+{
+    if (def->spectrum.kind != SW_SPECTRUM_TABLE || (double)def->maxWavelength < LONGEST)
+    {
+        return;
+    }
+    swDispersion dispersion = swGetCompiledDispersion(spectrum);
+    double omega = swGetOmega(&dispersion, TURN / LONGEST);
+    double lost = swIntegrateCompiled(spectrum, 0.0, omega);
+    double part = lost / (lost + swIntegrateCompiled(spectrum, omega, TURN * 1000.0));
+    if (part > LOST_PART)
+    {
+        swLog(host, SW_LOG_WARNING,
+              "%.2g %% of a measured sea's variance is in waves longer than %g m, below %.3g Hz; they are left out.",
+              100.0 * part, LONGEST, omega / TURN);
+    }
 }

@@ -4,6 +4,7 @@
 // How the waves of a band share out the energy of a spectrum's bins.
 
 #include "core/waves/spectrum.h"
+#include "seaway/waves.h"
 
 // The waves of a band on their lattice, [2 maxBin + 1][2 maxBin + 1] by qz, qx.
 typedef struct swBandCells
@@ -24,3 +25,6 @@ static inline int swGetCellIndex(const swBandCells* cells, int qx, int qz)
 // Returns SW_ERROR_NO_MEMORY, or SW_ERROR_INVALID if no cell has energy.
 swResult swShareBins(const swHost* host, const swCompiledSpectrum* spectrum, int binCount, const double* wanted,
                      swBandCells* cells);
+
+// Says in the log how much of a table is in waves that are too long for any band, unless the def leaves them out anyhow.
+void swWarnOfLongWaves(const swHost* host, const swWaveSystemDef* def, const swCompiledSpectrum* spectrum);

@@ -25,6 +25,7 @@
 #include "core/base/host.h"
 #include "core/math/random.h"
 #include "core/math/scalar.h"
+#include "core/waves/waves_bins.h"
 #include "core/waves/waves_fft.h"
 
 #define TURN (2.0 * SW_PI)
@@ -369,7 +370,9 @@ static void holdChopBack(Builder* builder)
     double variance = 0.0, sum = 0.0;
     for (int i = 0; i < builder->count; ++i)
     {
-        double strain = (double)swGetFreeWaveStrain(&builder->waves[i]);
+        swStrain waveStrain = {0};
+        swAddFreeWaveStrain(&waveStrain, &builder->waves[i]);
+        double strain = (double)swGetStrainVariance(&waveStrain);
         variance += strain;
         sum += sqrt(2.0 * strain);
     }
@@ -411,7 +414,7 @@ static void sortWaves(swFreeWave* waves, int count)
 }
 
 swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
-                          swFreeWave** waves, int* waveCount)
+                          swFreeWave** waves, int* waveCount, swBandModes* bands)
 {
     *waves = NULL;
     *waveCount = 0;
@@ -422,6 +425,7 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
         return result;
     }
     Builder builder = {.def = def, .spectrum = spectrum, .dispersion = swGetCompiledDispersion(spectrum)};
+    swWarnOfLongWaves(host, def, spectrum);
     builder.loopTicks = swGetLoopTicks(def);
     bool isGiven = def->componentCount > 0;
     builder.capacity = isGiven ? def->componentCount : 2 * SW_MAX_BANDS * def->componentsPerOctave;
@@ -434,6 +438,7 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
     }
     else if (result == SW_SUCCESS)
     {
+        swFillWindLevels(spectrum, &def->spectrum, bands);
         result = addOctaves(&builder, host);
         holdChopBack(&builder);
     }
