@@ -10,6 +10,8 @@ for key in asked measured hs_m tp_s tm01_s tm02_s te_s mean_direction_from_deg p
     mean_square_slope whitecap_fraction standard_error measured_m2_per_hz; do
     out "\"$key\":"
 done
+# One name for one thing, in the errors too.
+! grep -q 'direction_deg' out || fail "$what: a direction has another name than in other verbs"
 run 0 stats "$source/scenes/buoy.yaml" --seeds 1 --duration 60 --area 2000 --plot stats.svg
 out '^Hs '
 out '^share of variance'
