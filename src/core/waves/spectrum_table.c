@@ -49,8 +49,10 @@ static double findEdge(const swSpectrumTable* table, int i, double begin)
 
 void swSpectrumTable_GetEdges(const swSpectrumTable* table, double* edges)
 {
-    SW_ASSERT(table != NULL && edges != NULL && table->frequencies != NULL && table->bandwidths != NULL);
-    if (table == NULL || edges == NULL || table->frequencies == NULL || table->bandwidths == NULL)
+    bool isValid = table != NULL && edges != NULL && table->frequencyCount > 0 && table->frequencies != NULL &&
+                   table->bandwidths != NULL;
+    SW_ASSERT(isValid);
+    if (!isValid)
     {
         return;
     }
