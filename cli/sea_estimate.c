@@ -559,7 +559,7 @@ double MeasureFoam(swWorld* world, double x, double z)
     swView* view = NULL;
     if (swCreateView(world, &def, &view) != SW_SUCCESS)
     {
-        return NAN;
+        return (double)NAN;
     }
     swView_SetViewpoint(view, (swPos){x, swWorld_GetSeaLevel(world), z});
     double sum = 0.0;
