@@ -74,6 +74,8 @@ static void PrintReport(const SeaMeasurement* sea)
     PrintLine("spread", "deg", 1, ToDegrees(a->spread), ToDegrees(m->spread), ToDegrees(e->spread));
     PrintLine("mean square slope", "all waves", 5, (double)a->meanSquareSlope, (double)m->meanSquareSlope, (double)NAN);
     PrintLine("whitecap cover", "of the area", 5, sea->askedWhitecaps, sea->whitecaps, (double)NAN);
+    printf("Whitecaps are those of a wind of %.1f m/s, %s.\n", sea->foamWind,
+           sea->scene->world.foam.windSpeed > 0.0f ? "which the scene gives them" : "which its waves tell of");
     if (sea->bins.count == 0)
     {
         printf(
@@ -121,6 +123,7 @@ static void PrintReportJson(const SeaMeasurement* sea, const char* path)
     WriteSeaState(&json, &sea->measured);
     JsonNumber(&json, "whitecap_fraction", sea->whitecaps);
     JsonCloseObject(&json);
+    JsonNumber(&json, "whitecap_wind_mps", sea->foamWind);
     JsonOpenObject(&json, "standard_error");
     JsonNumber(&json, "hs_m", (double)sea->error.significantHeight);
     JsonNumber(&json, "tp_s", (double)sea->error.peakPeriod);

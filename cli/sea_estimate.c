@@ -23,7 +23,7 @@
 #define SURFACE_TENSION 7.4e-5
 
 // Longest record for the sake of narrow bins, s.
-#define TABLE_DURATION 2400.0
+#define TABLE_DURATION 3600.0
 
 // Heave and slopes of all gauges, a gauge's record contiguous.
 typedef struct Records
@@ -77,7 +77,7 @@ double FindTableDuration(const swSpectrumTable* table)
         narrowest = holdsMuch ? fmin(narrowest, bins->high[i] - bins->low[i]) : narrowest;
     }
     free(bins);
-    return fmin(6.0 / narrowest, TABLE_DURATION);
+    return fmin(8.0 / narrowest, TABLE_DURATION);
 }
 
 void UseEqualBins(double low, double high, int count, SeaBins* bins)
@@ -489,19 +489,18 @@ bool FindSeaError(const SeaBins* bins, int groupCount, const SeaSums* groups, sw
     return true;
 }
 
-bool LookAtSurface(const swWorld* world, double area, int count, float foamThreshold, SurfaceSums* sums)
+bool LookAtSurface(const swWorld* world, double area, int count, SurfaceSums* sums)
 {
     size_t n = (size_t)count;
     swPosXZ* points = malloc(n * sizeof(swPosXZ));
     float* height = malloc(n * sizeof(float));
-    float* jacobian = malloc(n * sizeof(float));
     swVec3* normal = malloc(n * sizeof(swVec3));
     swVec2* slopes = malloc(n * sizeof(swVec2));
-    bool isFine = points != NULL && height != NULL && jacobian != NULL && normal != NULL && slopes != NULL;
+    bool isFine = points != NULL && height != NULL && normal != NULL && slopes != NULL;
     if (isFine)
     {
         swQueryDef def = swDefaultQueryDef();
-        swSurfaceSamples samples = {.height = height, .normal = normal, .jacobian = jacobian};
+        swSurfaceSamples samples = {.height = height, .normal = normal};
         for (int i = 0; i < count; ++i)
         {
             points[i] = PlaceGauge(area, i);
@@ -519,12 +518,58 @@ bool LookAtSurface(const swWorld* world, double area, int count, float foamThres
         sums->slopeSquare += y > 0.0 ? (x * x + z * z) / (y * y) : 0.0;
         sums->particleSlopeSquare +=
             (double)slopes[i].x * (double)slopes[i].x + (double)slopes[i].y * (double)slopes[i].y;
-        sums->whitecaps += jacobian[i] < foamThreshold;
     }
     free(points);
     free(height);
-    free(jacobian);
     free(normal);
     free(slopes);
     return isFine;
+}
+
+// Slices of texels of 0.5 m to 16 m: 64 m to 2 km.
+#define FOAM_RESOLUTION 128
+#define FOAM_SLICES 6
+
+// Foam is looked at every second after the first ones, the mean being right from the start.
+#define FOAM_WARM_UP 4
+#define FOAM_LOOKS 8
+#define FOAM_STEPS 10 // a second
+
+static double GetMeanFoam(const swView* view)
+{
+    double sum = 0.0;
+    for (int slice = 0; slice < FOAM_SLICES; ++slice)
+    {
+        const float* foam = swView_GetFoam(view, slice);
+        for (int i = 0; i < FOAM_RESOLUTION * FOAM_RESOLUTION; ++i)
+        {
+            sum += (double)foam[i];
+        }
+    }
+    return sum / (FOAM_SLICES * FOAM_RESOLUTION * FOAM_RESOLUTION);
+}
+
+double MeasureFoam(swWorld* world, double x, double z)
+{
+    swViewDef def = swDefaultViewDef();
+    def.resolution = FOAM_RESOLUTION;
+    def.sliceCount = FOAM_SLICES;
+    def.finestTexel = 0.5f;
+    def.enableCpuLayers = true;
+    swView* view = NULL;
+    if (swCreateView(world, &def, &view) != SW_SUCCESS)
+    {
+        return (double)NAN;
+    }
+    swView_SetViewpoint(view, (swPos){x, swWorld_GetSeaLevel(world), z});
+    double sum = 0.0;
+    bool isFine = true;
+    for (int step = 0; step <= (FOAM_WARM_UP + FOAM_LOOKS) * FOAM_STEPS && isFine; ++step)
+    {
+        isFine = swWorld_Step(world, step == 0 ? 0.0 : 1.0 / FOAM_STEPS) == SW_SUCCESS;
+        bool isLook = step > FOAM_WARM_UP * FOAM_STEPS && step % FOAM_STEPS == 0;
+        sum += isFine && isLook ? GetMeanFoam(view) / FOAM_LOOKS : 0.0;
+    }
+    swDestroyView(view);
+    return isFine ? sum : (double)NAN;
 }

@@ -41,7 +41,7 @@ typedef struct SeaGauges
 void UseTableBins(const swSpectrumTable* table, SeaBins* bins);
 
 // How long to record for a table's bins, s: the window of a record moves energy by about one over its length, so that it
-// wants to be six times as long as that of the narrowest bin that holds much; at most forty minutes.
+// wants to be eight times as long as one over the width of the narrowest bin that holds much; at most an hour.
 double FindTableDuration(const swSpectrumTable* table);
 
 // `count` equal bins over [low, high] Hz.
@@ -89,8 +89,10 @@ typedef struct SurfaceSums
     double height, heightSquare; // of the surface above points (Eulerian), from sea level
     double slopeSquare;          // of its normal
     double particleSlopeSquare;  // per rest metre, what the spectrum means
-    double whitecaps;            // points where the fold is below the world's foam threshold
 } SurfaceSums;
 
 // Add `count` points over the area, of the world as its last step left it. Returns false without memory.
-bool LookAtSurface(const swWorld* world, double area, int count, float foamThreshold, SurfaceSums* sums);
+bool LookAtSurface(const swWorld* world, double area, int count, SurfaceSums* sums);
+
+// Mean foam of a view's slices in the steady state, which the world steps into from its present time; NAN if it cannot.
+double MeasureFoam(swWorld* world, double x, double z);

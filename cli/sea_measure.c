@@ -25,6 +25,8 @@ typedef struct SeedResult
     SeaSums groups[MEASURE_GROUPS];
     SurfaceSums surface;
     SeaPatches patches;
+    double whitecaps; // mean foam
+    swFoamState foam;
     bool isFine;
 } SeedResult;
 
@@ -251,14 +253,19 @@ static bool LookAtSea(const Job* job, int index, SeedResult* seed)
     for (int i = 0; i < SURFACE_TIMES && isFine; ++i)
     {
         swWorld_SetTime(world, sea->gauges.duration * i / SURFACE_TIMES);
-        isFine =
-            swWorld_Step(world, 0.0) == SW_SUCCESS &&
-            LookAtSurface(world, sea->gauges.area, SURFACE_POINTS, sea->scene->world.foam.threshold, &seed->surface);
+        isFine = swWorld_Step(world, 0.0) == SW_SUCCESS &&
+                 LookAtSurface(world, sea->gauges.area, SURFACE_POINTS, &seed->surface);
     }
     for (int i = 0; i < PATCHES_PER_SEED && isFine && sea->options.withDirections; ++i)
     {
         double begin = sea->gauges.duration * (i + 0.5) / PATCHES_PER_SEED;
         isFine = LookAtPatches(world, begin, sea->depth, i, &seed->patches);
+    }
+    if (isFine)
+    {
+        seed->whitecaps = MeasureFoam(world, 0.0, 0.0);
+        seed->foam = swWorld_GetFoamState(world);
+        isFine = isfinite(seed->whitecaps);
     }
     swDestroyWorld(world);
     return isFine;
@@ -403,19 +410,6 @@ static bool AskSea(const SeaMeasurement* sea, swSeaState* state)
     return isFine;
 }
 
-// [Monahan and O'Muircheartaigh 1980], of the strongest wind that a formula of the scene names; NAN if none does.
-static double AskWhitecaps(const swScene* scene)
-{
-    double wind = 0.0;
-    for (int i = 0; i < scene->wavesCount; ++i)
-    {
-        const swSpectrumDef* def = &scene->waves[i].def.spectrum;
-        bool hasWind = def->kind != SW_SPECTRUM_TABLE && scene->waves[i].def.componentCount == 0;
-        wind = hasWind ? fmax(wind, (double)def->windSpeed) : wind;
-    }
-    return wind > 0.0 ? fmin(3.84e-6 * pow(wind, 3.41), 1.0) : (double)NAN;
-}
-
 double AskDensity(const SeaMeasurement* sea, double frequency)
 {
     double sum = 0.0;
@@ -491,7 +485,7 @@ static void SumSeeds(SeaMeasurement* sea, const SeedResult* seeds, SurfaceSums* 
         surface->heightSquare += seeds[i].surface.heightSquare;
         surface->slopeSquare += seeds[i].surface.slopeSquare;
         surface->particleSlopeSquare += seeds[i].surface.particleSlopeSquare;
-        surface->whitecaps += seeds[i].surface.whitecaps;
+        sea->whitecaps += seeds[i].whitecaps / sea->options.seeds;
         if (sea->options.withDirections)
         {
             AddPatches(&seeds[i].patches, &sea->patches);
@@ -537,8 +531,8 @@ static bool FindResults(SeaMeasurement* sea, const SeedResult* seeds)
     free(groups);
     sea->measured.meanSquareSlope = (float)(surface.particleSlopeSquare / surface.count);
     sea->error.meanSquareSlope = NAN; // of all waves, not of the bins
-    sea->askedWhitecaps = AskWhitecaps(sea->scene);
-    sea->whitecaps = surface.whitecaps / surface.count;
+    sea->askedWhitecaps = (double)seeds[0].foam.cover;
+    sea->foamWind = (double)seeds[0].foam.windSpeed;
     double average = surface.height / surface.count;
     sea->surfaceHeight = 4.0 * sqrt(fmax(surface.heightSquare / surface.count - average * average, 0.0));
     sea->surfaceSlope = surface.slopeSquare / surface.count;

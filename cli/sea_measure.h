@@ -31,11 +31,12 @@ typedef struct SeaMeasurement
     double depth; // the first system's, m
 
     swSeaState asked, measured;
-    swSeaState error; // standard errors of `measured`
-    double askedWhitecaps, whitecaps;
-    double surfaceHeight;                                     // 4 times the deviation of heights above points, m
-    double surfaceSlope;                                      // mean square, of the true surface
-    double heightDeviation;                                   // of Hs from seed to seed, m
+    swSeaState error;                 // standard errors of `measured`
+    double foamWind;                  // m/s: what the waves tell of, or the scene's
+    double askedWhitecaps, whitecaps; // mean foam: by that wind, and of the foam layer in its steady state
+    double surfaceHeight;             // 4 times the deviation of heights above points, m
+    double surfaceSlope;              // mean square, of the true surface
+    double heightDeviation;           // of Hs from seed to seed, m
     double density[SEA_MAX_BINS], densityError[SEA_MAX_BINS]; // measured, m^2/Hz, and its standard error
     SeaSums sums;
     SeaPatches patches; // empty without directions

@@ -61,7 +61,7 @@ static const Field lookFields[] = {
     LOOK(exposureEv),         LOOK(water.absorption.x), LOOK(water.absorption.y), LOOK(water.absorption.z),
     LOOK(water.scattering.x), LOOK(water.scattering.y), LOOK(water.scattering.z), LOOK(water.refractiveIndex),
     LOOK(water.foamAlbedo),   LOOK(water.windSpeed),    LOOK(foam.fadeRate),      LOOK(foam.threshold),
-    LOOK(foam.gain),
+    LOOK(foam.coverage),      LOOK(foam.windSpeed),     LOOK(foam.minWavelength),
 };
 
 static int CountDifferent(const void* value, const void* filed, const Field* fields, int count)

@@ -137,8 +137,13 @@ typedef struct swSpectrumDef
     /// Default SW_SPECTRUM_JONSWAP.
     swSpectrumKind kind;
 
-    /// Wind at 10 m above the water, m/s. Range (0, 100]. Default 10. Unused by tables.
+    /// Wind at 10 m above the water, m/s. Range (0, 100]. Default 10. Tables use it only with hasWind.
     float windSpeed;
+
+    /// Whether windSpeed is known to blow over these waves although their height or period was given, or a table. Whitecaps
+    /// then follow it. Without it a given sea tells of its own wind, and a formula that was given nothing but wind and
+    /// fetch has that wind anyway. The one-knob functions set it, a swell's wind being a breath. Default false.
+    bool hasWind;
 
     /// Distance over which the wind has blown, m. Range [1e3, 1e7]. Default 300e3. JONSWAP, TMA and Elfouhaily.
     float fetch;

@@ -29,19 +29,30 @@ typedef struct swFoamDef
     /// Foam fades as exp(-fadeRate t), per second. Range [0.01, 10]. Default 0.25.
     float fadeRate;
 
-    /// Folding (determinant of the Jacobian) below which foam is born: 1 is flat water, 0 a fold. Range [0, 1].
-    /// Default 0.5.
-    float threshold;
+    /// Factor on the whitecap cover that the waves' wind gives, for an artist. Range [0, 100]. Default 1.
+    float coverage;
 
-    /// Foam per second and unit of folding below the threshold. Range [0, 1000]. Default 65.
-    float gain;
+    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the wind that the waves themselves tell of, by the level
+    /// of the equilibrium range above their peak [Phillips 1985]. Give a wind where it was measured, or where waves and
+    /// weather disagree.
+    float windSpeed;
+
+    /// Waves shorter than this make no foam, m: foam then follows long crests. The finest slices know waves of 8 texels
+    /// and more; a filter beyond that takes the folds of a coarser slice. Range [0, 1024]. Default 0: every wave counts.
+    float minWavelength;
+
+    /// Folding (determinant of the Jacobian) below which foam is born even without wind: 1 is flat water, 0 a surface
+    /// that passes through itself. The waves' own threshold is used where it is higher. Range [-4, 1]. Default 0; -4 is
+    /// never.
+    float threshold;
 
     /// Set by swDefaultFoamDef().
     int internalValue;
 } swFoamDef;
 
-/// Foam whose mean over a JONSWAP sea with chop 1 follows whitecap cover from 3 to 20 m/s [Callaghan 2008]
-/// [Monahan and O'Muircheartaigh 1980]: 0.9 % at 10 m/s, 6 % at 20 m/s.
+/// Foam whose mean in the steady state is the whitecap cover at the waves' wind, the geometric mean of two laws [Callaghan
+/// 2008] [Monahan and O'Muircheartaigh 1980], whatever the spectrum: none up to 3.7 m/s, 0.9 % at 10 m/s, 7 % at 20 m/s,
+/// 34 % at 35 m/s. Swell makes none. Waves without chop fold nowhere and make none.
 SW_API swFoamDef swDefaultFoamDef(void);
 
 /// Must be initialized with swDefaultWorldDef().
@@ -108,6 +119,16 @@ SW_API swResult swWorld_StepTo(swWorld* world, double time);
 /// Takes effect at once; viewpoints keep their place in the sea. Range [-1e9, 1e9]. Default 0.
 SW_API void swWorld_SetOrigin(swWorld* world, swPosXZ origin);
 SW_API swPosXZ swWorld_GetOrigin(const swWorld* world);
+
+/// What makes foam, as the last step found it.
+typedef struct swFoamState
+{
+    float windSpeed; ///< m/s at 10 m: what the waves tell of, or the def's
+    float cover;     ///< mean foam of the steady state
+    float threshold; ///< folding (determinant of the Jacobian) below which foam is born
+} swFoamState;
+
+SW_API swFoamState swWorld_GetFoamState(const swWorld* world);
 
 /// Change how foam is born and fades, from the next step on. Foam that is there stays.
 SW_API void swWorld_SetFoam(swWorld* world, const swFoamDef* foam);

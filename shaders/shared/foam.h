@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Foam is born where the surface folds and fades with time: df/dt = gain fold - fadeRate f, kept within [0, 1]. Over one
-// step with the fold constant the solution is exact, so that the result does not depend on the rate: n steps of dt are one
-// of n dt.
+// Foam is born where the surface folds and fades with time: df/dt = growth fold (1 - f) - fadeRate f, which stays within
+// [0, 1]. Over one step with the fold constant the solution is exact, so that the result does not depend on the rate: n
+// steps of dt are one of n dt.
 //
-// The fold is max(threshold - J, 0) with J of the whole surface. A coarse slice knows only the long waves' part of J; of
-// the others it knows how much J varies by them, so it grows foam by the fold's expectation. Slices of
-// different fineness then hold the same mean foam, the coarse one spread thinner, as a mip level would be.
+// The fold is max(threshold - J, 0) with J of the whole surface. core/sim/whitecaps.c chooses threshold and growth so that
+// the steady state covers as much of the sea as whitecaps do. A slice knows only a part of the waves, and of the others how
+// much J varies by them. It grows foam by the fold's expectation. So slices of different fineness hold the same mean
+// foam, the coarse one spread thinner, as a mip level would be.
 //
 // Foam lives at the texels of a view's slices, in rest space. When slices scroll or the stack's scale changes, a texel
 // takes its foam from the stack of the step before: from the same lattice, else from a coarser one (linear between
-// texels), else from a finer one (every 2^shift-th texel coincides), else from the steady state.
+// texels), else from a finer one (every 2^shift-th texel coincides), else it starts anew.
 #ifndef SW_SHARED_FOAM_H
 #define SW_SHARED_FOAM_H
 #include "types.h"
@@ -54,6 +55,27 @@ SW_FORMULA float swFoamTapFraction(sw_int shift, sw_int rest, sw_int index)
     return shift < 0 ? SW_FLOAT((rest + index) & (steps - 1)) / SW_FLOAT(steps) : 0.0f;
 }
 
+// Waves that a slice does not know, by how much they move J.
+SW_PARAMS(swFoamRest)
+{
+    float deviation; // of J about 1, to first order
+    float bend;      // of the measure in which J is Gaussian, in (0, 1]
+};
+SW_PARAMS_SIZE(swFoamRest, 8);
+
+// Foam of one slice over one frame.
+SW_PARAMS(swFoamSliceParams)
+{
+    swFoamRest rest;
+    float threshold;
+    float growth;     // per second and unit of fold
+    float fadeRate;   // per second
+    float dt;         // s
+    float start;      // of texels without a past
+    sw_uint isSteady; // 1: no texel has a past
+};
+SW_PARAMS_SIZE(swFoamSliceParams, 32);
+
 // E[max(x + n, 0)] of a standard normal n. The tail is the density over a cubic fitted to the exact ratio: its relative
 // error stays below 0.5 % down to x = -5, where foam in a light breeze is decided.
 SW_FORMULA float swFoamExcess(float x)
@@ -63,43 +85,47 @@ SW_FORMULA float swFoamExcess(float x)
     return x < 0.0f ? tail : x + tail;
 }
 
-// J to the power 3/4, J >= 0.
-SW_FORMULA float swFoamMeasure(float jacobian)
+// J itself is skewed: waves that are squeezed already strain less, the more so the more directions they have. With the
+// right bend J / (bend + (1 - bend) J) is close to Gaussian, with `bend` times the deviation of J.
+SW_FORMULA float swFoamMeasure(float jacobian, float bend)
 {
-    float root = SW_FOAM_SQRT(jacobian);
-    return root * SW_FOAM_SQRT(root);
+    float j = jacobian < -1.0f ? -1.0f : jacobian;
+    return j / (bend + (1.0f - bend) * j);
 }
 
-// Expectation of max(threshold - J, 0) for the J that a slice knows and waves it does not carry, of which J has
-// `deviation`. J itself is skewed: waves that are squeezed already strain less. J^(3/4) is close to Gaussian: with it,
-// slices whose shortest wave is 0.25 to 32 m expect the fold of the whole sea within 25 % (measured, JONSWAP, 10 to
-// 20 m/s); with J the coarse ones expect fifteen times as much.
-SW_FORMULA float swFoamFold(float jacobian, float threshold, float deviation)
+// Expectation of max(threshold - J, 0) for the J that a slice knows.
+SW_FORMULA float swFoamFold(float jacobian, float threshold, swFoamRest rest)
 {
     float margin = threshold - jacobian;
-    if (deviation < 1e-4f || jacobian <= 0.0f)
+    if (rest.deviation < 1e-4f)
     {
         return margin > 0.0f ? margin : 0.0f;
     }
-    float spread = 0.75f * deviation;
-    float edge = swFoamMeasure(threshold);
-    float inside = edge - swFoamMeasure(jacobian);
-    // Back from the measure to J: the secant within the fold, the derivative 4/3 threshold^(1/4) at its edge.
-    float slope = inside > 0.02f * edge ? margin / inside : 4.0f / 3.0f * SW_FOAM_SQRT(SW_FOAM_SQRT(threshold));
+    float spread = rest.bend * rest.deviation;
+    float inside = swFoamMeasure(threshold, rest.bend) - swFoamMeasure(jacobian, rest.bend);
+    // Back from the measure to J: the secant within the fold, the tangent at its edge.
+    float root = rest.bend + (1.0f - rest.bend) * threshold;
+    float slope = inside > 0.02f ? margin / inside : root * root / rest.bend;
     return slope * spread * swFoamExcess(inside / spread);
 }
 
-// keep = exp(-fadeRate dt); grow = gain (1 - keep) / fadeRate.
-SW_FORMULA float swFoamStep(float foam, float fold, float keep, float grow)
+// The steady state under a constant birth rate = growth fold.
+SW_FORMULA float swFoamSteady(float birth, float fadeRate)
 {
-    float next = foam * keep + fold * grow;
-    return next < 1.0f ? next : 1.0f;
+    return birth / (birth + fadeRate);
 }
 
-// The steady state under a constant fold; ceiling = gain / fadeRate.
-SW_FORMULA float swFoamSteady(float fold, float ceiling)
+SW_FORMULA float swFoamStep(float foam, float birth, float fadeRate, float dt)
 {
-    float foam = fold * ceiling;
-    return foam < 1.0f ? foam : 1.0f;
+    float steady = swFoamSteady(birth, fadeRate);
+    return foam + (steady - foam) * (1.0f - SW_FOAM_EXP(-(birth + fadeRate) * dt)); // exactly `foam` at dt = 0
+}
+
+// What a texel without a past begins with: the foam that fresh folds make here, over the mean of the sea's. The mean is
+// right from the first frame on; patches take the place of the even part within 1 / fadeRate.
+SW_FORMULA float swFoamStart(float birth, float fadeRate, float start)
+{
+    float steady = swFoamSteady(birth, fadeRate);
+    return start > steady ? start : steady;
 }
 #endif

@@ -81,15 +81,4 @@ SW_PARAMS(swSliceList)
     sw_uint unused0, unused1, unused2;
 };
 SW_PARAMS_SIZE(swSliceList, 32);
-
-// Foam of one slice over one frame; see foam.h.
-SW_PARAMS(swFoamSliceParams)
-{
-    float deviation; // of J, from waves that the slice does not carry
-    float threshold;
-    float keep, grow, ceiling;
-    sw_uint isSteady; // 1: no past, every texel starts from the steady state
-    sw_uint unused0, unused1;
-};
-SW_PARAMS_SIZE(swFoamSliceParams, 32);
 #endif

@@ -18,31 +18,52 @@ layout(std430, binding = 0) readonly buffer Slices
 };
 layout(std430, binding = 1) readonly buffer Sources
 {
-    swFoamSource sources[]; // SW_FOAM_SOURCES a slice
+    swFoamSource sources[]; // SW_FOAM_SOURCES a slice for the past, and one for the fold
 };
 layout(binding = 2, rgba32f) uniform readonly image2DArray displacement;
 layout(binding = 3, r32f) uniform readonly image2DArray previous;
-layout(binding = 4, r32f) uniform writeonly image2DArray next;
+layout(binding = 4, r32f) uniform writeonly image2DArray nextFoam;
 layout(push_constant) uniform Push
 {
     int resolution;
 };
+
+// Where a texel lies in a source: the texel at or below it, the way to the next, and whether the source holds it.
+struct Tap
+{
+    ivec2 texel;
+    vec2 along;
+    bool isHeld;
+};
+
+Tap findTap(swFoamSource source, ivec2 at)
+{
+    Tap tap;
+    tap.texel.x = swFoamTap(source.shift, source.baseX, source.restX, at.x);
+    tap.texel.y = swFoamTap(source.shift, source.baseZ, source.restZ, at.y);
+    tap.along.x = swFoamTapFraction(source.shift, source.restX, at.x);
+    tap.along.y = swFoamTapFraction(source.shift, source.restZ, at.y);
+    ivec2 last = ivec2(resolution - (tap.along.x > 0.0 ? 2 : 1), resolution - (tap.along.y > 0.0 ? 2 : 1));
+    tap.isHeld = all(greaterThanEqual(tap.texel, ivec2(0))) && all(lessThanEqual(tap.texel, last));
+    return tap;
+}
+
+// Linear between four texels, whose corner may be exact on either axis.
+float blend(float a, float b, float c, float d, vec2 along)
+{
+    a += (b - a) * along.x;
+    c += (d - c) * along.x;
+    return a + (c - a) * along.y;
+}
 
 float foamAt(int slice, int x, int z)
 {
     return imageLoad(previous, ivec3(x, z, slice)).x;
 }
 
-// Linear between four texels, whose corner may be exact on either axis.
-float blendTexels(int slice, int x, int z, float alongX, float alongZ)
+float jacobianAt(int slice, int x, int z)
 {
-    int stepX = alongX > 0.0 ? 1 : 0;
-    int stepZ = alongZ > 0.0 ? 1 : 0;
-    float a = foamAt(slice, x, z);
-    a += (foamAt(slice, x + stepX, z) - a) * alongX;
-    float b = foamAt(slice, x, z + stepZ);
-    b += (foamAt(slice, x + stepX, z + stepZ) - b) * alongX;
-    return a + (b - a) * alongZ;
+    return imageLoad(displacement, ivec3(x, z, slice)).w;
 }
 
 // Foam of the frame before at a texel; false if no slice of the previous stack held it.
@@ -51,34 +72,49 @@ bool readPrevious(ivec3 at, out float foam)
     foam = 0.0;
     for (int i = 0; i < SW_FOAM_SOURCES; ++i)
     {
-        swFoamSource source = sources[at.z * SW_FOAM_SOURCES + i];
+        swFoamSource source = sources[at.z * (SW_FOAM_SOURCES + 1) + i];
         if (source.slice < 0)
         {
             return false;
         }
-        int x = swFoamTap(source.shift, source.baseX, source.restX, at.x);
-        int z = swFoamTap(source.shift, source.baseZ, source.restZ, at.y);
-        float alongX = swFoamTapFraction(source.shift, source.restX, at.x);
-        float alongZ = swFoamTapFraction(source.shift, source.restZ, at.y);
-        int lastX = resolution - (alongX > 0.0 ? 2 : 1);
-        int lastZ = resolution - (alongZ > 0.0 ? 2 : 1);
-        if (x >= 0 && z >= 0 && x <= lastX && z <= lastZ)
+        Tap tap = findTap(source, at.xy);
+        if (tap.isHeld)
         {
-            foam = blendTexels(source.slice, x, z, alongX, alongZ);
+            ivec2 next = tap.texel + ivec2(greaterThan(tap.along, vec2(0.0)));
+            foam = blend(foamAt(source.slice, tap.texel.x, tap.texel.y), foamAt(source.slice, next.x, tap.texel.y),
+                         foamAt(source.slice, tap.texel.x, next.y), foamAt(source.slice, next.x, next.y), tap.along);
             return true;
         }
     }
     return false;
 }
 
+// J where the slice finds its folds; flat water beyond what is known.
+float readJacobian(ivec3 at)
+{
+    swFoamSource source = sources[at.z * (SW_FOAM_SOURCES + 1) + SW_FOAM_SOURCES];
+    if (source.slice == at.z)
+    {
+        return jacobianAt(at.z, at.x, at.y);
+    }
+    Tap tap = findTap(source, at.xy);
+    if (!tap.isHeld)
+    {
+        return 1.0;
+    }
+    ivec2 next = tap.texel + ivec2(greaterThan(tap.along, vec2(0.0)));
+    return blend(jacobianAt(source.slice, tap.texel.x, tap.texel.y), jacobianAt(source.slice, next.x, tap.texel.y),
+                 jacobianAt(source.slice, tap.texel.x, next.y), jacobianAt(source.slice, next.x, next.y), tap.along);
+}
+
 void main()
 {
     ivec3 at = ivec3(gl_WorkGroupID.xy * SW_FOAM_BLOCK + blockPlace(gl_LocalInvocationIndex), gl_WorkGroupID.z);
     swFoamSliceParams slice = slices[at.z];
-    float jacobian = imageLoad(displacement, at).w;
-    float fold = swFoamFold(jacobian, slice.threshold, slice.deviation);
+    float birth = slice.growth * swFoamFold(readJacobian(at), slice.threshold, slice.rest);
     float foam;
     bool hasPast = slice.isSteady == 0 && readPrevious(at, foam);
-    foam = hasPast ? swFoamStep(foam, fold, slice.keep, slice.grow) : swFoamSteady(fold, slice.ceiling);
-    imageStore(next, at, vec4(foam, 0.0, 0.0, 0.0));
+    foam =
+        hasPast ? swFoamStep(foam, birth, slice.fadeRate, slice.dt) : swFoamStart(birth, slice.fadeRate, slice.start);
+    imageStore(nextFoam, at, vec4(foam, 0.0, 0.0, 0.0));
 }

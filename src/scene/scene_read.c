@@ -49,8 +49,18 @@ static const swYamlField foamFields[] = {
      .offset = offsetof(swFoamDef, fadeRate),
      .low = 0.01,
      .high = 10.0},
-    {.key = "threshold", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, threshold), .low = 0.0, .high = 1.0},
-    {.key = "gain_per_s", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, gain), .low = 0.0, .high = 1000.0},
+    {.key = "coverage", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, coverage), .low = 0.0, .high = 100.0},
+    {.key = "wind_speed_mps",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swFoamDef, windSpeed),
+     .low = 0.0,
+     .high = 100.0},
+    {.key = "min_wavelength_m",
+     .type = SW_YAML_FLOAT,
+     .offset = offsetof(swFoamDef, minWavelength),
+     .low = 0.0,
+     .high = 1024.0},
+    {.key = "threshold", .type = SW_YAML_FLOAT, .offset = offsetof(swFoamDef, threshold), .low = -4.0, .high = 1.0},
 };
 
 static const swYamlField viewFields[] = {
@@ -501,7 +511,7 @@ static swResult checkKeys(swYaml* yaml, WavesText* text, const swYamlNodes* node
         {AT, FILES},
         {TURN, FILES},
         {EXTEND_TAIL, FILES},
-        {WIND_SPEED, FORMULAS | ONE(WIND_SEA_KIND)},
+        {WIND_SPEED, FORMULAS | FILES | ONE(WIND_SEA_KIND)},
         {FETCH, GROWING | ONE(SW_SPECTRUM_ELFOUHAILY) | ONE(WIND_SEA_KIND)},
         {DURATION, ONE(WIND_SEA_KIND)},
         {GROWTH, GROWING},
@@ -593,6 +603,7 @@ static swResult buildSpectrum(swYaml* yaml, yaml_node_t* node, WavesText* text, 
         spectrum->kind = (swSpectrumKind)text->kind;
         spectrum->spreading = (swSpreadingKind)text->spreading;
         spectrum->growth = (swGrowthLaw)text->growth;
+        spectrum->hasWind = nodes->nodes[WIND_SPEED] != NULL;
     }
     else if (text->kind != COMPONENTS_KIND)
     {

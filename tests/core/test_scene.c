@@ -49,53 +49,54 @@ static bool IsNear(double value, double expected)
 static void EveryKeyReachesItsField(void** state)
 {
     (void)state;
-    static const char text[] = "name: All of it\n"
-                               "time_s: -12.5\n"
-                               "exposure_ev: 0.5\n"
-                               "world: {gravity_mps2: 3.7, surface_tension_m3ps2: 1e-4, sea_level_m: 11}\n"
-                               "foam: {fade_rate_per_s: 0.5, threshold: 0.25, gain_per_s: 3}\n"
-                               "view: {slice_count: 5, resolution: 256, finest_texel_m: 0.125, max_scale_level: 4}\n"
-                               "sun: {azimuth_deg: 90, elevation_deg: 45, illuminance_lux: 1e5}\n"
-                               "sky: {haze: 2, clouds: 0.75}\n"
-                               "water:\n"
-                               "  absorption_per_m: [0.5, 0.25, 0.125]\n"
-                               "  scattering_per_m: [0.01, 0.02, 0.03]\n"
-                               "  refractive_index: 1.33\n"
-                               "  foam_albedo: [0.5, 0.5, 0.25]\n"
-                               "  wind_speed_mps: 9\n"
-                               "waves:\n"
-                               "  - spectrum: jonswap\n"
-                               "    wind_speed_mps: 12\n"
-                               "    fetch_m: 2e5\n"
-                               "    gamma: 2\n"
-                               "    significant_height_m: 2.5\n"
-                               "    peak_period_s: 8\n"
-                               "    direction_from_deg: 270\n"
-                               "    spread_exponent: 12\n"
-                               "    resolution: 256\n"
-                               "    tile_waves: 16\n"
-                               "    min_wavelength_m: 0.5\n"
-                               "    max_wavelength_m: 512\n"
-                               "    chop: 0.5\n"
-                               "    weight: 0.75\n"
-                               "    depth_m: 30\n"
-                               "    loop_period_s: 60\n"
-                               "    seed: 4294967295\n"
-                               "  - spectrum: file\n"
-                               "    file: data/harbour_storm.data_spec\n"
-                               "    at: 2024-11-16 05:50\n"
-                               "    turn_deg: 90\n"
-                               "    extend_tail: false\n"
-                               "views:\n"
-                               "  - name: one\n"
-                               "    position_m: [1, 2, -3e3]\n"
-                               "    heading_deg: 180\n"
-                               "    pitch_deg: -90\n"
-                               "    roll_deg: 45\n"
-                               "    fov_deg: 60\n"
-                               "    sun_azimuth_deg: 270\n"
-                               "    sun_elevation_deg: 5\n"
-                               "  - name: two\n";
+    static const char text[] =
+        "name: All of it\n"
+        "time_s: -12.5\n"
+        "exposure_ev: 0.5\n"
+        "world: {gravity_mps2: 3.7, surface_tension_m3ps2: 1e-4, sea_level_m: 11}\n"
+        "foam: {fade_rate_per_s: 0.5, threshold: 0.25, coverage: 3, wind_speed_mps: 7, min_wavelength_m: 2}\n"
+        "view: {slice_count: 5, resolution: 256, finest_texel_m: 0.125, max_scale_level: 4}\n"
+        "sun: {azimuth_deg: 90, elevation_deg: 45, illuminance_lux: 1e5}\n"
+        "sky: {haze: 2, clouds: 0.75}\n"
+        "water:\n"
+        "  absorption_per_m: [0.5, 0.25, 0.125]\n"
+        "  scattering_per_m: [0.01, 0.02, 0.03]\n"
+        "  refractive_index: 1.33\n"
+        "  foam_albedo: [0.5, 0.5, 0.25]\n"
+        "  wind_speed_mps: 9\n"
+        "waves:\n"
+        "  - spectrum: jonswap\n"
+        "    wind_speed_mps: 12\n"
+        "    fetch_m: 2e5\n"
+        "    gamma: 2\n"
+        "    significant_height_m: 2.5\n"
+        "    peak_period_s: 8\n"
+        "    direction_from_deg: 270\n"
+        "    spread_exponent: 12\n"
+        "    resolution: 256\n"
+        "    tile_waves: 16\n"
+        "    min_wavelength_m: 0.5\n"
+        "    max_wavelength_m: 512\n"
+        "    chop: 0.5\n"
+        "    weight: 0.75\n"
+        "    depth_m: 30\n"
+        "    loop_period_s: 60\n"
+        "    seed: 4294967295\n"
+        "  - spectrum: file\n"
+        "    file: data/harbour_storm.data_spec\n"
+        "    at: 2024-11-16 05:50\n"
+        "    turn_deg: 90\n"
+        "    extend_tail: false\n"
+        "views:\n"
+        "  - name: one\n"
+        "    position_m: [1, 2, -3e3]\n"
+        "    heading_deg: 180\n"
+        "    pitch_deg: -90\n"
+        "    roll_deg: 45\n"
+        "    fov_deg: 60\n"
+        "    sun_azimuth_deg: 270\n"
+        "    sun_elevation_deg: 5\n"
+        "  - name: two\n";
     swScene* scene = NULL;
     if (ReadText(text, &scene) != SW_SUCCESS)
     {
@@ -105,7 +106,8 @@ static void EveryKeyReachesItsField(void** state)
     assert_true(scene->time == -12.5 && scene->exposureEv == 0.5f);
     assert_true(scene->world.gravity == 3.7f && scene->world.surfaceTension == 1e-4f && scene->world.seaLevel == 11.0);
     assert_true(scene->world.foam.fadeRate == 0.5f && scene->world.foam.threshold == 0.25f &&
-                scene->world.foam.gain == 3.0f);
+                scene->world.foam.coverage == 3.0f && scene->world.foam.windSpeed == 7.0f &&
+                scene->world.foam.minWavelength == 2.0f);
     assert_true(scene->view.sliceCount == 5 && scene->view.resolution == 256 && scene->view.finestTexel == 0.125f &&
                 scene->view.maxScaleLevel == 4);
     assert_true(IsNear((double)scene->sky.sunAzimuth, SW_PI / 2) && IsNear((double)scene->sky.sunElevation, SW_PI / 4));
@@ -154,7 +156,7 @@ static void WhatIsLeftOutKeepsItsDefault(void** state)
     swWorldDef world = swDefaultWorldDef();
     swViewDef view = swDefaultViewDef();
     assert_true(scene->world.gravity == world.gravity && scene->world.seaLevel == world.seaLevel &&
-                scene->world.enableQueries == world.enableQueries && scene->world.foam.gain == world.foam.gain);
+                scene->world.enableQueries == world.enableQueries && scene->world.foam.coverage == world.foam.coverage);
     assert_true(scene->view.sliceCount == view.sliceCount && scene->view.resolution == view.resolution &&
                 scene->view.finestTexel == view.finestTexel && scene->view.maxScaleLevel == view.maxScaleLevel);
     assert_int_equal(scene->wavesCount, 0);

@@ -55,10 +55,7 @@ static void MeasureSeed(void* context, int seed)
     MeasuredCase* measured = context;
     SeaGauges gauges = {.area = 8000.0, .gaugeCount = 1024, .duration = 800.0};
     gauges.duration = fmax(gauges.duration, FindTableDuration(&measured->record.table));
-    if (measured->method == SW_WAVES_GERSTNER)
-    {
-        gauges.area *= 8.0; // a few long waves beat over tens of kilometres
-    }
+    gauges.area *= 8.0; // a few long waves, and those of parallel tiles, beat over tens of kilometres
     swSpectrumDef spectrum = MakeTableSpectrum(measured);
     double highest = 1.02 * measured->bins.high[measured->bins.count - 1]; // shorter waves are not measured
     swWaveSystemDef def =

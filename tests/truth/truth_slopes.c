@@ -43,8 +43,7 @@ static void MeasureSlopes(void* context, int seed)
     for (int i = 0; i < 4; ++i)
     {
         swWorld_SetTime(world, 37.0 * i);
-        if (swWorld_Step(world, 0.0) != SW_SUCCESS ||
-            !LookAtSurface(world, 3000.0, POINT_COUNT, 0.5f, slopes->sums + seed))
+        if (swWorld_Step(world, 0.0) != SW_SUCCESS || !LookAtSurface(world, 3000.0, POINT_COUNT, slopes->sums + seed))
         {
             abort();
         }

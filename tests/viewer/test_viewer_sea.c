@@ -322,7 +322,7 @@ static void EverythingGoesBackToTheFile(void** state)
     Sea sea = OpenText(BREEZE);
     StepTo(&sea, 0.0);
     sea.look.sky.haze = 3.0f;
-    sea.look.foam.gain *= 2.0f;
+    sea.look.foam.coverage *= 2.0f;
     sea.waves[0].def.weight = 0.5f;
     sea.waves[0].hasChanged = true;
     assert_true(AddWaves(&sea, NEW_SWELL));

@@ -51,14 +51,27 @@ static void DrawFoam(App* app)
 {
     swFoamDef* foam = &app->sea.look.foam;
     const swFoamDef* filed = &app->sea.filedLook.foam;
-    bool hasChanged = TurnKnob(&(Knob){.label = "threshold",
-                                       .high = 1.0f,
-                                       .format = "%.2f",
-                                       .tip = "Folding below which foam is born: 1 is flat water, 0 a fold"},
-                               &foam->threshold, &filed->threshold);
+    swFoamState state = swWorld_GetFoamState(app->sea.world);
+    UiFaint("%.1f m/s of wind cover %.2g %%", (double)state.windSpeed, 100.0 * (double)state.cover);
+    bool hasChanged = TurnKnob(
+        &(Knob){
+            .label = "coverage", .high = 5.0f, .format = "%.2f", .tip = "Factor on the whitecaps that the wind gives"},
+        &foam->coverage, &filed->coverage);
+    hasChanged |= TurnKnob(&(Knob){.label = "wind",
+                                   .high = 40.0f,
+                                   .format = foam->windSpeed > 0.0f ? "%.1f m/s" : "by the waves",
+                                   .tip = "Wind that makes the whitecaps; at 0 the waves tell it"},
+                           &foam->windSpeed, &filed->windSpeed);
+    hasChanged |= TurnKnob(
+        &(Knob){.label = "shortest wave", .high = 16.0f, .format = "%.2f m", .tip = "Shorter waves make no foam"},
+        &foam->minWavelength, &filed->minWavelength);
     hasChanged |=
-        TurnKnob(&(Knob){.label = "gain", .low = 0.05f, .high = 1000.0f, .format = "%.2f /s", .isLogarithmic = true},
-                 &foam->gain, &filed->gain);
+        TurnKnob(&(Knob){.label = "threshold",
+                         .low = -4.0f,
+                         .high = 1.0f,
+                         .format = "%.2f",
+                         .tip = "Folding below which foam is born even without wind: 1 is flat water, 0 a fold"},
+                 &foam->threshold, &filed->threshold);
     hasChanged |=
         TurnKnob(&(Knob){.label = "fading", .low = 0.01f, .high = 10.0f, .format = "%.2f /s", .isLogarithmic = true},
                  &foam->fadeRate, &filed->fadeRate);

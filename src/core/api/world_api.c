@@ -6,11 +6,9 @@
 
 #define SW_LONGEST_STEP 3600.0
 
-// The mean fold below 0.5 of all waves, measured at 1.6 million points, is 0.0014, 0.019, 0.16, 0.36, 1.2 and 2.5 e-4 at
-// 3, 5, 8, 10, 15 and 20 m/s; times gain / fadeRate that is the mean foam, less what is cut off at 1.
 swFoamDef swDefaultFoamDef(void)
 {
-    return (swFoamDef){.fadeRate = 0.25f, .threshold = 0.5f, .gain = 65.0f, .internalValue = SW_DEF_COOKIE};
+    return (swFoamDef){.fadeRate = 0.25f, .coverage = 1.0f, .internalValue = SW_DEF_COOKIE};
 }
 
 swWorldDef swDefaultWorldDef(void)
@@ -31,10 +29,28 @@ static bool isWithin(float value, float least, float most)
     return value >= least && value <= most;
 }
 
-static bool isFoamValid(const swFoamDef* foam)
+// A sentence goes to the log.
+static bool isFoamValid(const swHost* host, const swFoamDef* foam)
 {
-    return isWithin(foam->fadeRate, 0.01f, 10.0f) && isWithin(foam->threshold, 0.0f, 1.0f) &&
-           isWithin(foam->gain, 0.0f, 1000.0f);
+    const struct
+    {
+        const char* name;
+        float value, least, most;
+    } fields[] = {
+        {"a fade rate", foam->fadeRate, 0.01f, 10.0f},   {"a coverage", foam->coverage, 0.0f, 100.0f},
+        {"a wind speed", foam->windSpeed, 0.0f, 100.0f}, {"a shortest wavelength", foam->minWavelength, 0.0f, 1024.0f},
+        {"a threshold", foam->threshold, -4.0f, 1.0f},
+    };
+    for (size_t i = 0; i < sizeof fields / sizeof fields[0]; ++i)
+    {
+        if (!isWithin(fields[i].value, fields[i].least, fields[i].most))
+        {
+            swFail(host, SW_ERROR_INVALID, "foam has %s of %g; it must be in [%g, %g]", fields[i].name,
+                   (double)fields[i].value, (double)fields[i].least, (double)fields[i].most);
+            return false;
+        }
+    }
+    return true;
 }
 
 swResult swCheckWorldDef(const swHost* host, const swWorldDef* def)
@@ -53,11 +69,9 @@ swResult swCheckWorldDef(const swHost* host, const swWorldDef* def)
     {
         return swFail(host, SW_ERROR_INVALID, "sea level is %g m; it must be within 1000 km of 0", def->seaLevel);
     }
-    if (!isFoamValid(&def->foam))
+    if (!isFoamValid(host, &def->foam))
     {
-        return swFail(host, SW_ERROR_INVALID,
-                      "foam has fade rate %g (0.01 to 10), threshold %g (0 to 1) and gain %g (0 to 1000)",
-                      (double)def->foam.fadeRate, (double)def->foam.threshold, (double)def->foam.gain);
+        return SW_ERROR_INVALID;
     }
     if ((unsigned)def->isa >= SW_ISA_COUNT)
     {
@@ -144,11 +158,19 @@ double swWorld_GetTime(const swWorld* world)
 
 void swWorld_SetFoam(swWorld* world, const swFoamDef* foam)
 {
-    SW_REQUIRE_VOID(world != NULL && foam != NULL && foam->internalValue == SW_DEF_COOKIE && isFoamValid(foam),
+    SW_REQUIRE_VOID(world != NULL && foam != NULL && foam->internalValue == SW_DEF_COOKIE &&
+                        isFoamValid(&world->host, foam),
                     swFindHost(world),
                     "swWorld_SetFoam() needs a world, and a def made by swDefaultFoamDef() with its fields in range");
     world->def.foam = *foam;
     world->frame.foam = *foam;
+}
+
+swFoamState swWorld_GetFoamState(const swWorld* world)
+{
+    SW_REQUIRE(world != NULL, (swFoamState){0}, NULL, "swWorld_GetFoamState() needs a world");
+    const swFoamLaw* law = &world->frame.foamLaw;
+    return (swFoamState){.windSpeed = law->wind, .cover = law->cover, .threshold = law->threshold};
 }
 
 double swWorld_GetSeaLevel(const swWorld* world)

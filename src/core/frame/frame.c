@@ -66,3 +66,16 @@ void swFindFoamSources(const swSlice* slice, int resolution, int previousCount, 
         sources[count] = (swFoamSource){.slice = -1};
     }
 }
+
+swFoamSliceParams swGetFoamParams(const swFrame* frame, const swViewFrame* view, int i, float seconds, bool isSteady)
+{
+    return (swFoamSliceParams){
+        .rest = view->foamBirth[i].rest,
+        .threshold = frame->foamLaw.threshold,
+        .growth = view->foamBirth[i].growth,
+        .fadeRate = frame->foam.fadeRate,
+        .dt = seconds,
+        .start = frame->foamLaw.cover,
+        .isSteady = isSteady ? 1 : 0,
+    };
+}

@@ -32,6 +32,14 @@ typedef struct swMode
     uint32_t frequencyLow, frequencyHigh;
 } swMode;
 
+// How waves strain the surface sideways: sums over waves of half (chop k amplitude)^2 times powers of the cosine c and sine
+// s of their direction. cccc is the variance of dDx/dx, ssss that of dDz/dz, ccss their covariance and the variance of
+// dDx/dz; cccs and csss are what the others need when axes turn.
+typedef struct swStrain
+{
+    float cccc, cccs, ccss, csss, ssss;
+} swStrain;
+
 #define SW_TICKS_PER_SECOND 16777216.0 // 2^24
 
 // Ticks must fit an int64: 8,700 years either way.
@@ -56,7 +64,7 @@ typedef struct swTile
     float weight;                         // the system's weight; already in the texels
     float variance;                       // of height, m^2, with weight
     float slopeVarianceX, slopeVarianceZ; // E[(dh/dx)^2], E[(dh/dz)^2], with weight
-    float strainVariance;                 // of dDx/dx + dDz/dz, with weight: J to first order
+    swStrain strain;                      // with weight
     float depth;                          // m, of the waves' dispersion
     int modeCount;
     const swMode* modes;      // ordered by qz, then qx
@@ -91,6 +99,15 @@ typedef struct swSlice
     float minWavelength; // tiles with minWavelength >= this are in the slice
 } swSlice;
 
+// How one slice grows foam. Folds are looked up in slice `foldSlice`, the slice itself or a coarser one that leaves out
+// short waves; `fold` says where.
+typedef struct swFoamBirth
+{
+    swFoamSource fold;
+    swFoamRest rest; // waves that are not known
+    float growth;    // per second and unit of fold
+} swFoamBirth;
+
 typedef struct swViewFrame
 {
     const swView* view;   // identity only
@@ -110,7 +127,7 @@ typedef struct swViewFrame
     // swFindFoamSources() itself.
     int64_t foamClock;
     uint32_t foamResetCount;
-    float foamDeviation[SW_MAX_SLICES];                       // of J, from waves that the slice does not carry
+    swFoamBirth foamBirth[SW_MAX_SLICES];                     // how each slice grows foam
     float foamAtRest;                                         // the steady state beyond all slices, of all waves
     swFoamSource foamSources[SW_MAX_SLICES][SW_FOAM_SOURCES]; // from previousSlices to slices
     const float* displacement;                                // [slice][R][R][4], NULL without CPU layers
@@ -139,22 +156,60 @@ static inline int64_t swGetFreeWaveTicks(const swFreeWave* wave, int64_t ticks)
     return rest < 0 ? rest + wave->loopTicks : rest;
 }
 
-// Variances of one free wave: of its slope, and of dDx/dx + dDz/dz.
+// Variance of one free wave's slope.
 static inline float swGetFreeWaveSlope(const swFreeWave* wave)
 {
     float steepness = 6.2831853f / wave->wavelength * wave->amplitude;
     return 0.5f * steepness * steepness;
 }
 
-static inline float swGetFreeWaveStrain(const swFreeWave* wave)
+// Adds what one free wave strains.
+static inline void swAddFreeWaveStrain(swStrain* strain, const swFreeWave* wave)
 {
-    return swGetFreeWaveSlope(wave) * (wave->dx * wave->dx + wave->dz * wave->dz);
+    float steepness = 6.2831853f / wave->wavelength * wave->amplitude;
+    float chop2 = wave->dx * wave->dx + wave->dz * wave->dz;
+    if (chop2 <= 0.0f)
+    {
+        return;
+    }
+    float share = 0.5f * steepness * steepness / chop2; // of chop^2, as a direction's powers hold chop^4
+    strain->cccc += share * wave->dx * wave->dx * wave->dx * wave->dx;
+    strain->cccs += share * wave->dx * wave->dx * wave->dx * wave->dz;
+    strain->ccss += share * wave->dx * wave->dx * wave->dz * wave->dz;
+    strain->csss += share * wave->dx * wave->dz * wave->dz * wave->dz;
+    strain->ssss += share * wave->dz * wave->dz * wave->dz * wave->dz;
+}
+
+static inline void swScaleStrain(swStrain* strain, float factor)
+{
+    strain->cccc *= factor;
+    strain->cccs *= factor;
+    strain->ccss *= factor;
+    strain->csss *= factor;
+    strain->ssss *= factor;
+}
+
+// Variance of dDx/dx + dDz/dz: of J to first order.
+static inline float swGetStrainVariance(const swStrain* strain)
+{
+    return strain->cccc + 2.0f * strain->ccss + strain->ssss;
 }
 
 #define SW_MAX_VIEWS 16
 
 // Foam steps per second.
 #define SW_FOAM_RATE 30
+
+// What foam is born by, for the waves of this frame. See core/sim/whitecaps.h.
+typedef struct swFoamLaw
+{
+    float wind;          // m/s: what the waves tell, or the def
+    float cover;         // share of the sea under foam in the steady state
+    float threshold;     // of J
+    float growth;        // per second and unit of fold, where every wave is known
+    float unknownGrowth; // the same where none is
+    swFoamRest rest;     // of all waves that make foam
+} swFoamLaw;
 
 typedef struct swFrame
 {
@@ -163,7 +218,9 @@ typedef struct swFrame
     double dt;
     double seaLevel;
     float gravity;
+    float wind; // m/s at 10 m, as the waves tell; see core/waves/wind_level.h
     swFoamDef foam;
+    swFoamLaw foamLaw;
     uint32_t tilesVersion; // changes when the list of tiles does
     int tileCount;
     const swTile* tiles; // all systems; within a system by band, shortest first
@@ -186,5 +243,8 @@ swPosXZ swGetWorldOrigin(const swWorld* world);
 // Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_FOAM_SOURCES sources.
 void swFindFoamSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
                        swFoamSource* sources);
+
+// What slice `i` of a view steps its foam with over `seconds`.
+swFoamSliceParams swGetFoamParams(const swFrame* frame, const swViewFrame* view, int i, float seconds, bool isSteady);
 
 SW_SEAM_END

@@ -91,6 +91,9 @@ typedef struct swComplaint
 SW_PRINTF(2, 3) bool swComplain(swComplaint* complaint, const char* format, ...); // returns false
 bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def);
 
+// Whether the def's windSpeed blows over its waves: it was said, or nothing but wind and fetch made them.
+bool swHasSpectrumWind(const swSpectrumDef* def);
+
 // Everything but copying: a table stays the caller's. False with a complaint if the def is wrong.
 bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, double surfaceTension,
                        swComplaint* complaint);

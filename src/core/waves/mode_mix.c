@@ -229,7 +229,17 @@ static void applyBand(const BandMix* band, double factor, float share, swBandMod
     out->variance = part * (keep * band->from.variance + share * band->to.variance);
     out->slopeVarianceX = part * (keep * band->from.slopeVarianceX + share * band->to.slopeVarianceX);
     out->slopeVarianceZ = part * (keep * band->from.slopeVarianceZ + share * band->to.slopeVarianceZ);
-    out->strainVariance = part * (keep * band->from.strainVariance + share * band->to.strainVariance);
+    const float* fromStrain = &band->from.strain.cccc;
+    const float* toStrain = &band->to.strain.cccc;
+    float* strain = &out->strain.cccc;
+    for (int i = 0; i < 5; ++i)
+    {
+        strain[i] = part * (keep * fromStrain[i] + share * toStrain[i]);
+    }
+    for (int i = 0; i < SW_WIND_STEPS; ++i)
+    {
+        out->wind[i] = keep * band->from.wind[i] + share * band->to.wind[i];
+    }
 }
 
 void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands)
@@ -296,7 +306,11 @@ static void streamBand(swStream* stream, int maxBin, swBandModes* band)
     streamPositive(stream, &band->variance);
     streamPositive(stream, &band->slopeVarianceX);
     streamPositive(stream, &band->slopeVarianceZ);
-    streamPositive(stream, &band->strainVariance);
+    streamFinite(stream, &band->strain.cccc, 5);
+    for (int i = 0; i < SW_WIND_STEPS; ++i)
+    {
+        streamPositive(stream, &band->wind[i]);
+    }
     swStreamF32(stream, &band->depth);
     stream->isBroken = stream->isBroken || !(band->depth >= 0.0f); // infinite over deep water
 }

@@ -5,7 +5,8 @@
 // laws get there at x = 18,900 and 18,800. These are what the waves were measured to be; the integral of the JONSWAP
 // spectrum with the parameters of the same paper is a quarter higher and never stops, so height and period are given to
 // the spectrum here. A wind that has blown for D hours makes the sea of the fetch that it has had time for, X km with
-// D = 1.167 X^0.7 / U^0.4 [Carter 1982]. Near full development the peak's enhancement fades from 3.3 to 1.
+// D = 1.167 X^0.7 / U^0.4 [Carter 1982]. The peak's enhancement grows with how young the sea
+// is, as the waves' measured peaks do, 6 log10 of the peak's frequency [Donelan 1985], from 1 at full development to 3.3.
 
 #include <math.h>
 
@@ -21,30 +22,33 @@
 // Significant steepness 2 pi Hs / (g Tp^2) that a wind sea does not exceed.
 #define STEEPEST 0.04
 
+#define LN_10 2.302585092994046
+
 // A sea of nothing still is a spectrum: waves of a millimetre.
 #define LEAST_HEIGHT 1e-3
+
+static double limitTo(double value, double low, double high)
+{
+    return value > low ? (value < high ? value : high) : low; // NaN becomes `low`
+}
 
 // JONSWAP of this height, with that peak unless waves would be too steep to stand.
 static swSpectrumDef makeWindSea(double wind, double height, double omega, double direction)
 {
-    double young = (omega * wind / GRAVITY / DEVELOPED_OMEGA - 1.0) / 0.2;
+    double young = omega * wind / GRAVITY / DEVELOPED_OMEGA;
     double steepestOmega = sqrt(STEEPEST * SW_TURN * GRAVITY / height);
     omega = omega < steepestOmega ? omega : steepestOmega;
     double period = SW_TURN / omega;
     swSpectrumDef def = swDefaultSpectrumDef();
     def.kind = SW_SPECTRUM_JONSWAP;
     def.windSpeed = (float)wind;
+    def.hasWind = true;
     def.significantHeight = (float)height;
     def.peakPeriod = (float)(period < 60.0 ? period : 60.0);
-    def.gamma = (float)(young < 0.0 ? 1.0 : young > 1.0 ? 3.3 : 1.0 + 2.3 * young);
+    def.gamma = (float)limitTo(young > 1.0 ? 1.0 + 6.0 / LN_10 * swLn(young) : 1.0, 1.0, 3.3);
     def.direction = (float)direction;
     def.spreading = SW_SPREADING_HASSELMANN;
     return def;
-}
-
-static double limitTo(double value, double low, double high)
-{
-    return value > low ? (value < high ? value : high) : low; // NaN becomes `low`
 }
 
 swSpectrumDef swMakeWindSeaSpectrum(float windSpeed, float fetch, float duration, float direction)
@@ -63,12 +67,16 @@ swSpectrumDef swMakeWindSeaSpectrum(float windSpeed, float fetch, float duration
     return def;
 }
 
-// A sea that has grown to a height under a wind; beyond what the wind can do, the fully developed one raised to it.
+// A sea that has grown to a height under a wind. Beyond what the wind can do it is what is left of a stronger wind's: the
+// fully developed sea of that height, no steeper than any other.
 static swSpectrumDef makeSeaOfHeight(double wind, double height, double direction)
 {
     double root = height * GRAVITY / (wind * wind) / 0.0016;
     double x = root * root;
-    double omega = limitTo(swGetGrownOmega(SW_GROWTH_HASSELMANN, x), DEVELOPED_OMEGA, 1e6) * GRAVITY / wind;
+    double grower = sqrt(height * GRAVITY / DEVELOPED_HEIGHT);
+    double omega = wind < grower
+                       ? DEVELOPED_OMEGA * GRAVITY / grower
+                       : limitTo(swGetGrownOmega(SW_GROWTH_HASSELMANN, x), DEVELOPED_OMEGA, 1e6) * GRAVITY / wind;
     swSpectrumDef def = makeWindSea(wind, height, omega, direction);
     def.fetch = (float)limitTo(x * wind * wind / GRAVITY, 1e3, 1e7);
     return def;
@@ -121,6 +129,7 @@ swSpectrumDef swMakeSwellSpectrum(float significantHeight, float peakPeriod, flo
     swSpectrumDef def = swDefaultSpectrumDef();
     def.kind = SW_SPECTRUM_JONSWAP;
     def.windSpeed = 1.0f; // it has left its wind behind
+    def.hasWind = true;
     def.significantHeight = (float)limitTo((double)significantHeight, LEAST_HEIGHT, 40.0);
     def.peakPeriod = (float)limitTo((double)peakPeriod, 0.1, 60.0);
     def.gamma = 7.0f; // dispersion has sorted it; coastal engineers take 3 to 10 [Goda 1985]

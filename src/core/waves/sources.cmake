@@ -33,7 +33,8 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/summary_shape.c
     ${CMAKE_CURRENT_LIST_DIR}/swan.c
     ${CMAKE_CURRENT_LIST_DIR}/triaxys.c
-    ${CMAKE_CURRENT_LIST_DIR}/wavewatch.c)
+    ${CMAKE_CURRENT_LIST_DIR}/wavewatch.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_level.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE

@@ -143,7 +143,8 @@ bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
     }
     if (def->kind == SW_SPECTRUM_TABLE)
     {
-        return checkTable(complaint, def->table);
+        return (!def->hasWind || checkRange(complaint, "windSpeed", def->windSpeed, 0.0, 100.0, true)) &&
+               checkTable(complaint, def->table);
     }
     if (!checkRange(complaint, "windSpeed", def->windSpeed, 0.0, 100.0, true) ||
         !checkRange(complaint, "peakPeriod", def->peakPeriod, 0.0, 60.0, false) || !checkDirections(complaint, def))
@@ -200,11 +201,11 @@ static bool areSameOctaves(const swOctaves* a, const swOctaves* b)
 bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b)
 {
     static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 312, "compare what is new in swSpectrumDef");
-    if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->fetch != b->fetch || a->growth != b->growth ||
-        a->gamma != b->gamma || a->significantHeight != b->significantHeight || a->peakPeriod != b->peakPeriod ||
-        a->direction != b->direction || a->spreading != b->spreading || a->spreadExponent != b->spreadExponent ||
-        a->turbulence != b->turbulence || a->swell != b->swell || a->depth != b->depth ||
-        a->extendTail != b->extendTail)
+    if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->hasWind != b->hasWind || a->fetch != b->fetch ||
+        a->growth != b->growth || a->gamma != b->gamma || a->significantHeight != b->significantHeight ||
+        a->peakPeriod != b->peakPeriod || a->direction != b->direction || a->spreading != b->spreading ||
+        a->spreadExponent != b->spreadExponent || a->turbulence != b->turbulence || a->swell != b->swell ||
+        a->depth != b->depth || a->extendTail != b->extendTail)
     {
         return false;
     }

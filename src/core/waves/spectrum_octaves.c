@@ -154,6 +154,7 @@ swSpectrumDef swMakeOctaveSpectrum(const swSpectrumDef* sourceDef)
         return def;
     }
     def.kind = SW_SPECTRUM_OCTAVES;
+    def.hasWind = swHasSpectrumWind(sourceDef);
     def.table = NULL;
     def.significantHeight = 0.0f;
     def.octaves = swDefaultOctaves();

@@ -297,11 +297,21 @@ static int listModes(const Builder* builder, const swBandModes* band, const Ring
     return count;
 }
 
+// Variance times the direction's powers, in the order of swStrain.
+static void addStrain(double strain[5], double variance, double c, double s)
+{
+    strain[0] += variance * c * c * c * c;
+    strain[1] += variance * c * c * c * s;
+    strain[2] += variance * c * c * s * s;
+    strain[3] += variance * c * s * s * s;
+    strain[4] += variance * s * s * s * s;
+}
+
 static void measureVariances(const Builder* builder, swBandModes* band, const Ring* ring)
 {
     double variance = 0.0;
     double squares = 0.0;
-    double strain = 0.0;
+    double strain[5] = {0};
     double slopeX = 0.0;
     double slopeZ = 0.0;
     for (int qz = -ring->cells.maxBin; qz <= ring->cells.maxBin; ++qz)
@@ -313,18 +323,18 @@ static void measureVariances(const Builder* builder, swBandModes* band, const Ri
             squares += energy * energy;
             slopeX += energy * (ring->dk * qx) * (ring->dk * qx);
             slopeZ += energy * (ring->dk * qz) * (ring->dk * qz);
-            double square = ring->dk * ring->dk * (qx * qx + qz * qz);
+            double k = ring->dk * sqrt((double)(qx * qx + qz * qz));
             if (energy > 0.0)
             {
-                double ratio = swGetOrbitRatio(builder->spectrum, builder->def, sqrt(square));
-                strain += energy * square * ratio * ratio;
+                double ratio = swGetOrbitRatio(builder->spectrum, builder->def, k);
+                addStrain(strain, energy * k * k * ratio * ratio, ring->dk * qx / k, ring->dk * qz / k);
             }
         }
     }
     band->variance = (float)variance;
     band->slopeVarianceX = (float)slopeX;
     band->slopeVarianceZ = (float)slopeZ;
-    band->strainVariance = (float)strain;
+    band->strain = (swStrain){(float)strain[0], (float)strain[1], (float)strain[2], (float)strain[3], (float)strain[4]};
     double octave = SW_PI * (ring->k1 * ring->k1 - ring->k0 * ring->k0) / (ring->dk * ring->dk);
     band->breadth = (float)(variance * variance / squares / octave);
 }
@@ -441,7 +451,7 @@ static void scaleEnergy(swBandModes* band, double part)
     band->variance *= (float)part;
     band->slopeVarianceX *= (float)part;
     band->slopeVarianceZ *= (float)part;
-    band->strainVariance *= (float)part;
+    swScaleStrain(&band->strain, (float)part);
 }
 
 // Tiles that a band is shared out to; `total` is the system's variance.
@@ -504,6 +514,7 @@ swResult swBuildModes(const swHost* host, const swWaveSystemDef* def, float grav
         bands[tile].loopTicks = swGetLoopTicks(def);
         bands[tile].depth = (float)builder.dispersion.depth;
     }
+    swFillWindLevels(spectrum, &def->spectrum, bands);
     result = buildFirstTiles(&builder);
     result = result == SW_SUCCESS ? addParallelTiles(&builder) : result;
     swFreeCompiledSpectrum(host, spectrum);

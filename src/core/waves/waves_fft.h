@@ -6,6 +6,7 @@
 
 #include "core/frame/frame.h"
 #include "core/waves/spectrum.h"
+#include "core/waves/wind_level.h"
 
 // A band has one tile, or up to three parallel ones. Tile i is of band i % SW_MAX_BANDS; the first SW_MAX_BANDS are there
 // wherever a band has energy. No swell is shorter than the first band that may have more, of waves from 1 m up.
@@ -22,8 +23,9 @@ typedef struct swBandModes
     int64_t loopTicks; // for swTile
     float minWavelength, maxWavelength;
     float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
-    float strainVariance;
-    float depth; // m, of the dispersion
+    swStrain strain;
+    float wind[SW_WIND_STEPS]; // of the band, in its first tile; see wind_level.h
+    float depth;               // m, of the dispersion
     float
         breadth; // the number of waves that would share the energy evenly, (sum E)^2 / sum E^2, over all of the octave
     int modeCount;
@@ -39,9 +41,9 @@ void swFreeModes(const swHost* host, swBandModes* bands);
 void swFillSplineResponse(int resolution, float* response);
 
 // The free waves of a system with method SW_WAVES_GERSTNER, at weight 1, longest first; `waves` needs
-// swFree(host, *waves, *waveCount * sizeof(swFreeWave)).
+// swFree(host, *waves, *waveCount * sizeof(swFreeWave)). Of the bands only `wind` is filled.
 swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
-                          swFreeWave** waves, int* waveCount);
+                          swFreeWave** waves, int* waveCount, swBandModes* bands);
 
 // Turns per tick as Q0.64, and whole turns a loop if there is one (0 ticks: none).
 uint64_t swGetTurnsPerTick(double omega, int64_t loopTicks);

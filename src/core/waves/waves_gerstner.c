@@ -370,7 +370,9 @@ static void holdChopBack(Builder* builder)
     double variance = 0.0, sum = 0.0;
     for (int i = 0; i < builder->count; ++i)
     {
-        double strain = (double)swGetFreeWaveStrain(&builder->waves[i]);
+        swStrain waveStrain = {0};
+        swAddFreeWaveStrain(&waveStrain, &builder->waves[i]);
+        double strain = (double)swGetStrainVariance(&waveStrain);
         variance += strain;
         sum += sqrt(2.0 * strain);
     }
@@ -412,7 +414,7 @@ static void sortWaves(swFreeWave* waves, int count)
 }
 
 swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float gravity, float surfaceTension,
-                          swFreeWave** waves, int* waveCount)
+                          swFreeWave** waves, int* waveCount, swBandModes* bands)
 {
     *waves = NULL;
     *waveCount = 0;
@@ -436,6 +438,7 @@ swResult swBuildFreeWaves(const swHost* host, const swWaveSystemDef* def, float 
     }
     else if (result == SW_SUCCESS)
     {
+        swFillWindLevels(spectrum, &def->spectrum, bands);
         result = addOctaves(&builder, host);
         holdChopBack(&builder);
     }

@@ -205,7 +205,8 @@ bool swIsPackedTime(const swSeaText* line)
            swMakePackedSeconds(date, time, &ignored);
 }
 
-// After a fault: to the next line where a point or a time begins, or this one if it is not the line of the fault's part.
+// After a fault: to the next line where a point or a time begins, or this one if it is not the line of the fault's
+// part.
 static void skipBroken(Reader* reader, int line)
 {
     swSeaText* text = &reader->file.text;

@@ -146,8 +146,10 @@ static void addDef(swHash* hash, const swWorldDef* def)
     swAddHashDouble(hash, (double)def->surfaceTension);
     swAddHashDouble(hash, def->seaLevel);
     swAddHashDouble(hash, (double)def->foam.fadeRate);
+    swAddHashDouble(hash, (double)def->foam.coverage);
+    swAddHashDouble(hash, (double)def->foam.windSpeed);
+    swAddHashDouble(hash, (double)def->foam.minWavelength);
     swAddHashDouble(hash, (double)def->foam.threshold);
-    swAddHashDouble(hash, (double)def->foam.gain);
 }
 
 // ---- the last step ----

@@ -27,8 +27,10 @@ void swStreamWorldDef(swStream* stream, swWorldDef* def)
     swStreamBool(stream, &def->enableVelocity);
     swStreamBool(stream, &def->enableAcceleration);
     swStreamF32(stream, &def->foam.fadeRate);
+    swStreamF32(stream, &def->foam.coverage);
+    swStreamF32(stream, &def->foam.windSpeed);
+    swStreamF32(stream, &def->foam.minWavelength);
     swStreamF32(stream, &def->foam.threshold);
-    swStreamF32(stream, &def->foam.gain);
 }
 
 static void streamOctaves(swStream* stream, swOctaves* octaves)
@@ -56,6 +58,7 @@ static void streamSpectrum(swStream* stream, swSpectrumDef* def)
     def->spreading = (swSpreadingKind)spreading;
     def->growth = (swGrowthLaw)growth;
     swStreamF32(stream, &def->windSpeed);
+    swStreamBool(stream, &def->hasWind);
     swStreamF32(stream, &def->fetch);
     swStreamF32(stream, &def->gamma);
     swStreamF32(stream, &def->significantHeight);
@@ -423,7 +426,7 @@ typedef struct ViewState
     swPos viewpoint, last; // of the next step, of the last one
     bool isPlaced;
     int scaleLevel;
-    swFoamState foam;
+    swFoamClock foam;
 } ViewState;
 
 static void streamViewState(swStream* stream, int maxScaleLevel, ViewState* state)
@@ -432,7 +435,7 @@ static void streamViewState(swStream* stream, int maxScaleLevel, ViewState* stat
     streamPlace(stream, &state->last);
     swStreamBool(stream, &state->isPlaced);
     swStreamRange(stream, &state->scaleLevel, 0, maxScaleLevel);
-    swFoamState* foam = &state->foam;
+    swFoamClock* foam = &state->foam;
     swStreamBool(stream, &foam->isRunning);
     swStreamI64(stream, &foam->remainder);
     swStreamI64(stream, &foam->clock);

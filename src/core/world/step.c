@@ -17,6 +17,7 @@ static void beginFrame(swWorld* world, double time)
     world->frame.dt = dt;
     swAdvanceSystems(world);
     swListTiles(world);
+    swFindFoamLaw(&world->whitecaps, &world->frame);
     swPlaceViews(world, swGetTicksBetween(before, world->frame.ticks));
 }
 

@@ -3,6 +3,8 @@
 // change; weights are brought up to date in each step. Tiles of one set are paired in order of their bands: a tile's bits
 // depend on its partner, so the pairing depends on nothing but the set. Sets without weight are not listed.
 
+#include <string.h>
+
 #include "core/base/host.h"
 #include "core/world/world.h"
 
@@ -118,7 +120,8 @@ static void weighTile(swTile* tile, const swWaveSource* source)
     tile->variance = band->variance * square;
     tile->slopeVarianceX = band->slopeVarianceX * square;
     tile->slopeVarianceZ = band->slopeVarianceZ * square;
-    tile->strainVariance = band->strainVariance * square;
+    tile->strain = band->strain;
+    swScaleStrain(&tile->strain, square);
     tile->spectrumVersion = set->version;
 }
 
@@ -126,6 +129,36 @@ static void weighWave(swFreeWave* wave, const swWaveSource* source)
 {
     wave->amplitude = source->set->waves[source->index].amplitude * source->set->weight;
     wave->system = source->set->system;
+}
+
+static void addWindLevels(swWorld* world, swWaveSet* set)
+{
+    if (set->isCounted)
+    {
+        return;
+    }
+    set->isCounted = true;
+    for (int band = 0; band < SW_MAX_BANDS; ++band)
+    {
+        for (int i = 0; i < SW_WIND_STEPS; ++i)
+        {
+            world->windLevels[band * SW_WIND_STEPS + i] += set->weight * set->weight * set->bands[band].wind[i];
+        }
+    }
+}
+
+static void uncountSet(swWorld* world, swWaveSet* set)
+{
+    (void)world;
+    set->isCounted = false;
+}
+
+static void findWind(swWorld* world)
+{
+    memset(world->windLevels, 0, sizeof world->windLevels);
+    forEachSet(world, uncountSet);
+    forEachSet(world, addWindLevels);
+    world->frame.wind = swFindWind(world->windLevels, (double)world->def.gravity);
 }
 
 void swListTiles(swWorld* world)
@@ -151,4 +184,5 @@ void swListTiles(swWorld* world)
     {
         weighWave(&world->waves[i], &world->waveSources[i]);
     }
+    findWind(world);
 }

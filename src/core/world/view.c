@@ -121,9 +121,9 @@ static void placeView(swWorld* world, int64_t elapsedTicks, swView* view, swView
     {
         swFindFoamSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->previousSlices,
                           frame->foamSources[i]);
-        frame->foamDeviation[i] = swGetFoamDeviation(&world->frame, frame->slices[i].minWavelength);
     }
-    frame->foamAtRest = swGetFoamAtRest(&world->frame);
+    swPlanFoamBirth(&world->frame, frame);
+    frame->foamAtRest = world->frame.foamLaw.cover;
 }
 
 void swPlaceViews(swWorld* world, int64_t elapsedTicks)
@@ -148,7 +148,7 @@ void swStepLayers(swWorld* world)
         swSampleSlices(&world->host, world->kernels, &world->frame, frame, view->displacement, view->derivatives);
         const float* previous = view->foam[view->foamIndex];
         view->foamIndex ^= 1;
-        swStepFoam(&world->host, &world->def.foam, frame, previous, view->foam[view->foamIndex]);
+        swStepFoam(&world->host, &world->frame, frame, previous, view->foam[view->foamIndex]);
         frame->foam = view->foam[view->foamIndex];
     }
 }

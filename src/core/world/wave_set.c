@@ -215,7 +215,8 @@ static swResult makeWaves(swWorld* world, swWaveSet* set)
     float tension = world->def.surfaceTension;
     if (set->def.method == SW_WAVES_GERSTNER)
     {
-        return swBuildFreeWaves(&world->countedHost, &set->def, gravity, tension, &set->waves, &set->waveCount);
+        return swBuildFreeWaves(&world->countedHost, &set->def, gravity, tension, &set->waves, &set->waveCount,
+                                set->bands);
     }
     swFillSplineResponse(set->def.resolution, set->response);
     swResult result = growScratch(world, set->def.resolution) ? SW_SUCCESS : SW_ERROR_NO_MEMORY;

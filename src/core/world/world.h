@@ -12,6 +12,7 @@
 #include "core/frame/frame.h"
 #include "core/lod/stack.h"
 #include "core/sim/foam.h"
+#include "core/sim/whitecaps.h"
 #include "core/waves/mode_mix.h"
 #include "core/waves/waves_fft.h"
 #include "shared/limits.h"
@@ -52,6 +53,7 @@ typedef struct swWaveSet
     float weight; // of all systems and layers together, in this step
     int system;   // slot of the first of them
     bool isListed;
+    bool isCounted; // in the wind's levels
 } swWaveSet;
 
 // A value that runs from one number to another over a time.
@@ -92,7 +94,7 @@ struct swView
     uint32_t version;
     swPos viewpoint; // in the sea: the host's place plus the world's origin
     swStack stack;
-    swFoamState foamState;
+    swFoamClock foamState;
     float* displacement; // NULL without CPU layers
     float* derivatives;
     float* foam[2];
@@ -128,6 +130,8 @@ struct swWorld
     swIdPool systemIds;
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swWaveSet* retired;
+    float windLevels[SW_MAX_BANDS * SW_WIND_STEPS];
+    swWhitecaps whitecaps;
     bool isTileListStale;
     bool isChanged;       // systems or weights are other ones than in the last step
     uint32_t rewindCount; // systems may have other waves than a replay gave them

@@ -247,22 +247,15 @@ static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swV
     {
         return SW_SUCCESS;
     }
-    const swFoamDef* def = &frame->foam;
-    float keep = swExpF(-def->fadeRate * ((float)steps / (float)SW_FOAM_RATE));
+    float seconds = (float)steps / (float)SW_FOAM_RATE;
     swFoamSliceParams params[SW_MAX_SLICES] = {0};
-    swFoamSource sources[SW_MAX_SLICES][SW_FOAM_SOURCES] = {0};
+    swFoamSource sources[SW_MAX_SLICES][SW_FOAM_SOURCES + 1] = {0};
     for (int i = 0; i < viewFrame->sliceCount; ++i)
     {
-        params[i] = (swFoamSliceParams){
-            .deviation = viewFrame->foamDeviation[i],
-            .threshold = def->threshold,
-            .keep = keep,
-            .grow = def->gain * (1.0f - keep) / def->fadeRate,
-            .ceiling = def->gain / def->fadeRate,
-            .isSteady = isSteady ? 1 : 0,
-        };
+        params[i] = swGetFoamParams(frame, viewFrame, i, seconds, isSteady);
         swFindFoamSources(&viewFrame->slices[i], viewFrame->resolution, isSteady ? 0 : viewFrame->sliceCount,
                           view->mark.slices, sources[i]);
+        sources[i][SW_FOAM_SOURCES] = viewFrame->foamBirth[i].fold;
     }
     swResult result = swUploadData(gpuWorld->gpu, params, sizeof(params), &view->foamParams);
     result = result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, sources, sizeof(sources), &view->foamSources) : result;
