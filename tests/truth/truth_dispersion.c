@@ -2,9 +2,9 @@
 // V6: every wave travels as its length and the depth say, for as long as one likes.
 //
 // A band's waves stand on the lattice of its tile, so a transform of particles' heave over exactly one tile tells the
-// waves apart without a window. At three times a step apart a wave number k holds waves that go along k and against it, but
-// h(t - dt) + h(t + dt) = 2 cos(omega dt) h(t) for both. Where all go one way, the phase itself can be followed, from
-// seconds to thirty days, each step foretold by the one before.
+// waves apart without a window. At three times a step apart a wave number k holds waves that go along k and against it,
+// but h(t - dt) + h(t + dt) = 2 cos(omega dt) h(t) for both. Where all go one way, the phase itself can be followed,
+// from seconds to thirty days, each step foretold by the one before.
 
 #include "truth.h"
 
