@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Times the GPU passes by timestamps, and says beside each what it cannot do without: bytes moved, operations, barriers.
-// Medians over many frames, several in flight, so that the device keeps its clock. Measured on the same device in the
-// same run: the bandwidth of a pass over a large buffer, and a chain of dispatches that do next to nothing, each with its barrier.
+// Times the GPU passes by timestamps, and says beside each what it cannot do without: bytes moved, operations,
+// barriers. Medians over many frames, several in flight, so that the device keeps its clock. Measured on the same
+// device in the same run: the bandwidth of a pass over a large buffer, and a chain of dispatches that do next to
+// nothing, each with its barrier.
 //
 // Pass times come from frames with timestamps around each pass, which keep passes apart. Frame times come from frames
 // with one pair around everything: that is what a host pays.
@@ -409,8 +410,8 @@ static Floor DetailFloor(const Bench* bench, const swFrame* frame)
     return least;
 }
 
-// Where a tile is smooth, a column of texels adds four weighted cubics of six numbers to its own, 96 multiply-adds; each texel
-// then evaluates three values, their slopes along x and z. Where it is not, more.
+// Where a tile is smooth, a column of texels adds four weighted cubics of six numbers to its own, 96 multiply-adds;
+// each texel then evaluates three values, their slopes along x and z. Where it is not, more.
 static Floor SlicesFloor(const swFrame* frame)
 {
     const swViewFrame* view = &frame->views[0];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many heights a second one core answers, with every band of a sea and the default tolerance. One line of JSON a row.
-// The floor of a height is one evaluation of the surface, at which a query with nothing to search (particles) runs:
-// per evaluation and band a window of 4 x 4 texels of 16 bytes is read, and 2 * (16 + 4) * 3 operations weigh it.
+// How many heights a second one core answers, with every band of a sea and the default tolerance. One line of JSON a
+// row. The floor of a height is one evaluation of the surface, at which a query with nothing to search (particles)
+// runs: per evaluation and band a window of 4 x 4 texels of 16 bytes is read, and 2 * (16 + 4) * 3 operations weigh it.
 
 #include <pthread.h>
 #include <stdio.h>

@@ -32,8 +32,8 @@ static int CountProblems(const ProblemList* list)
     return count < MAX_PROBLEMS ? count : MAX_PROBLEMS;
 }
 
-// The library writes "scene.yaml:12: what is wrong; what would be right. [code]" of the scene, and speaks of other files
-// without a code.
+// The library writes "scene.yaml:12: what is wrong; what would be right. [code]" of the scene, and speaks of other
+// files without a code.
 static void ReadMessage(const char* path, const char* message, Problem* problem)
 {
     size_t length = strlen(path);

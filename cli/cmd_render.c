@@ -17,8 +17,8 @@
 #include "verbs.h"
 #include "video.h"
 
-// Foam gathers by steps that are longer further back, where what they miss between them has faded and spread: the mean stays
-// within 2 % of that of steps of 1/30 s.
+// Foam gathers by steps that are longer further back, where what they miss between them has faded and spread: the mean
+// stays within 2 % of that of steps of 1/30 s.
 #define WARMUP_STEP 0.1        // s, in the last second
 #define EARLY_WARMUP_STEP 0.25 // before
 

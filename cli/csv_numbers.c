@@ -238,8 +238,8 @@ static bool ReadLine(Reader* reader, char* line)
     return ReadRow(reader);
 }
 
-// The next line without its end, which is LF, CR LF or CR; false at the end of the file. One that is too long is cut, and
-// `line` full.
+// The next line without its end, which is LF, CR LF or CR; false at the end of the file. One that is too long is cut,
+// and `line` full.
 static bool NextLine(FILE* file, char* line, size_t size)
 {
     size_t used = 0;

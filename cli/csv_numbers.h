@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Columns of numbers out of a CSV file. A header line names the columns, in any order and with others between them; without
-// one a line has the known columns in their order, with or without the optional one.
+// Columns of numbers out of a CSV file. A header line names the columns, in any order and with others between them;
+// without one a line has the known columns in their order, with or without the optional one.
 
 #include <stdbool.h>
 
@@ -35,8 +35,8 @@ typedef struct CsvNumbers
     bool hasOptional;
 } CsvNumbers;
 
-// `numbers` is empty before, and the format outlives it. "-" is standard input. At least one row, or a complaint that names the
-// line.
+// `numbers` is empty before, and the format outlives it. "-" is standard input. At least one row, or a complaint that
+// names the line.
 bool ReadCsvNumbers(const char* path, const CsvFormat* format, CsvNumbers* numbers);
 
 const double* GetCsvRow(const CsvNumbers* numbers, int row);

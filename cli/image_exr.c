@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// EXR through OpenEXR's C core: one scan-line part, ZIP over 16 lines, channels in the file's alphabetical order B, G, R.
+// EXR through OpenEXR's C core: one scan-line part, ZIP over 16 lines, channels in the file's alphabetical order B, G,
+// R.
 
 #include "image.h"
 

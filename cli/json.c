@@ -26,7 +26,8 @@ static void WriteString(Json* json, const char* text)
         }
         else
         {
-            // A control character of two bytes by its number; a byte that is no UTF-8, as a file's name may have, alike.
+            // A control character of two bytes by its number; a byte that is no UTF-8, as a file's name may have,
+            // alike.
             const unsigned char* c = (const unsigned char*)text;
             size = c[0] == 0xc2 && c[1] >= 0x80 && c[1] < 0xa0 ? 2 : 1;
             fprintf(json->file, "\\u%04x", c[size - 1]);

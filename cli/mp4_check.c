@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// ffmpeg 5 leaves with exit code 0 when its disk is full. What it wrote tells: an MP4 file is a row of boxes, each with a
-// size of 32 bits and a name before its contents [ISO/IEC 14496-12]. A whole file has the boxes `mdat` (the pictures) and
-// `moov` (where they lie), ends where its last box ends, and counts its pictures in moov/trak/mdia/minf/stbl/stsz.
+// ffmpeg 5 leaves with exit code 0 when its disk is full. What it wrote tells: an MP4 file is a row of boxes, each with
+// a size of 32 bits and a name before its contents [ISO/IEC 14496-12]. A whole file has the boxes `mdat` (the pictures)
+// and `moov` (where they lie), ends where its last box ends, and counts its pictures in moov/trak/mdia/minf/stbl/stsz.
 
 #include "mp4_check.h"
 

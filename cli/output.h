@@ -2,8 +2,8 @@
 #pragma once
 
 // Files that appear whole or not at all: written beside their place under a temporary name, then renamed. A link is
-// followed, and what it leads to is replaced. What is no regular file, such as a device or a FIFO, stays what it is: the
-// finished bytes are copied into it at the end.
+// followed, and what it leads to is replaced. What is no regular file, such as a device or a FIFO, stays what it is:
+// the finished bytes are copied into it at the end.
 
 #include <stdbool.h>
 #include <sys/types.h>
@@ -34,8 +34,8 @@ void SetOutputProcess(pid_t process);
 // Make a folder if there is none. Its parent must exist. Complains, also if nothing can be written into it.
 bool MakeFolder(const char* path);
 
-// Whether there is something at the path that is neither a regular file nor a folder: a device, a FIFO, a socket, or what
-// a process has open, such as /dev/stdout.
+// Whether there is something at the path that is neither a regular file nor a folder: a device, a FIFO, a socket, or
+// what a process has open, such as /dev/stdout.
 bool IsDevice(const char* path);
 
 bool HasEnding(const char* path, const char* ending);

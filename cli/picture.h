@@ -29,8 +29,8 @@ swViewDef FitPictureView(const PictureMaker* maker, const swViewDef* def);
 // Take up a world, which must outlive the maker. Once, before any picture.
 bool ShowWorld(PictureMaker* maker, const swWorld* world);
 
-// Run the passes of the world's last step and draw nothing: how foam gathers before the first picture. Where the core makes
-// the layers, foam has gathered with the step already.
+// Run the passes of the world's last step and draw nothing: how foam gathers before the first picture. Where the core
+// makes the layers, foam has gathered with the step already.
 bool AdvancePicture(PictureMaker* maker);
 
 // Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;

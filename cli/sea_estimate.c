@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A gauge is a particle of the water: it rests at u, and heave and slopes at u are linear in the waves' amplitudes however
-// steep the sea, so that their spectra are those that were asked for. (A wave staff at a fixed place sees sharper crests,
-// and its spectrum has harmonics.)
+// A gauge is a particle of the water: it rests at u, and heave and slopes at u are linear in the waves' amplitudes
+// however steep the sea, so that their spectra are those that were asked for. (A wave staff at a fixed place sees
+// sharper crests, and its spectrum has harmonics.)
 //
 // A record h(t), hx(t), hz(t) is multiplied by a Hann window w, transformed, and |H|^2 / (sum w^2) is its spectrum; the
 // window's power is divided out, so that the expected variance is that of the sea, and no mean or trend is removed,
@@ -23,7 +23,7 @@
 #define SURFACE_TENSION 7.4e-5
 
 // Longest record for the sake of narrow bins, s.
-#define TABLE_DURATION 2400.0
+#define TABLE_DURATION 3600.0
 
 // Heave and slopes of all gauges, a gauge's record contiguous.
 typedef struct Records
@@ -77,7 +77,7 @@ double FindTableDuration(const swSpectrumTable* table)
         narrowest = holdsMuch ? fmin(narrowest, bins->high[i] - bins->low[i]) : narrowest;
     }
     free(bins);
-    return fmin(6.0 / narrowest, TABLE_DURATION);
+    return fmin(8.0 / narrowest, TABLE_DURATION);
 }
 
 void UseEqualBins(double low, double high, int count, SeaBins* bins)
@@ -559,7 +559,7 @@ double MeasureFoam(swWorld* world, double x, double z)
     swView* view = NULL;
     if (swCreateView(world, &def, &view) != SW_SUCCESS)
     {
-        return NAN;
+        return (double)NAN;
     }
     swView_SetViewpoint(view, (swPos){x, swWorld_GetSeaLevel(world), z});
     double sum = 0.0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Measures the sea state of a world as an array of moored buoys would: heave and slopes of particles, recorded over time,
-// to cross spectra, to energy and directional moments by frequency bin, to integral parameters.
+// Measures the sea state of a world as an array of moored buoys would: heave and slopes of particles, recorded over
+// time, to cross spectra, to energy and directional moments by frequency bin, to integral parameters.
 // Shared by `seaway stats` and the truth tests.
 
 #include <stdbool.h>
@@ -40,8 +40,8 @@ typedef struct SeaGauges
 // A table's own bins.
 void UseTableBins(const swSpectrumTable* table, SeaBins* bins);
 
-// How long to record for a table's bins, s: the window of a record moves energy by about one over its length, so that it
-// wants to be six times as long as that of the narrowest bin that holds much; at most forty minutes.
+// How long to record for a table's bins, s: the window of a record moves energy by about one over its length, so that
+// it wants to be eight times as long as one over the width of the narrowest bin that holds much; at most an hour.
 double FindTableDuration(const swSpectrumTable* table);
 
 // `count` equal bins over [low, high] Hz.
@@ -51,8 +51,9 @@ void UseEqualBins(double low, double high, int count, SeaBins* bins);
 void UseGrowingBins(double low, double high, double width, double part, SeaBins* bins);
 
 // Record the world and add to sums[groupCount]: the gauges are dealt out to so many groups, each spread over the whole
-// area, so that the groups' scatter tells the error (FindSeaError()). The world should hold no waves much above the last
-// bin's frequency, see FindWavelength(): they would cost time. Steps the world; returns false if a step or memory failed.
+// area, so that the groups' scatter tells the error (FindSeaError()). The world should hold no waves much above the
+// last bin's frequency, see FindWavelength(): they would cost time. Steps the world; returns false if a step or memory
+// failed.
 bool RecordSea(swWorld* world, const SeaGauges* gauges, const SeaBins* bins, int groupCount, SeaSums* sums);
 
 void AddSums(const SeaSums* from, SeaSums* to);

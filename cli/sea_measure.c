@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One measured sea is measured in its own bins; else in bins a twentieth of the lowest peak wide and wider for short
-// waves, from 0.4 of the lowest peak to 4 times the highest. Buoys record worlds that hold the bins' waves only, which saves time; slopes and whitecaps
-// are those of all waves. Seeds run side by side, each on one thread.
+// waves, from 0.4 of the lowest peak to 4 times the highest. Buoys record worlds that hold the bins' waves only, which
+// saves time; slopes and whitecaps are those of all waves. Seeds run side by side, each on one thread.
 
 #include "sea_measure.h"
 

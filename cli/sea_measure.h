@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A scene's sea, made of several seeds, and measured beside what its spectra ask for. What `seaway stats` prints and both
-// plots draw.
+// A scene's sea, made of several seeds, and measured beside what its spectra ask for. What `seaway stats` prints and
+// both plots draw.
 
 #include <stdbool.h>
 

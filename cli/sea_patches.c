@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An octave of waves from L to 2 L is seen on a square of 48 L with three samples a wave at least, eight times in two
-// periods of the shortest. Shorter waves are left out of the query, so that nothing is aliased; longer ones are told apart by
-// the window. Heave of particles, h(x, t), is multiplied by Hann windows in x, z and t and transformed: of a wave number k,
-// time's negative frequencies are waves that go along k, the positive ones waves against it. The energy at k is shared out by
-// what both hold; so no dispersion relation is assumed, and standing waves would be seen as such.
+// periods of the shortest. Shorter waves are left out of the query, so that nothing is aliased; longer ones are told
+// apart by the window. Heave of particles, h(x, t), is multiplied by Hann windows in x, z and t and transformed: of a
+// wave number k, time's negative frequencies are waves that go along k, the positive ones waves against it. The energy
+// at k is shared out by what both hold; so no dispersion relation is assumed, and standing waves would be seen as such.
 
 #include "sea_patches.h"
 

@@ -23,8 +23,8 @@ typedef struct SeaPatches
 bool CreatePatches(double shortest, double longest, SeaPatches* patches);
 void DestroyPatches(SeaPatches* patches);
 
-// Add squares of every octave, around a place of their own for each `index`. Steps the world from `begin` on; `depth` tells
-// how long the waves' periods are. Returns false if a step or memory failed.
+// Add squares of every octave, around a place of their own for each `index`. Steps the world from `begin` on; `depth`
+// tells how long the waves' periods are. Returns false if a step or memory failed.
 bool LookAtPatches(swWorld* world, double begin, double depth, int index, SeaPatches* patches);
 
 void AddPatches(const SeaPatches* from, SeaPatches* to);

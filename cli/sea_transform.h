@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Fourier transforms for measuring, in double: a program that checks the library's waves does not use the library's own.
+// Fourier transforms for measuring, in double: a program that checks the library's waves does not use the library's
+// own.
 
 typedef struct SeaComplex
 {

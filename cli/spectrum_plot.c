@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Above, energy by frequency: the asked as an area, the measured as a line in a band of twice its standard error; vertical
-// lines are the edges of the octaves of wavelength that the waves are made in. Below, density over frequency (radius) and
-// bearing (north up), asked and measured on one scale, coloured by its square root so that weaker systems show beside the
-// peak. Both charts end where all but one percent of the energy is in.
+// Above, energy by frequency: the asked as an area, the measured as a line in a band of twice its standard error;
+// vertical lines are the edges of the octaves of wavelength that the waves are made in. Below, density over frequency
+// (radius) and bearing (north up), asked and measured on one scale, coloured by its square root so that weaker systems
+// show beside the peak. Both charts end where all but one percent of the energy is in.
 
 #include "spectrum_plot.h"
 

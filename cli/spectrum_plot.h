@@ -8,6 +8,6 @@
 
 #include "sea_measure.h"
 
-// `note`, may be NULL, stands below the charts. The sea has to be measured with directions. Complains and returns false if the
-// file cannot be written.
+// `note`, may be NULL, stands below the charts. The sea has to be measured with directions. Complains and returns false
+// if the file cannot be written.
 bool PlotSea(const char* path, const char* title, const char* note, const SeaMeasurement* sea);

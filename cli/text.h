@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Text that others wrote, such as names of files and what stands in them, made fit for a terminal: a control sequence in
-// a name must not move the cursor, colour the screen or hide a line.
+// Text that others wrote, such as names of files and what stands in them, made fit for a terminal: a control sequence
+// in a name must not move the cursor, colour the screen or hide a line.
 
 #include <stddef.h>
 

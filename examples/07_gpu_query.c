@@ -62,7 +62,8 @@ static void DestroyFrames(Frames* frames)
     }
 }
 
-// A frame waits for the one that had its command buffer before, as swGpuDef::framesInFlight wants it, and for nothing else.
+// A frame waits for the one that had its command buffer before, as swGpuDef::framesInFlight wants it, and for nothing
+// else.
 static bool RunFrame(Frames* frames, swGpuWorld* gpuWorld, uint64_t frameIndex)
 {
     uint64_t slot = frameIndex % FRAMES_IN_FLIGHT;

@@ -20,8 +20,8 @@ typedef struct Targets
     Buffer readback; // RGBA bytes; empty until a screenshot is taken
 } Targets;
 
-// Pixels that a software device draws of the sea before tone mapping stretches them over the window: what two cores do ten
-// times a second. Never less than half of a side.
+// Pixels that a software device draws of the sea before tone mapping stretches them over the window: what two cores do
+// ten times a second. Never less than half of a side.
 #define SOFTWARE_PIXELS 70000.0
 
 // A GPU draws every pixel of the window.

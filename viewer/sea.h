@@ -83,8 +83,8 @@ typedef struct Sea
     swRenderer* renderer;
 } Sea;
 
-// Read and build, with slices for pictures of `height` pixels; `path` NULL is an open sea. Reasons for failing go to the
-// host's log, and `sea` is then empty.
+// Read and build, with slices for pictures of `height` pixels; `path` NULL is an open sea. Reasons for failing go to
+// the host's log, and `sea` is then empty.
 bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, uint32_t height, const char* path);
 
 // The device must be idle.

@@ -9,17 +9,17 @@
 /// Export macros, version, result codes, and the host: the memory, log and worker threads that Seaway may use.
 /// The library has no globals and starts no thread that the host did not give it.
 ///
-/// The contract of the API. Misuse is what the caller could have known: NULL where nothing says that it may be, a def that was
-/// not made by its swDefaultXDef(), a handle that is stale, an enumerator that does not exist, a number that is NaN or out
-/// of its range. Then
-///   - the host's log receives a sentence that names the call and what is wrong, wherever a host is at hand: given, or that of
-///     an object which was made with one;
+/// The contract of the API. Misuse is what the caller could have known: NULL where nothing says that it may be, a def
+/// that was not made by its swDefaultXDef(), a handle that is stale, an enumerator that does not exist, a number that
+/// is NaN or out of its range. Then
+///   - the host's log receives a sentence that names the call and what is wrong, wherever a host is at hand: given, or
+///     that of an object which was made with one;
 ///   - where asserts are on, the program stops there, but for a def's fields that are out of range;
 ///   - where they are off (NDEBUG), the call does nothing, and nothing of what it was given has changed. It returns
-///     SW_ERROR_INVALID if it returns a swResult. An object that was to be made is NULL; what would have been answered is
-///     0, NULL, false, an empty struct, or NaN where a query asked for numbers.
-/// What the caller cannot have known (a device, a file, memory) is a swResult and a sentence in every build. One bad element
-/// of a batch is neither: it is answered with NaN and counted. `tests/misuse` holds the whole API to this.
+///     SW_ERROR_INVALID if it returns a swResult. An object that was to be made is NULL; what would have been answered
+///     is 0, NULL, false, an empty struct, or NaN where a query asked for numbers.
+/// What the caller cannot have known (a device, a file, memory) is a swResult and a sentence in every build. One bad
+/// element of a batch is neither: it is answered with NaN and counted. `tests/misuse` holds the whole API to this.
 
 #if defined(_WIN32) && defined(SEAWAY_SHARED)
 #if defined(SEAWAY_EXPORTS)
@@ -43,7 +43,8 @@
 #define SW_VERSION_MINOR 1
 #define SW_VERSION_PATCH 0
 
-/// What a call returns that may be refused or depends on the outside world. The host's log receives a full sentence beside it.
+/// What a call returns that may be refused or depends on the outside world. The host's log receives a full sentence
+/// beside it.
 typedef enum swResult
 {
 #define SW_RESULT(name, text) SW_##name,

@@ -92,8 +92,8 @@ typedef struct swPicture
 SW_API swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
                                    uint64_t frameIndex);
 
-/// Inside the host's dynamic rendering with the def's formats, viewport and scissor set, depth cleared to 0 (reversed Z):
-/// opaque water, and the sky behind everything with depth 0.
+/// Inside the host's dynamic rendering with the def's formats, viewport and scissor set, depth cleared to 0 (reversed
+/// Z): opaque water, and the sky behind everything with depth 0.
 SW_API void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands);
 SW_API void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands);
 

@@ -8,8 +8,8 @@
 #include "world.h"
 
 /// @file
-/// The same waves on Vulkan 1.3, recorded into the host's command buffers. Seaway never submits, never waits and owns no
-/// queue unless it is asked to create a device itself.
+/// The same waves on Vulkan 1.3, recorded into the host's command buffers. Seaway never submits, never waits and owns
+/// no queue unless it is asked to create a device itself.
 
 /// A device that Seaway may record for: pipelines, memory, upload ring. External synchronization: one thread at a time.
 typedef struct swGpu swGpu;
@@ -22,7 +22,8 @@ typedef enum swDeviceChoice
     SW_DEVICE_INDEX     ///< swGpuDef::deviceIndex in Vulkan's order
 } swDeviceChoice;
 
-/// Who makes the layers that are drawn: displacement, derivatives and foam of a view's slices, and the tiles below them.
+/// Who makes the layers that are drawn: displacement, derivatives and foam of a view's slices, and the tiles below
+/// them.
 typedef enum swLayerSource
 {
     SW_LAYERS_AUTO, ///< the core on a software device, for views with swViewDef::enableCpuLayers; else the GPU
@@ -60,8 +61,8 @@ typedef struct swGpuDef
     /// Range [1, 4]. Default 2.
     int framesInFlight;
 
-    /// Where layers come from. The core's are as good as the GPU's, and on a device that is a CPU they take a tenth of the
-    /// time. See swGpu_FitView(). Default SW_LAYERS_AUTO.
+    /// Where layers come from. The core's are as good as the GPU's, and on a device that is a CPU they take a tenth of
+    /// the time. See swGpu_FitView(). Default SW_LAYERS_AUTO.
     swLayerSource layers;
 
     /// Pipeline cache of an earlier run, see swGpu_GetPipelineCache(). May be NULL; bad data are ignored.
@@ -110,10 +111,10 @@ SW_API bool swGpu_IsSoftware(const swGpu* gpu);
 /// swWorldDef::enableQueries): layers then come from the core, and the GPU only gets a copy of them.
 SW_API bool swGpu_WantsCpuLayers(const swGpu* gpu);
 
-/// A view that suits the device and pictures of `height` pixels. On a GPU it is `def` as it is. On a software device it has
-/// CPU layers, and for pictures of less than 540 and of less than 270 lines half and a third of the default's texels, each
-/// twice and four times as wide: what a pixel covers grows likewise. A def that names another resolution or finest texel
-/// than the default keeps its own.
+/// A view that suits the device and pictures of `height` pixels. On a GPU it is `def` as it is. On a software device it
+/// has CPU layers, and for pictures of less than 540 and of less than 270 lines half and a third of the default's
+/// texels, each twice and four times as wide: what a pixel covers grows likewise. A def that names another resolution
+/// or finest texel than the default keeps its own.
 SW_API swViewDef swGpu_FitView(const swGpu* gpu, const swViewDef* def, uint32_t height);
 
 /// Number of validation errors and warnings seen since creation (0 without enableValidation).
@@ -122,8 +123,8 @@ SW_API int swGpu_GetValidationCount(const swGpu* gpu);
 /// Pipeline cache data to store; call with NULL for the size.
 SW_API swResult swGpu_GetPipelineCache(const swGpu* gpu, void* data, size_t* size);
 
-/// Say that the device is done with a frame and all before it: the host has seen its fence or its semaphore. Not needed,
-/// since recording frame n says it of frame n - framesInFlight, but it lets answers of queries arrive sooner.
+/// Say that the device is done with a frame and all before it: the host has seen its fence or its semaphore. Not
+/// needed, since recording frame n says it of frame n - framesInFlight, but it lets answers of queries arrive sooner.
 SW_API void swGpu_SetFinishedFrame(swGpu* gpu, uint64_t frameIndex);
 
 /// The GPU twin of a world: its spectra, tiles and the layers of its views.
@@ -143,11 +144,11 @@ SW_API void swDestroyGpuWorld(swGpuWorld* gpuWorld);
 /// @return SW_ERROR_NO_MEMORY or SW_ERROR_DEVICE when something new could not be allocated
 SW_API swResult swGpuWorld_Record(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex);
 
-/// Say that the commands of frame `frameIndex`, and of all frames recorded after it, will never run: the host has thrown
-/// them away, or could not submit them. Without this call Seaway takes it that recorded commands run, and draws what they
-/// would have left. The next swGpuWorld_Record() then brings everything again that was lost, and foam goes on from the last
-/// frame that does run; frame indices may be used again. At most the framesInFlight newest frames can be taken back
-/// without foam beginning anew. Renderers of the world follow by themselves.
+/// Say that the commands of frame `frameIndex`, and of all frames recorded after it, will never run: the host has
+/// thrown them away, or could not submit them. Without this call Seaway takes it that recorded commands run, and draws
+/// what they would have left. The next swGpuWorld_Record() then brings everything again that was lost, and foam goes on
+/// from the last frame that does run; frame indices may be used again. At most the framesInFlight newest frames can be
+/// taken back without foam beginning anew. Renderers of the world follow by themselves.
 SW_API void swGpuWorld_Discard(swGpuWorld* gpuWorld, uint64_t frameIndex);
 
 /// Bytes of device memory in use, queries included.
@@ -166,9 +167,9 @@ typedef enum swLayer
 /// waits, so the recorded work must have been submitted. `texels` has room for resolution^2 * channels floats.
 SW_API swResult swGpuWorld_ReadLayer(swGpuWorld* gpuWorld, const swView* view, swLayer layer, int slice, float* texels);
 
-/// Points that the GPU looks up in every frame: the twin of the core's queries for many points that may wait a frame or two,
-/// or whose answers other shaders want. A few points at once are better asked of the core, which answers now. Use it on the
-/// thread that uses its swGpu.
+/// Points that the GPU looks up in every frame: the twin of the core's queries for many points that may wait a frame or
+/// two, or whose answers other shaders want. A few points at once are better asked of the core, which answers now. Use
+/// it on the thread that uses its swGpu.
 typedef struct swGpuQuery swGpuQuery;
 
 /// What a query is about.
@@ -177,9 +178,10 @@ typedef enum swGpuQueryKind
     /// The surface above points, as swWorld_QuerySurface().
     SW_GPU_QUERY_KIND_SURFACE,
 
-    /// The water at places, as swWorld_QueryVolume(): depth and pressure head always, orbital velocity and local acceleration
-    /// as outputs. Waves are summed one by one, which takes some fifteen times as long as the surface does; waves too
-    /// short to reach any place of a group of 64 cost nothing, so places in order of depth are the cheapest.
+    /// The water at places, as swWorld_QueryVolume(): depth and pressure head always, orbital velocity and local
+    /// acceleration as outputs. Waves are summed one by one, which takes some fifteen times as long as the surface
+    /// does; waves too short to reach any place of a group of 64 cost nothing, so places in order of depth are the
+    /// cheapest.
     SW_GPU_QUERY_KIND_VOLUME,
 
     /// What rays and spheres meet, as swWorld_CastRays() of a surface that stands still.
@@ -211,8 +213,8 @@ typedef struct swGpuQueryDef
     /// Bits of swGpuQueryOutput. Each costs memory and time of the bus. Default 0.
     uint32_t outputs;
 
-    /// As in swQueryDef. minWavelength: m, default 0. tolerance: m, range [1e-5, 1e9], default 0.0005. maxIterations: range
-    /// [1, 64], default 24.
+    /// As in swQueryDef. minWavelength: m, default 0. tolerance: m, range [1e-5, 1e9], default 0.0005. maxIterations:
+    /// range [1, 64], default 24.
     float minWavelength;
     float tolerance;
     int maxIterations;
@@ -236,25 +238,26 @@ SW_API swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def,
 /// Frames in flight may still use it. What is left of them is destroyed with the swGpuWorld. NULL is allowed.
 SW_API void swDestroyGpuQuery(swGpuQuery* query);
 
-/// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each to 0.01 mm.
-/// How far the first is from the origin does not matter; the others are best within 1,000 km of it. No points: the query
-/// rests. A point that cannot be answered spoils no other, as query.h says; here one that is farther than 1e11 m from the
-/// first good one is bad, too. Its answers are NaN, also in the buffers that shaders see.
+/// The points that are asked from the next swGpuWorld_Record() on, until others are set. They are copied, each to 0.01
+/// mm. How far the first is from the origin does not matter; the others are best within 1,000 km of it. No points: the
+/// query rests. A point that cannot be answered spoils no other, as query.h says; here one that is farther than 1e11 m
+/// from the first good one is bad, too. Its answers are NaN, also in the buffers that shaders see.
 SW_API void swGpuQuery_SetPoints(swGpuQuery* query, int count, const swPosXZ* points);
 
 /// The same for a query of the water below: places with a height, above or below the surface.
 SW_API void swGpuQuery_SetPlaces(swGpuQuery* query, int count, const swPos* places);
 
-/// The same for a query of rays. Their duration must be 0: the surface is that of the frame. A ray looks at the surface at most
-/// 4096 times; one that needs more (for a very long way just above the water) ends without a hit at the distance that it has
-/// come to. A larger minWavelength lengthens its steps.
+/// The same for a query of rays. Their duration must be 0: the surface is that of the frame. A ray looks at the surface
+/// at most 4096 times; one that needs more (for a very long way just above the water) ends without a hit at the
+/// distance that it has come to. A larger minWavelength lengthens its steps.
 SW_API void swGpuQuery_SetRays(swGpuQuery* query, int count, const swRay* rays);
 
-/// Points that are on the GPU already: `count` pairs of floats (x, z), m from `origin`, at byte `offset` (a multiple of 8)
-/// of a storage buffer of the host's. Of the water below they are triples (x, y, z), y as in swPos, and of rays eights (x, y,
-/// z, maxDistance, direction x, y, z, radius), at a multiple of 4. The host makes what it writes there visible to compute
-/// shaders' storage reads before swGpuWorld_Record()'s commands, and keeps the buffer until the query has other points and
-/// frames that used it are done. A float's own spacing is all that is lost: 0.1 mm at 1 km from `origin`.
+/// Points that are on the GPU already: `count` pairs of floats (x, z), m from `origin`, at byte `offset` (a multiple of
+/// 8) of a storage buffer of the host's. Of the water below they are triples (x, y, z), y as in swPos, and of rays
+/// eights (x, y, z, maxDistance, direction x, y, z, radius), at a multiple of 4. The host makes what it writes there
+/// visible to compute shaders' storage reads before swGpuWorld_Record()'s commands, and keeps the buffer until the
+/// query has other points and frames that used it are done. A float's own spacing is all that is lost: 0.1 mm at 1 km
+/// from `origin`.
 SW_API void swGpuQuery_SetPointBuffer(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset,
                                       swPosXZ origin);
 
@@ -292,7 +295,8 @@ typedef struct swGpuQueryResults
     const swVec2* sideways; ///< x and z of displacement, m (y is the height). NULL unless asked for
     const swVec4* normals;  ///< unit normal, and the Jacobian in w. NULL unless asked for
 
-    /// Of the water below and of rays; NULL unless the query is about them. Heights are then those of the surface there.
+    /// Of the water below and of rays; NULL unless the query is about them. Heights are then those of the surface
+    /// there.
     const swGpuDepth* depths;
     const swGpuHit* hits;
 
@@ -301,13 +305,13 @@ typedef struct swGpuQueryResults
     const swVec4* accelerations;
 } swGpuQueryResults;
 
-/// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says so.
-/// Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the first,
-/// to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. Velocity and acceleration are those
-/// of a world that has enableVelocity and enableAcceleration to 1 mm/s and 1 cm/s^2 likewise; below the surface they are those
-/// of swWorld_QueryVolume() to 0.3 mm/s and 3 mm/s^2, pressure to 0.1 mm of water. A hit is on the core's surface to the
-/// tolerance, the slope of the water times both residuals, and 1e-7 of the way. In a fold, where the water is above
-/// a point more than once, it may be another of the particles there.
+/// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says
+/// so. Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the
+/// first, to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. Velocity and
+/// acceleration are those of a world that has enableVelocity and enableAcceleration to 1 mm/s and 1 cm/s^2 likewise;
+/// below the surface they are those of swWorld_QueryVolume() to 0.3 mm/s and 3 mm/s^2, pressure to 0.1 mm of water. A
+/// hit is on the core's surface to the tolerance, the slope of the water times both residuals, and 1e-7 of the way. In
+/// a fold, where the water is above a point more than once, it may be another of the particles there.
 /// @return false while none have arrived
 SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
 
@@ -320,15 +324,15 @@ SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swS
 SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples,
                                            swQueryStats* stats);
 
-/// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swWorld_CastRays() would write them. `rays` are those that
-/// had been set then.
+/// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swWorld_CastRays() would write them. `rays` are
+/// those that had been set then.
 SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits,
                                          swQueryStats* stats);
 
-/// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any descriptor:
-/// vec2 heights[] (height, residual), vec2 depths[] (depth, pressure head), vec2 hits[] (distance, side), vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4
-/// accelerations[] (w: 0). An offset without an output is 0.
-/// swGpuWorld_Record() leaves them visible to vertex, fragment and compute shaders of the same queue.
+/// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any
+/// descriptor: vec2 heights[] (height, residual), vec2 depths[] (depth, pressure head), vec2 hits[] (distance, side),
+/// vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4 accelerations[] (w: 0). An offset without
+/// an output is 0. swGpuWorld_Record() leaves them visible to vertex, fragment and compute shaders of the same queue.
 typedef struct swGpuQueryBuffer
 {
     VkBuffer buffer;

@@ -6,8 +6,8 @@
 #include "spectrum.h"
 
 /// @file
-/// Measured and computed seas: what a wave buoy reported or a wave model wrote, as records of directional spectra by place
-/// and time. docs/spectra.md says which formats are read and what is assumed where a file is silent.
+/// Measured and computed seas: what a wave buoy reported or a wave model wrote, as records of directional spectra by
+/// place and time. docs/spectra.md says which formats are read and what is assumed where a file is silent.
 /// swReadMeasuredSea() in scene.h reads files; here are the texts, and a way to bring data of one's own.
 
 typedef struct swMeasuredSea swMeasuredSea;
@@ -33,7 +33,8 @@ typedef struct swMeasuredRecord
     /// First circular moments: mean direction where waves go (radians) and r1, by frequency; r2 and its direction.
     /// Of a buoy's moments gaps are filled from the nearest frequency, impossible moments corrected: what the table was
     /// made from. Of a spectrum by direction they are the table's, of a summary those of all its systems together.
-    /// NULL if the file holds no directions (the table is then spread as cos^2s with s = 8 around east). [frequencyCount]
+    /// NULL if the file holds no directions (the table is then spread as cos^2s with s = 8 around east).
+    /// [frequencyCount]
     const float* meanDirection;
     const float* r1;
     const float* direction2;
@@ -47,22 +48,22 @@ typedef struct swMeasuredRecord
     int correctedCount;
 
     /// How many densities were negative, as noise and smoothing leave them in files. They count as none, and the others
-    /// of their frequency are scaled down so that the frequency keeps its energy. A frequency whose sum is negative, or a
-    /// negative energy without directions, becomes nothing. A negative number larger than every density of the record
-    /// marks what is missing, and nothing is scaled for it.
+    /// of their frequency are scaled down so that the frequency keeps its energy. A frequency whose sum is negative,
+    /// or a negative energy without directions, becomes nothing. A negative number larger than every density of the
+    /// record marks what is missing, and nothing is scaled for it.
     int negativeCount;
 
-    /// The variance that the negative densities took away, as a part of the record's variance; and the part by which the
-    /// record has more than the file, for frequencies that could not keep their energy.
+    /// The variance that the negative densities took away, as a part of the record's variance; and the part by which
+    /// the record has more than the file, for frequencies that could not keep their energy.
     float negativePart, addedPart;
 
     /// 0 if the file holds spectra. Of a summary or of partitions: of how many systems of waves the table was built up;
     /// then its shape is that of a formula and only heights, periods and directions are measured.
     int partitionCount;
 
-    /// Of a summary: the average period that the buoy told, s, 0 if it did not; and of the record's largest system what was
-    /// assumed, which gives the record that period where a shape can: the enhancement gamma of JONSWAP's peak, and the
-    /// exponent n of its tail f^-n, which is 5 where gamma suffices. 0 of other files.
+    /// Of a summary: the average period that the buoy told, s, 0 if it did not; and of the record's largest system
+    /// what was assumed, which gives the record that period where a shape can: the enhancement gamma of JONSWAP's
+    /// peak, and the exponent n of its tail f^-n, which is 5 where gamma suffices. 0 of other files.
     float averagePeriod, gamma, tailExponent;
 } swMeasuredRecord;
 
@@ -161,13 +162,13 @@ SW_API swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeas
 /// Whether a text names NDBC columns and WVHT among them: a summary, where swParseNdbc() wants spectra.
 SW_API bool swIsNdbcSummary(const char* text, size_t size);
 
-/// Parse an NDBC spectral wave summary (STATION.spec): heights, periods and directions of swell and wind sea. Each becomes
-/// a peaked spectrum spread as cos^2s and the record their sum, scaled to the height of the whole sea, of shapes that give
-/// it the average period that the line tells; docs/spectra.md says which. A line that does not tell them apart, as those of standard meteorological files, becomes one
-/// system by height, dominant or average period, and mean direction. Prefer swParseNdbc() where spectra are at hand.
-/// Lines without height or period are left out. Records come in ascending time, at most 16,384.
-/// @param name file name for messages, may be NULL
-/// @return SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
+/// Parse an NDBC spectral wave summary (STATION.spec): heights, periods and directions of swell and wind sea. Each
+/// becomes a peaked spectrum spread as cos^2s and the record their sum, scaled to the height of the whole sea, of
+/// shapes that give it the average period that the line tells; docs/spectra.md says which. A line that does not tell
+/// them apart, as those of standard meteorological files, becomes one system by height, dominant or average period,
+/// and mean direction. Prefer swParseNdbc() where spectra are at hand. Lines without height or period are left out.
+/// Records come in ascending time, at most 16,384. @param name file name for messages, may be NULL @return
+/// SW_ERROR_FORMAT with file, line and reason in the host's log, SW_ERROR_NO_MEMORY
 SW_API swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, const char* name,
                                    swMeasuredSea** sea);
 
@@ -177,8 +178,8 @@ SW_API bool swParseMeasuredTime(const char* text, double* seconds);
 
 /// ---- Data of one's own ----
 
-/// One spectrum to make a record of: densities by frequency and direction, or energies and circular moments by frequency.
-/// Arrays belong to the caller. Must be initialized with swDefaultMeasuredSpectrumDef().
+/// One spectrum to make a record of: densities by frequency and direction, or energies and circular moments by
+/// frequency. Arrays belong to the caller. Must be initialized with swDefaultMeasuredSpectrumDef().
 typedef struct swMeasuredSpectrumDef
 {
     /// Index that swMeasuredSea_AddLocation() gave. Default 0.
@@ -224,9 +225,8 @@ typedef struct swMeasuredSpectrumDef
 
 SW_API swMeasuredSpectrumDef swDefaultMeasuredSpectrumDef(void);
 
-/// An empty sea to fill. Only swMeasuredSea_AddLocation(), swMeasuredSea_AddSpectrum() and swDestroyMeasuredSea() may be
-/// called until swMeasuredSea_Finish() has said SW_SUCCESS.
-/// @param name for messages, may be NULL
+/// An empty sea to fill. Only swMeasuredSea_AddLocation(), swMeasuredSea_AddSpectrum() and swDestroyMeasuredSea() may
+/// be called until swMeasuredSea_Finish() has said SW_SUCCESS. @param name for messages, may be NULL
 SW_API swResult swCreateMeasuredSea(const swHost* host, const char* name, swMeasuredSea** sea);
 
 /// Add a place. A sea without any gets one that has no name.
@@ -291,9 +291,9 @@ SW_API int swMeasuredSea_FindTime(const swMeasuredSea* sea, const char* time);
 /// Both of the above at one place; location -1: at all of them. time NULL: the largest Hs.
 SW_API int swMeasuredSea_FindRecord(const swMeasuredSea* sea, int location, const char* time);
 
-/// The same, with a sentence in the host's log: why there is no such record and which times there are, or a warning where
-/// the nearest record is farther away than half of what usually lies between two of them, or lies not around the time.
-/// @return SW_ERROR_INVALID if there is none
+/// The same, with a sentence in the host's log: why there is no such record and which times there are, or a warning
+/// where the nearest record is farther away than half of what usually lies between two of them, or lies not around
+/// the time. @return SW_ERROR_INVALID if there is none
 SW_API swResult swMeasuredSea_ChooseRecord(const swMeasuredSea* sea, int location, const char* time, int* record);
 
 /// The two records of a place between which a time lies, to replay a sea: *before and *after are their indices and

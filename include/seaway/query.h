@@ -5,22 +5,22 @@
 #include "world.h"
 
 /// @file
-/// Ask for the water: its surface, the motion below it, what a ray meets. Answers come from the same waves that are drawn
-/// and never depend on a view. All queries are thread-safe on a `const swWorld*`, take no lock and allocate nothing.
-/// docs/queries.md says what each costs and how exact it is.
+/// Ask for the water: its surface, the motion below it, what a ray meets. Answers come from the same waves that are
+/// drawn and never depend on a view. All queries are thread-safe on a `const swWorld*`, take no lock and allocate
+/// nothing. docs/queries.md says what each costs and how exact it is.
 ///
 /// A point that cannot be answered spoils no other. It is one with a coordinate that is NaN, infinite, or beyond
 /// SW_FARTHEST_POINT; a ray that is out of range is such a one, too. Each of its answers is NaN, it is counted in
 /// swQueryStats::badCount, and the others are, to the bit, as without it.
 ///
-/// While one thread steps, sets or destroys, no other may ask the same world. Put a barrier between them, or let two worlds
-/// take turns: one is asked while the other steps to the next time. docs/queries.md has more on it.
+/// While one thread steps, sets or destroys, no other may ask the same world. Put a barrier between them, or let two
+/// worlds take turns: one is asked while the other steps to the next time. docs/queries.md has more on it.
 
 /// For swQueryDef::time: the time of the last step.
 #define SW_QUERY_NOW (-1e300)
 
-/// Farthest that a point may be from the host's origin along an axis, m: doubles there are 0.1 mm apart, and cells of the
-/// finest tiles can just be counted.
+/// Farthest that a point may be from the host's origin along an axis, m: doubles there are 0.1 mm apart, and cells of
+/// the finest tiles can just be counted.
 #define SW_FARTHEST_POINT 1e12
 
 /// Most bytes of its caller's stack that a query takes, in builds that are optimized, so that fibres may ask.
@@ -29,8 +29,8 @@
 /// How the motion below is stretched between trough and crest.
 typedef enum swStretching
 {
-    /// Heights count from the bottom to the surface above: what linear theory has at still water is found at the surface
-    /// [Wheeler 1970]. Continuous with the surface.
+    /// Heights count from the bottom to the surface above: what linear theory has at still water is found at the
+    /// surface [Wheeler 1970]. Continuous with the surface.
     SW_STRETCHING_WHEELER,
 
     /// Linear theory as it stands: heights count from still water, and above it the motion is that at still water.
@@ -44,15 +44,16 @@ typedef struct swQueryDef
     /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Default 0.
     float minWavelength;
 
-    /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, 1e9]. Default 0.0005.
+    /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, 1e9]. Default
+    /// 0.0005.
     float tolerance;
 
     /// Range [1, 64]. Default 24.
     int maxIterations;
 
-    /// s, past or future. Default SW_QUERY_NOW. At another time than that of the last step each wave is summed by itself:
-    /// exact where the tiles of a step are interpolated (0.5 % of a band's height), and some hundred times slower. Systems
-    /// that are changing keep the amplitudes of the last step.
+    /// s, past or future. Default SW_QUERY_NOW. At another time than that of the last step each wave is summed by
+    /// itself: exact where the tiles of a step are interpolated (0.5 % of a band's height), and some hundred times
+    /// slower. Systems that are changing keep the amplitudes of the last step.
     double time;
 
     /// Of swWorld_QueryVolume(). Default SW_STRETCHING_WHEELER.
@@ -83,8 +84,8 @@ typedef struct swSurfaceSamples
     /// surface is folded and the search did not converge.
     float* residual;
 
-    /// Velocity, m/s, and acceleration, m/s^2, of the water particle that is there. Fast with swWorldDef::enableVelocity
-    /// and enableAcceleration, else summed wave by wave.
+    /// Velocity, m/s, and acceleration, m/s^2, of the water particle that is there. Fast with
+    /// swWorldDef::enableVelocity and enableAcceleration, else summed wave by wave.
     swVec3* velocity;
     swVec3* acceleration;
 } swSurfaceSamples;
@@ -140,8 +141,8 @@ typedef struct swVolumeSamples
 } swVolumeSamples;
 
 /// Sample the motion of the water at `count` places by linear theory [Dean and Dalrymple 1991], each wave with its own
-/// fading with depth. Waves are summed one by one; those too short to reach a place are skipped. `stats`, of the search for
-/// the surface above, may be NULL.
+/// fading with depth. Waves are summed one by one; those too short to reach a place are skipped. `stats`, of the search
+/// for the surface above, may be NULL.
 SW_API void swWorld_QueryVolume(const swWorld* world, const swQueryDef* def, int count, const swPos* points,
                                 const swVolumeSamples* samples, swQueryStats* stats);
 
@@ -157,8 +158,8 @@ typedef struct swRay
     float maxDistance; ///< m. Range [0, 1e5]. Default 1000
     float radius;      ///< of the sphere, m. Range [0, 100]. Default 0: a ray
 
-    /// Time that the way to maxDistance takes, s: the surface moves meanwhile, from the query's time on. Range [0, 3600].
-    /// Default 0: the surface stands still. Otherwise waves are summed one by one, as at any other time.
+    /// Time that the way to maxDistance takes, s: the surface moves meanwhile, from the query's time on. Range
+    /// [0, 3600]. Default 0: the surface stands still. Otherwise waves are summed one by one, as at any other time.
     float duration;
 
     /// Set by swDefaultRay().
@@ -178,11 +179,11 @@ typedef struct swRayHit
     bool fromBelow; ///< it began in the water and came out
 } swRayHit;
 
-/// Find where rays first cross the surface, from either side. Along the way the surface is looked at in steps of at most
-/// half the shortest wavelength that counts, so that whole crests are not missed; def.minWavelength makes long rays fast.
-/// Hits are good to 2 def.tolerance along the ray. A sphere touches where its lowest point seen along the surface's normal
-/// does: exact on flat water, and good to radius^2 times the surface's curvature / 2 on waves.
-/// A ray looks at the surface at most 100,000 times; one that needs more (a long way just above the water) ends without a hit
-/// at the distance that it has come to, and is not among stats' convergedCount. `stats` may be NULL.
+/// Find where rays first cross the surface, from either side. Along the way the surface is looked at in steps of at
+/// most half the shortest wavelength that counts, so that whole crests are not missed; def.minWavelength makes long
+/// rays fast. Hits are good to 2 def.tolerance along the ray. A sphere touches where its lowest point seen along the
+/// surface's normal does: exact on flat water, and good to radius^2 times the surface's curvature / 2 on waves.
+/// A ray looks at the surface at most 100,000 times; one that needs more (a long way just above the water) ends without
+/// a hit at the distance that it has come to, and is not among stats' convergedCount. `stats` may be NULL.
 SW_API void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,
                              swQueryStats* stats);

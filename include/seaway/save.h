@@ -5,15 +5,15 @@
 #include "world.h"
 
 /// @file
-/// The whole state of a world as bytes: to save, to send to a player who joins late, to go back to. A world that is made
-/// of them goes on with the same bits, on any machine, also in the middle of changes.
+/// The whole state of a world as bytes: to save, to send to a player who joins late, to go back to. A world that is
+/// made of them goes on with the same bits, on any machine, also in the middle of changes.
 
 /// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, views with
 /// their slices and foam. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
 /// @param data room for `*size` bytes; NULL to ask for the size
 /// @param size in: bytes of room; out: bytes needed
-/// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing useful is
-/// written then
+/// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing
+/// useful is written then
 SW_API swResult swWorld_Save(const swWorld* world, void* data, size_t* size);
 
 /// Must be initialized with swDefaultRestoreDef().
@@ -22,8 +22,8 @@ typedef struct swRestoreDef
     /// As in swWorldDef; any gives the same bits. Default SW_ISA_BEST.
     swIsa isa;
 
-    /// Most bytes that the world may come to hold, see swWorld_GetMemory(): few bytes from elsewhere may ask for much. What
-    /// would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
+    /// Most bytes that the world may come to hold, see swWorld_GetMemory(): few bytes from elsewhere may ask for much.
+    /// What would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
     size_t memoryBudget;
 
     /// Set by swDefaultRestoreDef().
@@ -32,21 +32,21 @@ typedef struct swRestoreDef
 
 SW_API swRestoreDef swDefaultRestoreDef(void);
 
-/// Make a world of saved bytes. Wave systems have the handles that they had; views are found by swWorld_GetView(). Damaged
-/// bytes, those of another version, and those that ask for more memory than they may, are refused with a sentence in the
-/// log; nothing is left behind.
+/// Make a world of saved bytes. Wave systems have the handles that they had; views are found by swWorld_GetView().
+/// Damaged bytes, those of another version, and those that ask for more memory than they may, are refused with a
+/// sentence in the log; nothing is left behind.
 /// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (the budget), SW_ERROR_UNSUPPORTED
 SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const swRestoreDef* def,
                                swWorld** world);
 
-/// Take a world back to a state of its own that was saved, as a game in lockstep does when a player's input comes late. It
-/// goes on with the same bits as before. Handles and views stay what they were then; a wave system that was made since is
-/// gone. Allocates nothing, and costs a step.
+/// Take a world back to a state of its own that was saved, as a game in lockstep does when a player's input comes late.
+/// It goes on with the same bits as before. Handles and views stay what they were then; a wave system that was made
+/// since is gone. Allocates nothing, and costs a step.
 ///
-/// The world must still have all waves of that state, and the same views: it goes back over weights, fades, jumps in time, and
-/// over systems that were made; not over a step after a system was destroyed or given other waves, nor over the end of such a
-/// change. That is refused with a sentence in the log; make another world by swRestoreWorld() then. A refusal changes
-/// nothing.
+/// The world must still have all waves of that state, and the same views: it goes back over weights, fades, jumps in
+/// time, and over systems that were made; not over a step after a system was destroyed or given other waves, nor over
+/// the end of such a change. That is refused with a sentence in the log; make another world by swRestoreWorld() then. A
+/// refusal changes nothing.
 /// @return SW_ERROR_FORMAT, SW_ERROR_UNSUPPORTED if the world has other waves, views or another def
 SW_API swResult swWorld_Rewind(swWorld* world, const void* data, size_t size);
 

@@ -79,7 +79,8 @@ typedef struct swSceneSea
     swSeaReplay* replays[SW_MAX_WAVE_SYSTEMS]; ///< NULL where nothing is replayed
 } swSceneSea;
 
-/// Add the scene's wave systems to a world; replays begin at the world's present time. The scene has to outlive the sea.
+/// Add the scene's wave systems to a world; replays begin at the world's present time. The scene has to outlive the
+/// sea.
 /// @return what swCreateWaveSystem() and swCreateSeaReplay() return; the world is then as it was
 SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea);
 
@@ -97,18 +98,18 @@ SW_API swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** 
 /// The same without what drives replays: they stand still at the scene's time.
 SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
 
-/// Read a measured sea: any text that swParseMeasuredSea() reads; an NDBC energy file, the direction files beside it being
-/// found by their names; and, where their libraries were there when this was built, JSON and netCDF. The format is known
-/// by the contents, plain or gzip (netCDF: plain).
+/// Read a measured sea: any text that swParseMeasuredSea() reads; an NDBC energy file, the direction files beside it
+/// being found by their names; and, where their libraries were there when this was built, JSON and netCDF. The format
+/// is known by the contents, plain or gzip (netCDF: plain).
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_NO_MEMORY
 SW_API swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea);
 
 /// How a file of measured seas is read. Must be initialized with swDefaultMeasuredFileDef().
 typedef struct swMeasuredFileDef
 {
-    /// What the directions in a netCDF file mean, whatever it says itself: SW_DIRECTIONS_FROM or SW_DIRECTIONS_TO. Formats
-    /// that lay down what directions mean are refused with it. Default SW_DIRECTIONS_BY_FORMAT: what the file says and,
-    /// where it says nothing, what others who write such files mean, with a warning.
+    /// What the directions in a netCDF file mean, whatever it says itself: SW_DIRECTIONS_FROM or SW_DIRECTIONS_TO.
+    /// Formats that lay down what directions mean are refused with it. Default SW_DIRECTIONS_BY_FORMAT: what the file
+    /// says and, where it says nothing, what others who write such files mean, with a warning.
     swDirectionMeaning directions;
 
     /// Set by swDefaultMeasuredFileDef().

@@ -4,8 +4,8 @@
 #include "waves.h"
 
 /// @file
-/// A sea as one meets it: a wind sea and the swells of other winds, far away or long ago, each with a height, a period and
-/// a direction of its own. One call makes a wave system of each.
+/// A sea as one meets it: a wind sea and the swells of other winds, far away or long ago, each with a height, a period
+/// and a direction of its own. One call makes a wave system of each.
 
 /// Swells that a sea can have.
 #define SW_MAX_SWELLS 4

@@ -128,6 +128,7 @@ typedef struct swSpectrumTable
 /// Where a table's bins begin and end, Hz. Bin i reaches from edges[i] to edges[i + 1] and holds density times bandwidth.
 /// Bandwidths that fit together, around their frequencies or half-way to the neighbours, are kept; of others the nearest
 /// edges are taken that leave each frequency in its own bin.
+/// Misuse, such as NULL or a table without frequencies, leaves edges as they are.
 /// @param edges [frequencyCount + 1]
 SW_API void swSpectrumTable_GetEdges(const swSpectrumTable* table, double* edges);
 

@@ -48,8 +48,8 @@ SW_API void swDestroyView(swView* view);
 SW_API void swView_SetViewpoint(swView* view, swPos position);
 SW_API swPos swView_GetViewpoint(const swView* view);
 
-/// One slice as the last step left it. Texel (column, row) rests at ((firstX + column) * texel, (firstZ + row) * texel) in
-/// the sea; less swWorld_GetOrigin() that is a place in the host's coordinates.
+/// One slice as the last step left it. Texel (column, row) rests at ((firstX + column) * texel, (firstZ + row) * texel)
+/// in the sea; less swWorld_GetOrigin() that is a place in the host's coordinates.
 typedef struct swSliceInfo
 {
     double texel;           ///< m
@@ -65,7 +65,8 @@ SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
 /// CPU layers of a slice as [resolution][resolution] rows of z; NULL unless enableCpuLayers.
 /// Displacement: 4 floats a texel (x, y, z, 0). Foam: 1 float a texel, [0, 1].
 /// Derivatives: 4 floats (gx, gz, J, 0), the unnormalised normal of the displaced surface: J is the determinant of the
-/// horizontal Jacobian, (-gx, J, -gz) points along the normal, and (gx, gz) / J is the slope. Smooth also where it folds.
+/// horizontal Jacobian, (-gx, J, -gz) points along the normal, and (gx, gz) / J is the slope. Smooth also where it
+/// folds.
 SW_API const float* swView_GetDisplacement(const swView* view, int slice);
 SW_API const float* swView_GetDerivatives(const swView* view, int slice);
 SW_API const float* swView_GetFoam(const swView* view, int slice);

@@ -8,9 +8,10 @@
 /// Wave systems: a spectrum made into waves. Any number of systems add up to the sea; each may change while it runs,
 /// without a jump.
 ///
-/// SW_WAVES_FFT makes tens of thousands of waves by fast Fourier transforms [Tessendorf 2001]. Each octave of wavelength
-/// is a band with a periodic tile of its own; tile sides of neighbouring bands are incommensurate, so their sum never
-/// visibly repeats. A narrow swell, whose energy is all in one octave, has up to three such tiles there, side by side. SW_WAVES_GERSTNER makes some hundred waves at most, each with its exact length and direction
+/// SW_WAVES_FFT makes tens of thousands of waves by fast Fourier transforms [Tessendorf 2001]. Each octave of
+/// wavelength is a band with a periodic tile of its own; tile sides of neighbouring bands are incommensurate, so their
+/// sum never visibly repeats. A narrow swell, whose energy is all in one octave, has up to three such tiles there, side
+/// by side. SW_WAVES_GERSTNER makes some hundred waves at most, each with its exact length and direction
 /// [Gerstner 1802]: cheap where there are few, and to be placed by hand.
 
 typedef struct swWorld swWorld;
@@ -18,7 +19,8 @@ typedef struct swWorld swWorld;
 /// Bands (octaves) a system can have: band b holds wavelengths [2^(b - 4), 2^(b - 3)) m, 0.0625 m to 4096 m.
 #define SW_MAX_BANDS 16
 
-/// Wave systems and tiles (bands with energy, over all systems) that a world can have, and waves of its Gerstner systems.
+/// Wave systems and tiles (bands with energy, over all systems) that a world can have, and waves of its Gerstner
+/// systems.
 #define SW_MAX_WAVE_SYSTEMS 16
 #define SW_MAX_TILES 64
 #define SW_MAX_FREE_WAVES 1024
@@ -70,9 +72,10 @@ typedef struct swWaveSystemDef
     /// spreads. Range [0, pi]. Default 0: as the spectrum spreads.
     float directionVariance;
 
-    /// Gerstner: what the Jacobian of the waves' horizontal displacement (1 flat, 0 a fold) stays above at all but one place
-    /// in ten thousand. Where chop would fold more, horizontal displacement is held back, of all waves alike; heights stay.
-    /// Of each system by itself, at weight 1. Range [-10, 0.9]. Default 0.1; -10 takes chop as it is. Not of given components.
+    /// Gerstner: what the Jacobian of the waves' horizontal displacement (1 flat, 0 a fold) stays above at all but one
+    /// place in ten thousand. Where chop would fold more, horizontal displacement is held back, of all waves alike;
+    /// heights stay. Of each system by itself, at weight 1. Range [-10, 0.9]. Default 0.1; -10 takes chop as it is. Not
+    /// of given components.
     float leastJacobian;
 
     /// Gerstner: the waves themselves, instead of a spectrum's. Copied by the call that takes the def. Default NULL, 0;
@@ -113,13 +116,13 @@ SW_API void swDestroyWaveSystem(swWorld* world, swWaveSystemId id);
 
 SW_API bool swWaveSystem_IsValid(const swWorld* world, swWaveSystemId id);
 
-/// Change anything about a system. Over `seconds` of the world's time, from its last step on, the sea turns into the new
-/// one without a jump; 0 changes it with the next step. Afterwards the surface is that of the def alone: a def that is
-/// changed and changed back gives the same bits at the same time.
+/// Change anything about a system. Over `seconds` of the world's time, from its last step on, the sea turns into the
+/// new one without a jump; 0 changes it with the next step. Afterwards the surface is that of the def alone: a def that
+/// is changed and changed back gives the same bits at the same time.
 ///
-/// Where only amplitudes differ (spectrum, wavelengths, chop, weight), each wave keeps its phase and changes its height,
-/// which costs no more than a sea that stays. Changes of seed, tiles, depth, loop or method cross-fade two seas of the
-/// same energy; both cost until it is over. A change may interrupt another.
+/// Where only amplitudes differ (spectrum, wavelengths, chop, weight), each wave keeps its phase and changes its
+/// height, which costs no more than a sea that stays. Changes of seed, tiles, depth, loop or method cross-fade two seas
+/// of the same energy; both cost until it is over. A change may interrupt another.
 /// Costs a fresh initial spectrum: 12 to 50 ms on one thread, shared out over the host's workers.
 /// @param seconds range [0, SW_MAX_TRANSITION]
 /// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (tiles or free waves, or a fourth cross-fade at once);
@@ -150,7 +153,7 @@ typedef struct swBandInfo
     float meanSquareSlope; ///< of both directions together
 } swBandInfo;
 
-/// Bands with energy, shortest first, of the sea as it is now (of a cross-fade: of the sea to come). `bands` has room for
-/// SW_MAX_BANDS.
+/// Bands with energy, shortest first, of the sea as it is now (of a cross-fade: of the sea to come). `bands` has room
+/// for SW_MAX_BANDS.
 /// @return their number
 SW_API int swWaveSystem_GetBands(const swWorld* world, swWaveSystemId id, swBandInfo* bands);

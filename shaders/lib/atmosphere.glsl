@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Air: Rayleigh and Mie scattering and ozone around a spherical earth, after [Bruneton 2008] and [Hillaire 2020].
-// Kilometres from the earth's centre; mu is the cosine of the angle to the zenith. Coefficients are per kilometre at 680,
-// 550 and 440 nm and stand for the three linear sRGB primaries.
+// Kilometres from the earth's centre; mu is the cosine of the angle to the zenith. Coefficients are per kilometre at
+// 680, 550 and 440 nm and stand for the three linear sRGB primaries.
 
 const float earthBottom = 6360.0;
 const float earthTop = 6460.0;
@@ -74,7 +74,8 @@ float horizonCosine(float radius)
     return -sqrt(max(0.0, 1.0 - ratio * ratio));
 }
 
-// Transmittance table: u runs with the distance to the top of the air, v with the distance to the horizon [Bruneton 2008].
+// Transmittance table: u runs with the distance to the top of the air, v with the distance to the horizon
+// [Bruneton 2008].
 vec2 transmittanceUv(float radius, float mu)
 {
     float toHorizonMax = sqrt(earthTop * earthTop - earthBottom * earthBottom);
@@ -116,8 +117,8 @@ vec3 multipleScattering(sampler2D multiple, float radius, float muSun)
     return textureLod(multiple, (clamp(x, 0.0, 1.0) * (size - 1.0) + 0.5) / size, 0.0).rgb;
 }
 
-// Light scattered into a ray. What haze scatters once comes without its phase function, which is too sharp around the sun
-// for a table: a pixel multiplies it in, see withHaze().
+// Light scattered into a ray. What haze scatters once comes without its phase function, which is too sharp around the
+// sun for a table: a pixel multiplies it in, see withHaze().
 struct Scattered
 {
     vec3 light;  // by the air, and by both more than once
@@ -130,7 +131,8 @@ vec3 withHaze(vec3 light, vec3 haze, vec3 direction, vec3 sun)
     return light + haze * miePhase(dot(direction, sun));
 }
 
-// Over `length` km, for unit illuminance of the sun. Steps grow with the distance because the air nearby is the densest.
+// Over `length` km, for unit illuminance of the sun. Steps grow with the distance because the air nearby is the
+// densest.
 Scattered scatteredLight(sampler2D transmittance, sampler2D multiple, float radius, vec3 direction, vec3 sun,
                          float length, float haze, int steps)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From the smooth amount of foam to foam with holes. The texture's channels are patterns whose values are spread evenly
-// over 0 .. 1, so that a threshold can leave just that amount covered, see foamEdge(): laces at two scales decide where foam
-// is, bubbles how thick. The pattern rests on the water, drifts with it, and is renewed bit by bit: two copies with
-// different offsets take turns. Where a pixel is wider than the pattern, the amount itself is the answer.
+// over 0 .. 1, so that a threshold can leave just that amount covered, see foamEdge(): laces at two scales decide where
+// foam is, bubbles how thick. The pattern rests on the water, drifts with it, and is renewed bit by bit: two copies
+// with different offsets take turns. Where a pixel is wider than the pattern, the amount itself is the answer.
 
 struct FoamDetail
 {
@@ -53,7 +53,8 @@ vec2 foamBend(sampler2D pattern, vec2 p)
     return p + 110.0 * (slow - 0.5);
 }
 
-// Value that the sum of two laces, plus 1/2, exceeds in a share of places: the quantile of 0.8 and 0.6 times even numbers.
+// Value that the sum of two laces, plus 1/2, exceeds in a share of places: the quantile of 0.8 and 0.6 times even
+// numbers.
 float foamEdge(float share)
 {
     float few = sqrt(0.96 * min(share, 1.0 - share));
@@ -83,9 +84,9 @@ float foamValue(sampler2D pattern, vec2 p, float lod, float pixel, float seed)
     return value;
 }
 
-// Foam from afar comes in clumps of tens of metres: the crests and groups of waves that the slice does not carry, of which
-// `amount` holds the mean alone. A factor of mean 1, of which most places have less and some much more. Without it even foam
-// would be wherever the laces have their peaks, once a pattern.
+// Foam from afar comes in clumps of tens of metres: the crests and groups of waves that the slice does not carry, of
+// which `amount` holds the mean alone. A factor of mean 1, of which most places have less and some much more. Without
+// it even foam would be wherever the laces have their peaks, once a pattern.
 float foamClumps(sampler2D pattern, vec2 p, float lod, float seed)
 {
     vec2 jump = foamJump(seed + 0.11);

@@ -32,7 +32,8 @@ float gradientNoise(vec2 p)
     return mix(mix(a, b, u.x), mix(c, d, u.x), u.y);
 }
 
-// Octaves turned against each other so that no lattice shows. `smallest` is the wavelength below which octaves fade out.
+// Octaves turned against each other so that no lattice shows. `smallest` is the wavelength below which octaves fade
+// out.
 float fractalNoise(vec2 p, int octaves, float smallest)
 {
     float sum = 0.0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Slopes of the sea at a pixel, and the variance of those that the pixel cannot resolve.
 //
-// Long waves come from the slices, chop and all. A slice carries waves from eight of its texels up, so a coarser slice is
-// also a filtered one: the slice is chosen by distance, like the mesh's, or coarser where a pixel covers more. Every band
-// that the chosen slices leave out comes from the layers of its own tile's slopes, filtered by their mips along the pixel's
-// footprint; what a mip has averaged away is its mean square less the square of its mean. Needs shared/picture.h and
-// shared/mesh.h.
+// Long waves come from the slices, chop and all. A slice carries waves from eight of its texels up, so a coarser slice
+// is also a filtered one: the slice is chosen by distance, like the mesh's, or coarser where a pixel covers more. Every
+// band that the chosen slices leave out comes from the layers of its own tile's slopes, filtered by their mips along
+// the pixel's footprint; what a mip has averaged away is its mean square less the square of its mean. Needs
+// shared/picture.h and shared/mesh.h.
 
 struct Slopes
 {
@@ -33,9 +33,9 @@ Footprint footprintAt(vec3 view, float range, float pixelAngle, float facing)
     return footprint;
 }
 
-// Mean of a repeating layer over the footprint: blurred probes along the longer axis, none narrower than a texel, and at most
-// `most`. Hardware's anisotropic filter would do, but software devices walk every texel of a footprint that spans thousands
-// of tiles. For those, who filter by hand, a probe also keeps to one mip where `isFast`.
+// Mean of a repeating layer over the footprint: blurred probes along the longer axis, none narrower than a texel, and
+// at most `most`. Hardware's anisotropic filter would do, but software devices walk every texel of a footprint that
+// spans thousands of tiles. For those, who filter by hand, a probe also keeps to one mip where `isFast`.
 vec4 meanOverFootprint(sampler2DArray layers, float layer, vec2 uv, Footprint footprint, float perMetre, float side,
                        float most, bool isFast)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Phases as fractions of 2^32 of a turn: exact integers, so that a sea has the same waves after a month as at the start.
+// Phases as fractions of 2^32 of a turn: exact integers, so that a sea has the same waves after a month as at the
+// start.
 
 // The top 32 bits of the low 64 bits of a * b, 64-bit factors in halves.
 uint phaseOf(uint aLow, uint aHigh, uint bLow, uint bHigh)
@@ -15,8 +16,8 @@ float omegaOf(uint low, uint high)
     return fma(float(low), 1.0 / 4294967296.0, float(high)) * (6.28318530718 / 256.0);
 }
 
-// (cosine, sine), good to about 2^-24: the nearest quarter turn is taken off in integers and Taylor's series does the rest.
-// sin() and cos() of GLSL need not be better than 2^-11.
+// (cosine, sine), good to about 2^-24: the nearest quarter turn is taken off in integers and Taylor's series does the
+// rest. sin() and cos() of GLSL need not be better than 2^-11.
 vec2 unitOf(uint phase)
 {
     uint quarter = (phase + 0x20000000u) >> 30;

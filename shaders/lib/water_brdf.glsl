@@ -24,8 +24,8 @@ float facingArea(vec3 to, vec2 slope, vec2 variance)
     return max(mean * normalBelow(x) + deviation * 0.39894228 * exp(-0.5 * x * x), 1e-4);
 }
 
-// Sunlight reflected towards `view`, for unit illuminance. Facets between slope and slope + ds fill p(s) ds of the level
-// area, and half vectors map to slopes with the Jacobian 4 (v . h) h.y^3.
+// Sunlight reflected towards `view`, for unit illuminance. Facets between slope and slope + ds fill p(s) ds of the
+// level area, and half vectors map to slopes with the Jacobian 4 (v . h) h.y^3.
 float sunGlitter(vec3 view, vec3 sun, vec2 slope, vec2 variance, float area, float index)
 {
     vec3 h = normalize(view + sun);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exposure and the tone curve: a sigmoid in log exposure, y = x^c / (x^c + g) [Naka and Rushton 1966], which keeps middle
-// grey, on primaries moved a little inwards, so that bright colours turn pale as film's do instead of clipping
+// Exposure and the tone curve: a sigmoid in log exposure, y = x^c / (x^c + g) [Naka and Rushton 1966], which keeps
+// middle grey, on primaries moved a little inwards, so that bright colours turn pale as film's do instead of clipping
 // [Sobotka 2022]; then noise of one step, so that skies do not band.
 #version 460
 #extension GL_GOOGLE_include_directive : require

@@ -2,19 +2,20 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// Rays against the surface: the GPU's twin of core/query/raycast.c, which says how a march goes: steps as long as the gap to
-// the water allows, at least a quarter of the shortest wave; then secants and bisection around the first change of sign.
-// Each look at the surface is a search as surface_query.comp has it.
+// Rays against the surface: the GPU's twin of core/query/raycast.c, which says how a march goes: steps as long as the
+// gap to the water allows, at least a quarter of the shortest wave; then secants and bisection around the first change
+// of sign. Each look at the surface is a search as surface_query.comp has it.
 //
-// Three things differ. Places along a ray are floats, so they are off by some 1e-7 of the way. A look begins its search with
-// the particle of the look before. And far from the water a search ends early. Of a default sea a ray from above then takes 1.6
-// evaluations a look; it took 3.6 when each search began with a first guess and went to its end, 2.1 without the last of
-// the three.
+// Three things differ. Places along a ray are floats, so they are off by some 1e-7 of the way. A look begins its search
+// with the particle of the look before. And far from the water a search ends early. Of a default sea a ray from above
+// then takes 1.6 evaluations a look; it took 3.6 when each search began with a first guess and went to its end, 2.1
+// without the last of the three.
 //
-// Four lanes share a ray, as they share a place in surface_search.glsl; a workgroup goes on until its last ray is done. A ray
-// has a limit of looks, because a device that is busy for seconds is taken for dead.
+// Four lanes share a ray, as they share a place in surface_search.glsl; a workgroup goes on until its last ray is done.
+// A ray has a limit of looks, because a device that is busy for seconds is taken for dead.
 //
-// Floor: an evaluation a look, 3.6 kB of texels from caches for 14 tiles; a ray at 45 degrees takes 18 looks, one that grazes
+// Floor: an evaluation a look, 3.6 kB of texels from caches for 14 tiles; a ray at 45 degrees takes 18 looks, one that
+// grazes
 // 130.
 
 #include "shared/query.h"
@@ -239,8 +240,8 @@ bool isNearEnough(Ray ray, March march, Search search)
            sqrt(search.bestSquare) < 0.02 * abs(march.side * gapOf(ray, march.at, search.best) - ray.radius);
 }
 
-// The search of the next look begins with the particle that the last one found and takes the step from there that Newton's
-// iteration takes, whose gradients are known.
+// The search of the next look begins with the particle that the last one found and takes the step from there that
+// Newton's iteration takes, whose gradients are known.
 Search searchAgain(Ray ray, March march, float from, Search last)
 {
     Search search = beginSearch(placeAt(ray, march.at));

@@ -4,13 +4,13 @@
 
 // The surface above points of the plane: the GPU's twin of core/query/sample.c. The search is in surface_search.glsl.
 //
-// Velocity and acceleration are looked up once, where the search ended, in texels of their own. A query that wants neither
-// has a pipeline without them.
+// Velocity and acceleration are looked up once, where the search ended, in texels of their own. A query that wants
+// neither has a pipeline without them.
 //
 // Measured on an H100, 100,000 points of a default sea: 190 us scattered over 10 km, 125 to 175 us on a grid of 0.5 m;
-// points take 2.6 evaluations after the first guess. Slower were: no first guess (40 more), lanes that take another point
-// as soon as theirs is done (7 more with two points a lane, 10 with four), tiles in a storage buffer (6 more), all four
-// weights along x in every lane (8 more), two tiles at a time (6 more), and workgroups of 128 (4 more).
+// points take 2.6 evaluations after the first guess. Slower were: no first guess (40 more), lanes that take another
+// point as soon as theirs is done (7 more with two points a lane, 10 with four), tiles in a storage buffer (6 more),
+// all four weights along x in every lane (8 more), two tiles at a time (6 more), and workgroups of 128 (4 more).
 
 #include "shared/query.h"
 

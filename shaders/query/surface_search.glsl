@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The surface above a place: the GPU's twin of swFindParticles() in core/query/sample.c. The particle that is above q rests
-// at q + d with r(d) = d + D(q + d) = 0. The core avoids gradients, which cost it as much as displacement; here texels cost,
-// and gradients come from the same window of texels for a few multiply-adds. So this is Newton's iteration, which needs
-// two evaluations fewer, and the last one has the normal. A step that made the residual worse is taken back and halved,
-// and no step is longer than four residuals: where the surface nearly folds, its inverse gradient has no meaning.
+// The surface above a place: the GPU's twin of swFindParticles() in core/query/sample.c. The particle that is above q
+// rests at q + d with r(d) = d + D(q + d) = 0. The core avoids gradients, which cost it as much as displacement; here
+// texels cost, and gradients come from the same window of texels for a few multiply-adds. So this is Newton's
+// iteration, which needs two evaluations fewer, and the last one has the normal. A step that made the residual worse is
+// taken back and halved, and no step is longer than four residuals: where the surface nearly folds, its inverse
+// gradient has no meaning.
 //
 // The first evaluation adds up only waves that are long against the way that it goes: gradients of waves shorter than
 // that say nothing about where it leads.
 //
-// SW_QUERY_LANES (4) lanes share a place. Each takes one column of a tile's window of 4 x 4 texels, so that the four read 64
-// bytes side by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
+// SW_QUERY_LANES (4) lanes share a place. Each takes one column of a tile's window of 4 x 4 texels, so that the four
+// read 64 bytes side by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`, and
 // `shared vec3 shares[3][]` with an element for each thread.

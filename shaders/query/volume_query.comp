@@ -3,13 +3,14 @@
 #extension GL_GOOGLE_include_directive : require
 
 // The water below its surface by linear theory: the GPU's twin of core/query/volume.c. The surface above each place was
-// searched by surface_query.comp. Every wave fades with depth at its own rate, so that no tile can hold the motion and waves
-// are summed one by one; those too short to reach a place are skipped, a tile at once.
+// searched by surface_query.comp. Every wave fades with depth at its own rate, so that no tile can hold the motion and
+// waves are summed one by one; those too short to reach a place are skipped, a tile at once.
 //
-// Four lanes share a place and take every fourth wave; the waves of a tile pass through shared memory, which 64 places read.
+// Four lanes share a place and take every fourth wave; the waves of a tile pass through shared memory, which 64 places
+// read.
 //
-// Floor: some 50 operations a place and wave, 15,000 pairs of a default sea: 75 Gflop for 100,000 places at the surface.
-// Memory does not count: the waves are 0.7 MB, read by each workgroup.
+// Floor: some 50 operations a place and wave, 15,000 pairs of a default sea: 75 Gflop for 100,000 places at the
+// surface. Memory does not count: the waves are 0.7 MB, read by each workgroup.
 
 #include "shared/query.h"
 
@@ -179,7 +180,8 @@ void addFreeWave(swQueryWave wave, Place place, Below below, inout Sum sum)
     addMotion(swing, rate, wave.rate * wave.rate, vec2(wave.turnsX, wave.turnsZ) / size, fading, sum);
 }
 
-// Of tiles whose waves reach the place, and of free waves. Waves that reach no place of the workgroup are not even read.
+// Of tiles whose waves reach the place, and of free waves. Waves that reach no place of the workgroup are not even
+// read.
 Sum addWaves(Place place, Below below, uint lane)
 {
     Sum sum = Sum(vec4(0.0), vec3(0.0));

@@ -2,9 +2,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// Each pair of opposite waves of each tile at the step's time, ready to be summed at any depth: height and rate as complex
-// numbers, wave number, and how the pair fades towards the bottom. What fillTileChunk() of core/waves/waves_sum.inl makes
-// for every block of points is made once here. Runs only in frames with a query of the water below.
+// Each pair of opposite waves of each tile at the step's time, ready to be summed at any depth: height and rate as
+// complex numbers, wave number, and how the pair fades towards the bottom. What fillTileChunk() of
+// core/waves/waves_sum.inl makes for every block of points is made once here. Runs only in frames with a query of the
+// water below.
 //
 // Floor: 40 bytes read and 48 written a pair; 1.3 MB for the 15,000 pairs of a default sea.
 

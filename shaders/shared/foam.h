@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Foam is born where the surface folds and fades with time: df/dt = growth fold (1 - f) - fadeRate f, which stays within
-// [0, 1]. Over one step with the fold constant the solution is exact, so that the result does not depend on the rate: n
-// steps of dt are one of n dt.
+// Foam is born where the surface folds and fades with time: df/dt = growth fold (1 - f) - fadeRate f, which stays
+// within [0, 1]. Over one step with the fold constant the solution is exact, so that the result does not depend on the
+// rate: n steps of dt are one of n dt.
 //
-// The fold is max(threshold - J, 0) with J of the whole surface. core/sim/whitecaps.c chooses threshold and growth so that
-// the steady state covers as much of the sea as whitecaps do. A slice knows only a part of the waves, and of the others how
-// much J varies by them. It grows foam by the fold's expectation. So slices of different fineness hold the same mean
-// foam, the coarse one spread thinner, as a mip level would be.
+// The fold is max(threshold - J, 0) with J of the whole surface. core/sim/whitecaps.c chooses threshold and growth so
+// that the steady state covers as much of the sea as whitecaps do. A slice knows only a part of the waves, and of the
+// others how much J varies by them. It grows foam by the fold's expectation. So slices of different fineness hold the
+// same mean foam, the coarse one spread thinner, as a mip level would be.
 //
 // Foam lives at the texels of a view's slices, in rest space. When slices scroll or the stack's scale changes, a texel
 // takes its foam from the stack of the step before: from the same lattice, else from a coarser one (linear between

@@ -13,14 +13,15 @@
 // Columns that one workgroup of the FFT's second axis transforms, see waves_columns.comp.
 #define SW_COLUMN_BLOCK 4
 
-// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_RUNS runs of SW_SLICE_RUN (4) texels along
-// z. See slices.comp.
+// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_RUNS runs of SW_SLICE_RUN (4) texels
+// along z. See slices.comp.
 #define SW_SLICE_WIDTH 128
 #define SW_SLICE_RUN 4
 #define SW_SLICE_RUNS 2
 #define SW_SLICE_HEIGHT 8
-// Tiles that are laid out in shared memory at once (at most 32, the bits of a mask), tile rows that a run may touch, tile
-// columns that a block may touch (laid out by a thread a row), and the vec4s that a tile takes: 2 a run and row, or 3 a column.
+// Tiles that are laid out in shared memory at once (at most 32, the bits of a mask), tile rows that a run may touch,
+// tile columns that a block may touch (laid out by a thread a row), and the vec4s that a tile takes: 2 a run and row,
+// or 3 a column.
 #define SW_SLICE_BATCH 16
 #define SW_SLICE_ROWS 6
 #define SW_SLICE_COLUMNS SW_SLICE_HEIGHT

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Where a vertex of the surface mesh lies. The mesh is concentric square rings, ring i on the lattice of slice i: vertices
-// stand two texels apart, on texel centres. Towards a ring's outer edge its odd vertices slide onto even ones, which are
-// the next ring's vertices, and its data blend into the next slice's; so rings meet without a crack, and a ring that
-// moves on by whole cells changes nothing that can be seen.
+// Where a vertex of the surface mesh lies. The mesh is concentric square rings, ring i on the lattice of slice i:
+// vertices stand two texels apart, on texel centres. Towards a ring's outer edge its odd vertices slide onto even ones,
+// which are the next ring's vertices, and its data blend into the next slice's; so rings meet without a crack, and a
+// ring that moves on by whole cells changes nothing that can be seen.
 //
-// All coordinates are whole steps of the finest ring, counted from an anchor near the viewer. They stay below 2^24, steps
-// are powers of two, and a blend of 0 or 1 is exact: two rings that share a vertex compute the same bits for it.
+// All coordinates are whole steps of the finest ring, counted from an anchor near the viewer. They stay below 2^24,
+// steps are powers of two, and a blend of 0 or 1 is exact: two rings that share a vertex compute the same bits for it.
 #ifndef SW_SHARED_MESH_H
 #define SW_SHARED_MESH_H
 #include "types.h"
@@ -21,8 +21,8 @@ SW_PARAMS(swMeshSlice)
 };
 SW_PARAMS_SIZE(swMeshSlice, 32);
 
-// A rectangle of one ring, at most swMeshParams::tileSide quads wide and high. Ring == sliceCount is the horizon strip: x
-// counts steps along the rim, z along the ray to the horizon, and height says which side of the rim (0 .. 3).
+// A rectangle of one ring, at most swMeshParams::tileSide quads wide and high. Ring == sliceCount is the horizon strip:
+// x counts steps along the rim, z along the ray to the horizon, and height says which side of the rim (0 .. 3).
 SW_PARAMS(swMeshTile)
 {
     sw_uint ring;

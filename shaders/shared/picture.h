@@ -80,8 +80,8 @@ SW_PARAMS(swPictureParams)
 };
 SW_PARAMS_SIZE(swPictureParams, 336);
 
-// The clouds' noise has no period of its own, and floats hold a metre of it within SW_CLOUD_EDGE of its middle, km. Beyond
-// its edges it goes on as in a mirror, without a jump, and so repeats after four times as much.
+// The clouds' noise has no period of its own, and floats hold a metre of it within SW_CLOUD_EDGE of its middle, km.
+// Beyond its edges it goes on as in a mirror, without a jump, and so repeats after four times as much.
 #define SW_CLOUD_EDGE 8192.0f
 
 // A place that may be beyond one edge.

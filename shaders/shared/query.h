@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What a GPU query reads. A place is a whole number of cells from an origin that the host chooses, and a rest in metres.
-// Along an axis a tile repeats, so of a place only the fraction of a turn counts that it is into a tile (or a wave). What
-// cells add to it are integers modulo 2^32, exact however many cells there are; only the rest, less than a cell, is
-// floating point. So an answer is as good 1,000 km away as at the origin.
+// What a GPU query reads. A place is a whole number of cells from an origin that the host chooses, and a rest in
+// metres. Along an axis a tile repeats, so of a place only the fraction of a turn counts that it is into a tile (or a
+// wave). What cells add to it are integers modulo 2^32, exact however many cells there are; only the rest, less than a
+// cell, is floating point. So an answer is as good 1,000 km away as at the origin.
 #ifndef SW_SHARED_QUERY_H
 #define SW_SHARED_QUERY_H
 #include "limits.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How rough the sea is beyond the waves that any band holds. Slopes of the whole sea under a wind are known from the sun's
-// glitter [Cox 1954]: 0.003 + 0.00512 U, upwind and crosswind together, U in m/s. What the bands do not have of that is
-// ripples, which become part of the glitter's width.
+// How rough the sea is beyond the waves that any band holds. Slopes of the whole sea under a wind are known from the
+// sun's glitter [Cox 1954]: 0.003 + 0.00512 U, upwind and crosswind together, U in m/s. What the bands do not have of
+// that is ripples, which become part of the glitter's width.
 #ifndef SW_SHARED_ROUGHNESS_H
 #define SW_SHARED_ROUGHNESS_H
 #include "types.h"

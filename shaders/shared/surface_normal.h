@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The displaced surface's normal from the gradients of displacement (x, h, z) by rest position. The tangents are
 // Tx = (1 + dDx/dx, dh/dx, dDz/dx) and Tz = (dDx/dz, dh/dz, 1 + dDz/dz); their cross product Tz x Tx is (-gx, J, -gz).
-// It stays smooth where the surface folds (J = 0), which the slope (gx, gz) / J does not. Horizontal displacement is itself
-// a gradient, so that dDx/dz is dDz/dx and need not be summed.
+// It stays smooth where the surface folds (J = 0), which the slope (gx, gz) / J does not. Horizontal displacement is
+// itself a gradient, so that dDx/dz is dDz/dx and need not be summed.
 #ifndef SW_SHARED_SURFACE_NORMAL_H
 #define SW_SHARED_SURFACE_NORMAL_H
 #include "types.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the wave passes read on the GPU: tiles, and the part of a tile that a slice sees.
 //
-// A tile's texels on the GPU are vec4 (x, y, z, 0), N rows of N + 3 columns: texel (i, j), at first + j (N + 3) + i, holds
-// the spline coefficient of sample (i - 1, j - 1) modulo N. The window of spline coordinate s begins at floor(s) along
-// either axis; columns repeat, so that it never wraps along x, and row indices are taken modulo N.
+// A tile's texels on the GPU are vec4 (x, y, z, 0), N rows of N + 3 columns: texel (i, j), at first + j (N + 3) + i,
+// holds the spline coefficient of sample (i - 1, j - 1) modulo N. The window of spline coordinate s begins at floor(s)
+// along either axis; columns repeat, so that it never wraps along x, and row indices are taken modulo N.
 #ifndef SW_SHARED_WAVES_H
 #define SW_SHARED_WAVES_H
 #include "limits.h"
@@ -42,8 +42,8 @@ SW_PARAMS(swWavesParams)
 SW_PARAMS_SIZE(swWavesParams, 16);
 
 // A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column baseX.
-// A tile so much finer than the slice that a run of texels would touch more than SW_SLICE_ROWS rows is there once for each
-// texel of a run.
+// A tile so much finer than the slice that a run of texels would touch more than SW_SLICE_ROWS rows is there once for
+// each texel of a run.
 SW_PARAMS(swSliceTile)
 {
     float fractionX, fractionZ; // in [0, 1)
@@ -56,8 +56,8 @@ SW_PARAMS(swSliceTile)
 };
 SW_PARAMS_SIZE(swSliceTile, 32);
 
-// A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of a
-// turn, exact as integers are.
+// A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
+// a turn, exact as integers are.
 SW_PARAMS(swSliceWave)
 {
     sw_uint phase;

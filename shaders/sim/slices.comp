@@ -2,42 +2,45 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// Displacement and its derivatives at every texel of every slice of a view: the sum over the slice's tiles of their cubic
-// B-splines, with exact weights (a texture unit's have 8 bits, which would be millimetres wrong), and of its free waves.
+// Displacement and its derivatives at every texel of every slice of a view: the sum over the slice's tiles of their
+// cubic B-splines, with exact weights (a texture unit's have 8 bits, which would be millimetres wrong), and of its free
+// waves.
 //
 // The axes of slices and tiles are parallel, so the spline is separable over the whole slice: all texels of a column
-// share their weights along x, all texels of a row their weights along z. A thread owns a column of eight texels, two runs
-// of four. Columns of texels lie side by side, a workgroup's make a block, so whether a tile has a knot between two rows of
-// texels is the same for the whole block. A tile is added in one of four ways:
+// share their weights along x, all texels of a row their weights along z. A thread owns a column of eight texels, two
+// runs of four. Columns of texels lie side by side, a workgroup's make a block, so whether a tile has a knot between
+// two rows of texels is the same for the whole block. A tile is added in one of four ways:
 //
 //   no knot in the eight rows, and the block touches few of the tile's columns
-//                       The spline along z is one cubic there. The tile's columns are turned into cubics once, in shared
-//                       memory, and each thread adds four of them, weighted along x, to the coefficients of its own.
+//                       The spline along z is one cubic there. The tile's columns are turned into cubics once, in
+//                       shared memory, and each thread adds four of them, weighted along x, to the coefficients of its
+//                       own.
 //   no knot in the eight rows
 //                       The same, but each thread takes the four tile rows itself, each interpolated along x (value and
 //                       slope). That costs the same however many texels there are, and slopes along z come with it.
 //   no knot in a run    The same, for the run's cubic.
-//   else                Row by row, to the texels whose windows of four rows may hold it: at most five rows for most, six for
-//                       the shortest waves. Weights along z lie in shared memory, by tile row, with zeros where a row is
-//                       outside a texel's window, so that no branch depends on them.
+//   else                Row by row, to the texels whose windows of four rows may hold it: at most five rows for most,
+//   six for
+//                       the shortest waves. Weights along z lie in shared memory, by tile row, with zeros where a row
+//                       is outside a texel's window, so that no branch depends on them.
 //
-// A cubic is exact, not an approximation. In a default view, by the steps of its tiles, an average slice has eight: three or
-// four are added as blocks, one as a cubic of a column or a run, the rest row by row; the shortest always is.
+// A cubic is exact, not an approximation. In a default view, by the steps of its tiles, an average slice has eight:
+// three or four are added as blocks, one as a cubic of a column or a run, the rest row by row; the shortest always is.
 //
 // Free waves are evaluated one by one, with their phases in integers: a run turns the first texel's sine and cosine on.
 //
-// Measured on an H100, a default view: 39 us. An empty pass takes 12 and its stores 15 more; what is added row by row takes
-// 14, the blocks 2.5. Registers decide: 128 a thread here, and the compiler takes 168 (47 us) where a block's shared memory is
-// 12 KB instead of 7, whatever would fit; so cubics and weights share theirs. Tiles' parameters from shared memory instead of
-// the buffer save 1.4 us of the load unit, dDz/dx in place of dDx/dz 0.5. Slower were, of the same sums and before blocks
-// (44.6): one run a thread (48), batches of eight (47), every tile row by row, columns of sixteen texels, weights along z in
-// registers and four rows kept from texel to texel, workgroups of 768 and 1,024 threads, which hold the compiler to 80 and 64
-// registers, a cubic shared by two threads through shared memory, tile texels in shared memory; and with blocks, 64 columns
-// (43), 256 columns (54) and slices in another order (42). Lanes that trade texels by shuffles, so that stores fill whole
-// sectors, save 1.2 us; not every device can. A load of a tile's texel takes the load unit four cycles a warp, whatever the
-// addresses; a vec4 of weights from shared memory two. Waves of 64 texels and more summed with their derivatives at every
-// fourth texel, with bicubic Hermite polynomials between, were slower as well (barriers, shared memory and registers), and
-// not exact.
+// Measured on an H100, a default view: 39 us. An empty pass takes 12 and its stores 15 more; what is added row by row
+// takes 14, the blocks 2.5. Registers decide: 128 a thread here, and the compiler takes 168 (47 us) where a block's
+// shared memory is 12 KB instead of 7, whatever would fit; so cubics and weights share theirs. Tiles' parameters from
+// shared memory instead of the buffer save 1.4 us of the load unit, dDz/dx in place of dDx/dz 0.5. Slower were, of the
+// same sums and before blocks (44.6): one run a thread (48), batches of eight (47), every tile row by row, columns of
+// sixteen texels, weights along z in registers and four rows kept from texel to texel, workgroups of 768 and 1,024
+// threads, which hold the compiler to 80 and 64 registers, a cubic shared by two threads through shared memory, tile
+// texels in shared memory; and with blocks, 64 columns (43), 256 columns (54) and slices in another order (42). Lanes
+// that trade texels by shuffles, so that stores fill whole sectors, save 1.2 us; not every device can. A load of a
+// tile's texel takes the load unit four cycles a warp, whatever the addresses; a vec4 of weights from shared memory
+// two. Waves of 64 texels and more summed with their derivatives at every fourth texel, with bicubic Hermite
+// polynomials between, were slower as well (barriers, shared memory and registers), and not exact.
 
 #include "lib/turns.glsl"
 #include "shared/spline.h"
@@ -67,8 +70,8 @@ layout(std430, binding = 5) readonly buffer Waves
 
 // The tiles of the batch.
 shared swSliceTile batchTiles[SW_SLICE_BATCH];
-// What is laid out of each tile. Of one that is added row by row: by run and tile row, the weights of the run's four texels
-// for values and for slopes. Of one that is added as a block: its columns' cubics along z, of x, y and z.
+// What is laid out of each tile. Of one that is added row by row: by run and tile row, the weights of the run's four
+// texels for values and for slopes. Of one that is added as a block: its columns' cubics along z, of x, y and z.
 shared vec4 layouts[SW_SLICE_BATCH][SW_SLICE_LAYOUT];
 // Of each tile and run: its first row (not wrapped), and how many rows it touches.
 shared uvec2 rowsZ[SW_SLICE_BATCH][SW_SLICE_RUNS];
@@ -80,8 +83,8 @@ shared uint rowByRow[SW_SLICE_RUNS];
 
 // Cubics along z -----------------------------------------------------------------------------------------------------
 
-// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from where the cubic begins, y and z the same; slopeX to
-// slopeZ are its slope along x.
+// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from where the cubic begins, y and z the same; slopeX
+// to slopeZ are its slope along x.
 struct Cubic
 {
     vec4 x, y, z;
@@ -136,7 +139,8 @@ float evaluateSlope(vec4 c, float t)
 
 // Tiles of a batch ---------------------------------------------------------------------------------------------------
 
-// Spline coordinate of a row of the block. The same bits wherever it is asked for: windows and weights must not disagree.
+// Spline coordinate of a row of the block. The same bits wherever it is asked for: windows and weights must not
+// disagree.
 float splineZ(swSliceTile tile, uint row)
 {
     return fma(float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row), tile.step, tile.fractionZ);
@@ -458,7 +462,8 @@ void main()
                 Window window = makeWindow(batchTiles[b], column);
                 uint top = rowsZ[b][run].x;
                 uint rowCount = rowsZ[b][run].y;
-                // Texel 0's window begins at row 0, texel t's at row t + 1 at the latest: see isSparse in upload_frame.c.
+                // Texel 0's window begins at row 0, texel t's at row t + 1 at the latest: see isSparse in
+                // upload_frame.c.
                 LOAD_ROW(0)
                 LOAD_ROW(1)
                 LOAD_ROW(2)

@@ -21,8 +21,8 @@ layout(binding = 3) uniform sampler2D transmittance;
 layout(location = 0) in vec2 clip;
 layout(location = 0) out vec4 color;
 
-// `sky` is what is seen beside it. The disc is so much brighter that a pixel with a hundredth of it would be as white as the
-// rest: a pixel at its edge gets a few times the sky's brightness instead, or the disc would be drawn in steps.
+// `sky` is what is seen beside it. The disc is so much brighter that a pixel with a hundredth of it would be as white
+// as the rest: a pixel at its edge gets a few times the sky's brightness instead, or the disc would be drawn in steps.
 vec3 sunDisc(vec3 direction, float radius, vec3 sky)
 {
     const vec3 limbPower = vec3(0.397, 0.503, 0.652);

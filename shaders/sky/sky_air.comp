@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The air between the camera and a point of the sea, over distance and the angle from the sun's azimuth: layer 0 the light
-// that it adds, layer 1 what it lets through, layer 2 what haze adds, see Scattered. Where the table ends the sea has become the horizon's sky, so the two join
-// without an edge.
+// The air between the camera and a point of the sea, over distance and the angle from the sun's azimuth: layer 0 the
+// light that it adds, layer 1 what it lets through, layer 2 what haze adds, see Scattered. Where the table ends the sea
+// has become the horizon's sky, so the two join without an edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Illuminance at sea level: the sun's through the air, and the sky's on a level surface, one workgroup over the sky table.
+// Illuminance at sea level: the sun's through the air, and the sky's on a level surface, one workgroup over the sky
+// table.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"

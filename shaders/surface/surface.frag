@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The colour of the sea: sky and sun reflected by slopes that are seen and by those that are not, light that comes back out
-// of the water, foam, and the air in front of it all.
+// The colour of the sea: sky and sun reflected by slopes that are seen and by those that are not, light that comes back
+// out of the water, foam, and the air in front of it all.
 //
-// The sky's part is an average over the facets that a viewer sees: slopes along the line of sight, weighted by how large
-// each facet appears, which is what lifts the mean reflection above the horizon on a rough sea [Bruneton 2010]. Across
-// the line of sight the sky's blurred copies do.
+// The sky's part is an average over the facets that a viewer sees: slopes along the line of sight, weighted by how
+// large each facet appears, which is what lifts the mean reflection above the horizon on a rough sea [Bruneton 2010].
+// Across the line of sight the sky's blurred copies do.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"
@@ -93,8 +93,8 @@ void addBands(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprin
             continue;
         }
         vec2 moments = vec2(band.slopeVarianceX, band.slopeVarianceZ);
-        // Of waves hardly longer than a pixel only the mean counts: a tile is 16 of its longest waves wide, and what is left
-        // of its pattern would show how it repeats.
+        // Of waves hardly longer than a pixel only the mean counts: a tile is 16 of its longest waves wide, and what is
+        // left of its pattern would show how it repeats.
         float merged = smoothstep(0.2, 0.7, footprint.shortest / band.maxWavelength);
         if (merged >= 1.0)
         {
@@ -132,8 +132,8 @@ float leftOverFootprint(vec2 k, Footprint footprint)
     return exp(-0.5 * (along * along + across * across));
 }
 
-// Each free wave that the slices leave out, with its own slope as far as the pixel resolves it. All that are shorter than a
-// pixel are roughness at once.
+// Each free wave that the slices leave out, with its own slope as far as the pixel resolves it. All that are shorter
+// than a pixel are roughness at once.
 void addFreeWaves(inout Slopes slopes, SlicePair pair, vec2 rest, Footprint footprint)
 {
     float cut = picture.finestWavelength * 0.999;
@@ -212,8 +212,9 @@ vec3 surroundings(vec3 direction, float blur, vec3 leaving)
     return mix(mix(leaving, sky, mirror), sky, open);
 }
 
-// Sky reflected by facets whose slopes differ from the mean in one direction, weighted by how large each appears; xyz is
-// radiance times reflectance, w the mean Fresnel reflectance. The sky's blurred copies stand for the other direction.
+// Sky reflected by facets whose slopes differ from the mean in one direction, weighted by how large each appears; xyz
+// is radiance times reflectance, w the mean Fresnel reflectance. The sky's blurred copies stand for the other
+// direction.
 vec4 skyOfFacets(vec3 view, Slopes slopes, vec2 direction, vec3 leaving)
 {
     vec2 across = vec2(-direction.y, direction.x);
@@ -239,8 +240,8 @@ vec4 skyOfFacets(vec3 view, Slopes slopes, vec2 direction, vec3 leaving)
     return sum / total;
 }
 
-// Reflected sky; returns the mean Fresnel reflectance in `reflectance`. Seen from above no direction is along the line of
-// sight: there facets of both directions count, or the sky's brighter side would show as a wedge under the viewer.
+// Reflected sky; returns the mean Fresnel reflectance in `reflectance`. Seen from above no direction is along the line
+// of sight: there facets of both directions count, or the sky's brighter side would show as a wedge under the viewer.
 vec3 reflectedSky(vec3 view, Slopes slopes, vec3 leaving, out float reflectance)
 {
     vec2 along = view.xz * inversesqrt(max(dot(view.xz, view.xz), 1e-8));

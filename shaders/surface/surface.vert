@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A vertex of the surface: an instance is a tile of a ring, the vertex index a corner of its grid. Smaller tiles fold the
-// rest of the grid into their last row and column, where its triangles have no area.
+// A vertex of the surface: an instance is a tile of a ring, the vertex index a corner of its grid. Smaller tiles fold
+// the rest of the grid into their last row and column, where its triangles have no area.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mesh tiles that the camera may see, in their order, and the arguments of the one indirect draw. A single workgroup
-// does all, since there are never more tiles than workers.
+// The mesh tiles that the camera may see, in their order, and the arguments of the one indirect draw. A single
+// workgroup does all, since there are never more tiles than workers.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture.h"

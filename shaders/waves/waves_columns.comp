@@ -2,9 +2,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// The transform along z, and the tile's texels. One workgroup takes four columns of one tile: twelve real results, packed
-// in pairs into six complex transforms: (Dx, Dz) of each column, and h of two columns at a time. The lines of rows -qz
-// are the conjugates of rows qz; bins beyond N / 4 are empty. Fields are layers of the dispatch, as in waves_rows.comp.
+// The transform along z, and the tile's texels. One workgroup takes four columns of one tile: twelve real results,
+// packed in pairs into six complex transforms: (Dx, Dz) of each column, and h of two columns at a time. The lines of
+// rows -qz are the conjugates of rows qz; bins beyond N / 4 are empty. Fields are layers of the dispatch, as in
+// waves_rows.comp.
 
 #include "shared/waves.h"
 

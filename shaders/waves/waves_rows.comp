@@ -5,11 +5,11 @@
 // Spectra at the step's time, and the transform along x. One workgroup makes one row qz of one tile, for the three
 // components Dx, h, Dz side by side. Heights are real, so row -qz is the conjugate of row qz and is never made.
 //
-// Leaves complex line values at firstLine + (((x / 4) * 3 + component) * (maxBin + 1) + qz) * 4 + x % 4: what one workgroup
-// of the second axis reads lies together.
+// Leaves complex line values at firstLine + (((x / 4) * 3 + component) * (maxBin + 1) + qz) * 4 + x % 4: what one
+// workgroup of the second axis reads lies together.
 //
-// A derivative by time turns each wave by a quarter and scales it by its frequency, so velocity and acceleration are the
-// same pass over other spectra. Each is a layer of the dispatch, there only if a query wants it.
+// A derivative by time turns each wave by a quarter and scales it by its frequency, so velocity and acceleration are
+// the same pass over other spectra. Each is a layer of the dispatch, there only if a query wants it.
 
 #include "shared/waves.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Measured seas in JSON, by way of libjansson. Two shapes are known by what they hold:
 //
-// Sofar's Spotter buoys: {"data": {"spotterId": ..., "frequencyData": [{"frequency": [], "df": [], "varianceDensity": [],
-// "a1": [], "b1": [], "a2": [], "b2": [], "timestamp": "2018-02-14T01:27:19.000Z", "latitude": , "longitude": }, ...]}}.
-// a1 points east and b1 north, where waves go; here north is -z.
+// Sofar's Spotter buoys: {"data": {"spotterId": ..., "frequencyData": [{"frequency": [], "df": [], "varianceDensity":
+// [], "a1": [], "b1": [], "a2": [], "b2": [], "timestamp": "2018-02-14T01:27:19.000Z", "latitude": , "longitude": },
+// ...]}}. a1 points east and b1 north, where waves go; here north is -z.
 //
-// Spectra by name, as MHKiT keeps CDIP's: {"CDiP1": {"S": {"0.025": 0.0004, ...}, "freqBinWidth": {"0.025": 0.005, ...}}}:
-// m2/Hz by Hz, without directions and time.
+// Spectra by name, as MHKiT keeps CDIP's: {"CDiP1": {"S": {"0.025": 0.0004, ...}, "freqBinWidth": {"0.025": 0.005,
+// ...}}}: m2/Hz by Hz, without directions and time.
 
 #include <jansson.h>
 #include <math.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A file of measured seas: its format is known by its contents. JSON and netCDF need libraries, texts go to the core, and
-// the direction files of an NDBC set lie beside its energy file under names that follow from its own:
+// A file of measured seas: its format is known by its contents. JSON and netCDF need libraries, texts go to the core,
+// and the direction files of an NDBC set lie beside its energy file under names that follow from its own:
 //   real time    44013.data_spec   44013.swdir   44013.swdir2   44013.swr1   44013.swr2   (44013.swden as well)
 //   archive      44013w2021.txt    44013d2021.txt 44013i2021.txt 44013j2021.txt 44013k2021.txt
-// with anything behind the ending or the year, and each perhaps with .gz at the end. One of the direction files alone is no
-// sea: it is refused, and the file of energies that belongs to it is named.
+// with anything behind the ending or the year, and each perhaps with .gz at the end. One of the direction files alone
+// is no sea: it is refused, and the file of energies that belongs to it is named.
 
 #include <stdio.h>
 #include <string.h>

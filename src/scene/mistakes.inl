@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kinds of mistakes in a scene file: SW_MISTAKE(NAME, code). A message ends with its code in brackets, which stays the same
-// when its words change. docs/scenes.md says what each means.
+// Kinds of mistakes in a scene file: SW_MISTAKE(NAME, code). A message ends with its code in brackets, which stays the
+// same when its words change. docs/scenes.md says what each means.
 SW_MISTAKE(SYNTAX, "not_yaml")
 SW_MISTAKE(TOO_LARGE, "too_large")
 SW_MISTAKE(WRONG_FORM, "wrong_form")

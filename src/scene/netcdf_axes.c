@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Dimensions are known by their names, or by the standard_name or units of the variable that belongs to them; one that is
-// neither time, frequency nor direction tells places apart. What writers name them: time, valid_time (ECMWF), time_index
-// (MHKiT), ocean_time (WWM), waveTime (CDIP); frequency, freq, frequencyNumber, nfreq, waveFrequency; direction, dir,
-// directionNumber, ndir, waveDirectionBins.
+// Dimensions are known by their names, or by the standard_name or units of the variable that belongs to them; one that
+// is neither time, frequency nor direction tells places apart. What writers name them: time, valid_time (ECMWF),
+// time_index (MHKiT), ocean_time (WWM), waveTime (CDIP); frequency, freq, frequencyNumber, nfreq, waveFrequency;
+// direction, dir, directionNumber, ndir, waveDirectionBins.
 
 #include "scene/netcdf_axes.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What spectra in netCDF files are arranged by: time, place, frequency and perhaps direction, whatever a writer names them.
+// What spectra in netCDF files are arranged by: time, place, frequency and perhaps direction, whatever a writer names
+// them.
 
 #include "scene/netcdf_file.h"
 #include "seaway/measured.h"
@@ -63,8 +64,8 @@ swResult swAddNetcdfPlaces(const swNetcdfAxes* axes, swMeasuredSea* sea);
 // Of a variable over some of the main variable's dimensions the value at these indices; NAN if it is missing.
 double swReadNetcdfAt(const swNetcdfAxes* axes, const swNetcdfVariable* variable, const size_t* start);
 
-// The variable's values over the frequencies at these indices of the main variable; NAN where they are missing. False if
-// it is not over the frequencies.
+// The variable's values over the frequencies at these indices of the main variable; NAN where they are missing. False
+// if it is not over the frequencies.
 bool swReadNetcdfRow(const swNetcdfAxes* axes, const swNetcdfVariable* variable, const size_t* start, double* values);
 
 // "days since 1990-01-01 00:00:00" to a length in s and an origin in s since 1970. Calendars: standard ones and none.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A direction of 90 degrees may be where waves come from or where they go, and read the wrong way round a sea runs
 // backwards. What tells it, the first that does: what the caller asks for; standard_name, as
-// sea_surface_wave_from_direction [CF 2024]; other texts of the variable, in which words are found; a text of the file. Else
-// it is what those mean who write such files, which is an assumption and said to be one.
+// sea_surface_wave_from_direction [CF 2024]; other texts of the variable, in which words are found; a text of the file.
+// Else it is what those mean who write such files, which is an assumption and said to be one.
 
 #include "scene/netcdf_directions.h"
 
@@ -52,8 +52,9 @@ static bool isLast(const Words* words, int i)
     return i == words->count - 1;
 }
 
-// Whether a "from" or "to" is of waves: "waves from", "travelling to", "from direction", "direction to", "from" alone. Others
-// are not: "clockwise from north", "relative to", "from 0 to 360", "from first spectral moment", "obtained from a model".
+// Whether a "from" or "to" is of waves: "waves from", "travelling to", "from direction", "direction to", "from" alone.
+// Others are not: "clockwise from north", "relative to", "from 0 to 360", "from first spectral moment", "obtained from
+// a model".
 static bool isOfWaves(const Words* words, int i)
 {
     static const char* const before[] = {

@@ -6,8 +6,8 @@
 #include "scene/netcdf_file.h"
 #include "seaway/measured.h"
 
-// What a text says of directions: SW_DIRECTIONS_BY_FORMAT where it says nothing, or one thing and its contrary. In lower
-// case, '_' and '-' as spaces.
+// What a text says of directions: SW_DIRECTIONS_BY_FORMAT where it says nothing, or one thing and its contrary. In
+// lower case, '_' and '-' as spaces.
 swDirectionMeaning swFindDirectionWords(const char* text);
 
 // A direction where waves go as the world has it, radians from east towards south.
@@ -25,7 +25,8 @@ typedef struct swNetcdfWriter
     bool isFromXAxis; // where waves go is counted counterclockwise from the x-axis
 } swNetcdfWriter;
 
-// By the attributes of the variable of directions, of the densities (-1: there is none) and of the file. With `asked` other
-// than SW_DIRECTIONS_BY_FORMAT that is taken. Where nothing tells, the writer's meaning is assumed with a warning.
+// By the attributes of the variable of directions, of the densities (-1: there is none) and of the file. With `asked`
+// other than SW_DIRECTIONS_BY_FORMAT that is taken. Where nothing tells, the writer's meaning is assumed with a
+// warning.
 swMeasuredDirections swFindNetcdfDirections(const swNetcdfFile* file, int directions, int densities,
                                             const swNetcdfWriter* writer, swDirectionMeaning asked);

@@ -34,7 +34,8 @@ bool swFindNetcdfVariable(const swNetcdfFile* file, const char* name, swNetcdfVa
 // The same by index, for a loop over all variables.
 bool swGetNetcdfVariable(const swNetcdfFile* file, int id, swNetcdfVariable* variable);
 
-// A variable of one dimension, over this one, whose name in lower case is among the names; the dimension's own name first.
+// A variable of one dimension, over this one, whose name in lower case is among the names; the dimension's own name
+// first.
 bool swFindNetcdfCoordinate(const swNetcdfFile* file, int dimension, const char* const* names,
                             swNetcdfVariable* variable);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// libnetcdf believes what the header of a classic file says of itself, and a damaged one makes it read or allocate far too
-// much. So the header is walked here first, as the format's specification has it [Rew 1990]: a list of dimensions, one of
-// attributes and one of variables, big-endian, with counts of 4 bytes in versions 1 and 2 and of 8 in version 5.
+// libnetcdf believes what the header of a classic file says of itself, and a damaged one makes it read or allocate far
+// too much. So the header is walked here first, as the format's specification has it [Rew 1990]: a list of dimensions,
+// one of attributes and one of variables, big-endian, with counts of 4 bytes in versions 1 and 2 and of 8 in version 5.
 
 #include "scene/netcdf_header.h"
 
@@ -124,7 +124,8 @@ static bool walkAttributes(Walk* walk)
     return isFine;
 }
 
-// Values of a variable, of one record where its first dimension is the unlimited one; false if they are out of all bounds.
+// Values of a variable, of one record where its first dimension is the unlimited one; false if they are out of all
+// bounds.
 static bool walkShape(Walk* walk, uint64_t* values, bool* isRecord)
 {
     uint64_t count = 0;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Energies by frequency with circular moments in netCDF files, as buoys report them. What each means by a direction:
 //
-// NDBC [NDBC 2024]: alpha1 and alpha2 are where waves come from, degrees clockwise from true north; r1 and r2 the lengths.
-// CDIP [CDIP 2024]: a1, b1, a2, b2 of where waves come from, cosines towards north and sines towards east, so that
-// waveMeanDirection is the angle of (a1, b1). A record has a flag: 1 good, 2 not evaluated, 3 questionable, 4 bad, 9 missing.
-// Sofar: a1, b1, a2, b2 of where waves go, cosines towards east and sines towards north, as in its JSON; its own package
-// counts angles counterclockwise from east.
-// Copernicus' in situ data, WAVEWATCH III's and SWAN's spectra without directions: mean direction where waves come from, and
-// spread, the circular standard deviations sqrt(2 (1 - r1)) and sqrt((1 - r2) / 2) [Kuik 1988].
+// NDBC [NDBC 2024]: alpha1 and alpha2 are where waves come from, degrees clockwise from true north; r1 and r2 the
+// lengths. CDIP [CDIP 2024]: a1, b1, a2, b2 of where waves come from, cosines towards north and sines towards east, so
+// that waveMeanDirection is the angle of (a1, b1). A record has a flag: 1 good, 2 not evaluated, 3 questionable, 4 bad,
+// 9 missing. Sofar: a1, b1, a2, b2 of where waves go, cosines towards east and sines towards north, as in its JSON; its
+// own package counts angles counterclockwise from east.
+// Copernicus' in situ data, WAVEWATCH III's and SWAN's spectra without directions: mean direction where waves come
+// from, and spread, the circular standard deviations sqrt(2 (1 - r1)) and sqrt((1 - r2) / 2) [Kuik 1988].
 
 #include <math.h>
 #include <netcdf.h>

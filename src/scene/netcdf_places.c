@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Places of a netCDF file: names, and where they lie. WAVEWATCH III gives latitude and longitude by time and station, ERA5
-// as the coordinates of a grid, CDIP as numbers of the whole file, a drifting buoy by time: it is where it was first.
+// Places of a netCDF file: names, and where they lie. WAVEWATCH III gives latitude and longitude by time and station,
+// ERA5 as the coordinates of a grid, CDIP as numbers of the whole file, a drifting buoy by time: it is where it was
+// first.
 
 #include <math.h>
 #include <netcdf.h>

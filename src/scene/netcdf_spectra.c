@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Spectra by frequency and direction in netCDF files.
 //
-// WAVEWATCH III [WW3DG 2019]: efth(time, station, frequency, direction), m2 s rad-1, as shorts log10 of it; directions are
-// where waves go, which standard_name says. frequency1 and frequency2 are the edges of bands.
+// WAVEWATCH III [WW3DG 2019]: efth(time, station, frequency, direction), m2 s rad-1, as shorts log10 of it; directions
+// are where waves go, which standard_name says. frequency1 and frequency2 are the edges of bands.
 //
 // ERA5 [Hersbach 2020]: d2fd(time, direction, frequency, latitude, longitude) in any order, the logarithm to base 10 of
-// m2 s rad-1. Where the coordinates are only numbers from 1 on, frequencies are 0.03453 * 1.1^i Hz and directions, where
-// waves go, the middles of equal sectors from north on: 7.5 + 15 j degrees for 24.
+// m2 s rad-1. Where the coordinates are only numbers from 1 on, frequencies are 0.03453 * 1.1^i Hz and directions,
+// where waves go, the middles of equal sectors from north on: 7.5 + 15 j degrees for 24.
 //
 // SWAN [SWAN 2024]: density(time, points, frequency, direction), m2 s rad-1, directions in radians. In its nautical
-// convention they are where waves come from; its "to" is counted counterclockwise from the x-axis. As shorts each spectrum
-// has its factor in scale_density.
+// convention they are where waves come from; its "to" is counted counterclockwise from the x-axis. As shorts each
+// spectrum has its factor in scale_density.
 //
-// WWM [Roland 2012]: action AC(ocean_time, nbstation, ndir, nfreq) over SPSIG, rad/s, and SPDIR, radians counterclockwise
-// from east where waves go. Energy is action times frequency: E(f) = AC * SPSIG * 2 pi. (Python's wavespectra takes SPDIR as
-// bearings; WWM's own boundary files are read as here by ECMWF's WAM.)
+// WWM [Roland 2012]: action AC(ocean_time, nbstation, ndir, nfreq) over SPSIG, rad/s, and SPDIR, radians
+// counterclockwise from east where waves go. Energy is action times frequency: E(f) = AC * SPSIG * 2 pi. (Python's
+// wavespectra takes SPDIR as bearings; WWM's own boundary files are read as here by ECMWF's WAM.)
 //
-// Python's wavespectra writes efth(time, site, freq, dir), m2 s degree-1, and takes directions as where waves come from.
-// MET Norway's WAM writes SPEC(time, y, x, freq, direction), where waves go; Sofar directional_variance_density, degrees
-// counterclockwise from east; the Field Research Facility at Duck directionalWaveEnergyDensity; MHKiT spectral_density.
+// Python's wavespectra writes efth(time, site, freq, dir), m2 s degree-1, and takes directions as where waves come
+// from. MET Norway's WAM writes SPEC(time, y, x, freq, direction), where waves go; Sofar directional_variance_density,
+// degrees counterclockwise from east; the Field Research Facility at Duck directionalWaveEnergyDensity; MHKiT
+// spectral_density.
 
 #include <math.h>
 #include <netcdf.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Times in netCDF: numbers of a unit since an origin, as CF writes them. Origins lie anywhere from the year 1 on; of the
-// standard calendar those before 15 October 1582 are Julian.
+// Times in netCDF: numbers of a unit since an origin, as CF writes them. Origins lie anywhere from the year 1 on; of
+// the standard calendar those before 15 October 1582 are Julian.
 
 #include <math.h>
 #include <netcdf.h>
@@ -13,8 +13,8 @@
 
 #define DAY 86400.0
 
-// Days since 1970-01-01 of a date of the Gregorian or the Julian calendar, by counting years from March on, so that the day
-// that leap years add is a year's last.
+// Days since 1970-01-01 of a date of the Gregorian or the Julian calendar, by counting years from March on, so that the
+// day that leap years add is a year's last.
 static double countDays(int year, int month, int day, bool isGregorian)
 {
     int y = month > 2 ? year : year - 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An equaliser in a scene file: where it starts from, then the octaves that are different, each named by its shortest wave.
+// An equaliser in a scene file: where it starts from, then the octaves that are different, each named by its shortest
+// wave.
 
 #include "scene/scene_octaves.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mappings of a YAML document into structs by tables of fields. Every complaint is one sentence with file and line, says
-// what would be right, and ends with its code in brackets. Reading goes on after a mistake, so that all are told at once:
-// functions return the first failure of what they read, and what could not be read keeps its value.
+// Mappings of a YAML document into structs by tables of fields. Every complaint is one sentence with file and line,
+// says what would be right, and ends with its code in brackets. Reading goes on after a mistake, so that all are told
+// at once: functions return the first failure of what they read, and what could not be read keeps its value.
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -21,8 +21,8 @@ typedef enum swMistake
 // Mistakes that are told; a file with more is no scene.
 #define SW_YAML_MAX_MISTAKES 64
 
-// What a document may have, or it is refused before it is read: the parser's time grows with the square of the depth, of
-// the anchors and of the directives.
+// What a document may have, or it is refused before it is read: the parser's time grows with the square of the depth,
+// of the anchors and of the directives.
 #define SW_YAML_MAX_DEPTH 16
 #define SW_YAML_MAX_NODES 100000
 #define SW_YAML_MAX_ANCHORS 1000
@@ -85,7 +85,8 @@ swResult swOpenYaml(const swHost* host, const char* text, size_t size, const cha
                     yaml_node_t** root);
 void swCloseYaml(swYaml* yaml);
 
-// Read a mapping into `target`; `what` names it in messages. Unknown and repeated keys are refused. `nodes` may be NULL.
+// Read a mapping into `target`; `what` names it in messages. Unknown and repeated keys are refused. `nodes` may be
+// NULL.
 swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, const swYamlField* fields, int fieldCount,
                            void* target, swYamlNodes* nodes);
 

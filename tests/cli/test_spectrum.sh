@@ -147,6 +147,15 @@ rm alone.swdir
 printf 'waves:\n  - spectrum: file\n    file: alone.data_spec\n' >alone.yaml
 "$seaway" check alone.yaml >out 2>err
 out 'has no directions: its waves are made around east'
+# Negative densities: each frequency keeps its energy, and how much there was is told.
+printf 'SWAN 1\nLOCATIONS\n1\n0 0\nAFREQ\n2\n0.1\n0.2\nNDIR\n4\n0\n90\n180\n270\nQUANT\n1\nVaDens\nm2/Hz/degr\n-99\n' >negative.spc
+printf 'FACTOR\n0.001\n 10 -4 3 7\n 0 5 -99 -1\n' >>negative.spc
+run 0 spectrum negative.spc
+out '2 densities were negative, 25 % of the energy'
+err 'warning: .*1 of 1 records hold negative densities'
+run 0 spectrum negative.spc --json
+is_json out
+out '"negative_count": 2' && out '"added_fraction": 0'
 # A calm has no periods and no directions.
 printf 'time,hs_m,tp_s\n2022-01-01,0,0\n' >calm.csv
 run 0 spectrum calm.csv --json

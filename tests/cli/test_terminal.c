@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages come from many threads while a bar is drawn: each arrives whole, on a line of its own, with the bar wiped before
-// it. And what others wrote reaches the terminal as text only.
+// Messages come from many threads while a bar is drawn: each arrives whole, on a line of its own, with the bar wiped
+// before it. And what others wrote reaches the terminal as text only.
 
 #include "support/cmocka_setup.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// Prints one digest for each instruction set that this machine has, over the tiles and samples of a small sea. Built alone
-// and run by qemu, it tells whether another architecture makes the same water. Exit code 1 if two lines differ.
+// Prints one digest for each instruction set that this machine has, over the tiles and samples of a small sea. Built
+// alone and run by qemu, it tells whether another architecture makes the same water. Exit code 1 if two lines differ.
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One bad point spoils no other: its answers are NaN and it is counted, and those of all others are, to the bit, as without
-// it. Tried with every query, also of another time and of waves that are in no tile.
+// One bad point spoils no other: its answers are NaN and it is counted, and those of all others are, to the bit, as
+// without it. Tried with every query, also of another time and of waves that are in no tile.
 
 #include "support/cmocka_setup.h"
 
@@ -449,8 +449,8 @@ static void APointOfAMapMayBeBad(void** state)
 
 // ---- where cells overflow ----
 
-// Kernels count a tile's cells exactly below 2^51 (findCells() in waves_kernels.inl): every tile that a def may ask for, as
-// far out as a point may be, with the origin of the host's coordinates as far out as that may be.
+// Kernels count a tile's cells exactly below 2^51 (findCells() in waves_kernels.inl): every tile that a def may ask
+// for, as far out as a point may be, with the origin of the host's coordinates as far out as that may be.
 static void CellsOfEveryTileCanBeCountedWhereverAPointMayBe(void** state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NDBC texts become seas: the sample that we ship, the buoys' own files where they lie beside the sources, and every way
-// for a text to be wrong.
+// NDBC texts become seas: the sample that we ship, the buoys' own files where they lie beside the sources, and every
+// way for a text to be wrong.
 
 #include "support/cmocka_setup.h"
 #include "support/counting_host.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tables and sentences of instruments: Spotter's dashboard, AWAC, Octopus and Obscape. Texts of our own with every liberty
-// that their writers take, and files of others where they lie beside the sources, against the numbers that they tell
-// themselves.
+// Tables and sentences of instruments: Spotter's dashboard, AWAC, Octopus and Obscape. Texts of our own with every
+// liberty that their writers take, and files of others where they lie beside the sources, against the numbers that
+// they tell themselves.
 
 #include "support/cmocka_setup.h"
 #include "support/counting_host.h"

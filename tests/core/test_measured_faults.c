@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What happens to texts on their way: a byte order mark, other line ends, tabs, a last line without its end, one record of
-// many that is broken, empty partitions, directions taken for energies. Every reader of texts is tried alike.
+// What happens to texts on their way: a byte order mark, other line ends, tabs, a last line without its end, one
+// record of many that is broken, empty partitions, directions taken for energies. Every reader of texts is tried
+// alike.
 
 #include "support/cmocka_setup.h"
 
@@ -282,7 +283,8 @@ static void EveryReaderTakesMarksAndLineEnds(void** state)
 
 // ---- one broken record ----
 
-// 0 to 2: cut off after a fifth and more; 3: a line's digits are letters; 4: a line's end is lost, where lines are records.
+// 0 to 2: cut off after a fifth and more; 3: a line's digits are letters; 4: a line's end is lost, where lines are
+// records.
 #define BREAK_COUNT 5
 
 static bool Break(const char* record, int how, char* broken)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of measured seas that need a library: JSON of Spotter buoys and of MHKiT, netCDF of WAVEWATCH III and ERA5, which
-// these tests write themselves in the orders and units that their makers may choose.
+// Files of measured seas that need a library: JSON of Spotter buoys and of MHKiT, netCDF of WAVEWATCH III and ERA5,
+// which these tests write themselves in the orders and units that their makers may choose.
 
 #include "support/cmocka_setup.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spectra of models and of other buoys than NDBC's: directions on any grid, synthetic files of each format in orders and
-// units that its writers may choose, files of others where they lie beside the sources, and texts that are wrong.
+// Spectra of models and of other buoys than NDBC's: directions on any grid, synthetic files of each format in orders
+// and units that its writers may choose, files of others where they lie beside the sources, and texts that are wrong.
 
 #include "support/cmocka_setup.h"
 #include "support/counting_host.h"
@@ -170,8 +170,8 @@ static void CheckSea(const char* what, const swMeasuredSea* sea, int index, doub
 
 // ---- directions ----
 
-// Adds a spectrum of one frequency's shape on any directions (bearings from), and returns how far energy and direction are
-// from those of the function that runs linearly between them.
+// Adds a spectrum of one frequency's shape on any directions (bearings from), and returns how far energy and direction
+// are from those of the function that runs linearly between them.
 static void CheckDirections(const char* what, const double* bearings, int count, int expectedCount)
 {
     double frequencies[2] = {0.1, 0.11}, directions[720], density[1440], fine = 0.0, x = 0.0, y = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What files of wave models and buoys hold now and then, beside what their manuals show: names with apostrophes, points of
-// grids that are no globe, months by name, numbers that no wave has. Each is read, or refused with its line.
+// What files of wave models and buoys hold now and then, beside what their manuals show: names with apostrophes, points
+// of grids that are no globe, months by name, numbers that no wave has. Each is read, or refused with its line.
 
 #include "support/cmocka_setup.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The rings fit: edges that meet share their vertices' bits, nothing is covered twice or left open, and neither a moving
-// viewer nor a doubling stack moves a vertex that can be seen. The vertex shader's own formulas are compiled here.
+// The rings fit: edges that meet share their vertices' bits, nothing is covered twice or left open, and neither a
+// moving viewer nor a doubling stack moves a vertex that can be seen. The vertex shader's own formulas are compiled
+// here.
 
 #include "gpu/draw/mesh_rings.h"
 
@@ -70,7 +71,8 @@ static Vertex PlaceVertex(const swMeshRings* rings, int ring, int x, int z)
     return v;
 }
 
-// Every vertex of ring i's outer edge must be a vertex of ring i + 1's inner edge, which lies at `ratio` times its steps.
+// Every vertex of ring i's outer edge must be a vertex of ring i + 1's inner edge, which lies at `ratio` times its
+// steps.
 static void CheckEdges(const swMeshRings* rings)
 {
     int side = 4 * rings->quads;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files of an NDBC set lie beside each other under names that follow from one another: all are found, plain or gzip,
-// and a file of directions alone is refused with the name of the file that is wanted.
+// The files of an NDBC set lie beside each other under names that follow from one another: all are found, plain or
+// gzip, and a file of directions alone is refused with the name of the file that is wanted.
 
 #include "support/cmocka_setup.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Densities below zero, which noise and smoothing leave in files: each frequency keeps its energy, what could not be kept is
-// told, and numbers that only mark what is missing take nothing away.
+// Densities below zero, which noise and smoothing leave in files: each frequency keeps its energy, what could not be
+// kept is told, and numbers that only mark what is missing take nothing away.
 
 #include "support/cmocka_setup.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A direction of 90 degrees in a netCDF file may be where waves come from or where they go. Labels in all words that writers
-// use, none at all, units and dimensions of all writers, and the caller's word: every way the sea must come from the right
-// side, and what was assumed must be said.
+// A direction of 90 degrees in a netCDF file may be where waves come from or where they go. Labels in all words that
+// writers use, none at all, units and dimensions of all writers, and the caller's word: every way the sea must come
+// from the right side, and what was assumed must be said.
 
 #include "support/cmocka_setup.h"
 

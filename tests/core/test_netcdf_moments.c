@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Energies with circular moments in netCDF, as NDBC, CDIP, Sofar, Copernicus and WAVEWATCH III write them: the same waves in
-// each one's names, units and conventions become the same sea. Then what may be wrong with a file: records without values,
-// bad flags, missing times, cut files.
+// Energies with circular moments in netCDF, as NDBC, CDIP, Sofar, Copernicus and WAVEWATCH III write them: the same
+// waves in each one's names, units and conventions become the same sea. Then what may be wrong with a file: records
+// without values, bad flags, missing times, cut files.
 
 #include "support/cmocka_setup.h"
 

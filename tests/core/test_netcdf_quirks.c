@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// netCDF of other writers than the models themselves: sites named by strings, degrees where waves come from, densities per
-// degree, times of integers, and gaps.
+// netCDF of other writers than the models themselves: sites named by strings, degrees where waves come from, densities
+// per degree, times of integers, and gaps.
 
 #include "support/cmocka_setup.h"
 

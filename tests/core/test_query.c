@@ -357,8 +357,8 @@ static void* StepOther(void* argument)
     return NULL;
 }
 
-// Two worlds take turns: one is asked while the other steps. Each makes every other step, and the answers have the bits of
-// one world that makes them all.
+// Two worlds take turns: one is asked while the other steps. Each makes every other step, and the answers have the bits
+// of one world that makes them all.
 static void TwoWorldsTakeTurns(void** state)
 {
     (void)state;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A query takes at most SW_QUERY_STACK bytes of its caller's stack, so that fibres with small stacks may ask. Each query runs
-// on a stack of its own of just that size with a page below it that cannot be touched, and the stack is painted before, so
-// that what was used can be told.
+// A query takes at most SW_QUERY_STACK bytes of its caller's stack, so that fibres with small stacks may ask. Each
+// query runs on a stack of its own of just that size with a page below it that cannot be touched, and the stack is
+// painted before, so that what was used can be told.
 
 #include "support/cmocka_setup.h"
 

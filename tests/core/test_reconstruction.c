@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables between their nodes: every bin keeps its energy and its directions, in the spectrum and in the waves that are made of
-// it, also where a peak is a single bin, seas oppose each other, or bins are unequal.
+// Tables between their nodes: every bin keeps its energy and its directions, in the spectrum and in the waves that are
+// made of it, also where a peak is a single bin, seas oppose each other, or bins are unequal.
 
 #include "support/cmocka_setup.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a saved world may hold and take: every legal world can be saved, one that cannot says so, few bytes cannot ask for
-// much memory, and a world goes back only to waves that are the same in all that they answer.
+// What a saved world may hold and take: every legal world can be saved, one that cannot says so, few bytes cannot ask
+// for much memory, and a world goes back only to waves that are the same in all that they answer.
 
 #include "support/cmocka_setup.h"
 

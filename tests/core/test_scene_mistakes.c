@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All mistakes of a scene file are told at once, ranges are those of the library, and what is no scene is refused before it
-// costs time.
+// All mistakes of a scene file are told at once, ranges are those of the library, and what is no scene is refused
+// before it costs time.
 
 #include "support/cmocka_setup.h"
 

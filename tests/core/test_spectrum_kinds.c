@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every kind of spectrum against published tables: heights and periods of wind seas over deep water and over a sea floor,
-// the unified spectrum by wave number, the equaliser's energy.
+// Every kind of spectrum against published tables: heights and periods of wind seas over deep water and over a sea
+// floor, the unified spectrum by wave number, the equaliser's energy.
 
 #include "support/cmocka_setup.h"
 
@@ -245,8 +245,8 @@ static void OverDeepWaterTmaIsJonswap(void** state)
 static void TheUnifiedSpectrumIsThePublishedOne(void** state)
 {
     (void)state;
-    // By wave number at multiples of 0.0628319 rad/m, an age of 0.84, a drag of 0.00144. The values were made with 0.3162
-    // for 1 / sqrt(10), which is worth 6e-5 of them, and with the exponent 0.55 for the long waves' level.
+    // By wave number at multiples of 0.0628319 rad/m, an age of 0.84, a drag of 0.00144. The values were made with
+    // 0.3162 for 1 / sqrt(10), which is worth 6e-5 of them, and with the exponent 0.55 for the long waves' level.
     static const double winds[3] = {5.0, 10.0, 15.0};
     static const double densities[3][7] = {
         {2.60276926e-10, 3.85980085e-3, 4.11638703e-2, 6.43908578e-2, 6.17616606e-2, 5.05207166e-2, 3.91055100e-2},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directions of every spectrum: published exponents and shapes, integrals of one, and moments that the sea state reports.
+// Directions of every spectrum: published exponents and shapes, integrals of one, and moments that the sea state
+// reports.
 
 #include "support/cmocka_setup.h"
 

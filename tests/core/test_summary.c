@@ -568,7 +568,8 @@ typedef struct Comparison
     double periodBias, periodError, directionError, spreadBias; // against the spectra of the same buoy
 } Comparison;
 
-// Against the line itself: height exactly, the peak one of the two, its direction the printed one but for the other part.
+// Against the line itself: height exactly, the peak one of the two, its direction the printed one but for the other
+// part.
 static void CompareWithLine(const swMeasuredRecord* record, const Printed* printed, Comparison* sums)
 {
     swSeaState seaState = GetSeaState(record, 0.0f, 0.0f);

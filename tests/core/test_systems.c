@@ -542,7 +542,8 @@ static float FindRareJacobian(const swWaveSystemDef* def, float* height)
     return jacobians[FOLD_POINTS / 10000];
 }
 
-// The fetch of an hour in a storm, an equaliser turned up, more chop than there is, many waves and few, twins, a ready sea.
+// The fetch of an hour in a storm, an equaliser turned up, more chop than there is, many waves and few, twins, a ready
+// sea.
 static swWaveSystemDef MakeFoldingCase(int i)
 {
     static const int counts[] = {8, 1, 3, 32, 8, 8, 8};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Measured seas in classic netCDF from anywhere. What is read must be spectra. HDF5, which netCDF-4 files are, is left to
-// those who write libhdf5.
+// Measured seas in classic netCDF from anywhere. What is read must be spectra. HDF5, which netCDF-4 files are, is left
+// to those who write libhdf5.
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Saved worlds, made anew and gone back to. The hash at the end would keep a fuzzer out, so it is made right here. Whatever
-// is let in leaves a surface of numbers and foam between 0 and 1.
+// Saved worlds, made anew and gone back to. The hash at the end would keep a fuzzer out, so it is made right here.
+// Whatever is let in leaves a surface of numbers and foam between 0 and 1.
 
 #include <math.h>
 #include <stdlib.h>

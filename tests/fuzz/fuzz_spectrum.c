@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // NDBC texts from anywhere: five texts split from one input by the byte '|' (which no NDBC file holds), in the order
-// energy, alpha1, alpha2, r1, r2; or, where the first has the heading of one, a summary. What is read must be a spectrum.
+// energy, alpha1, alpha2, r1, r2; or, where the first has the heading of one, a summary. What is read must be a
+// spectrum.
 
 #include <math.h>
 #include <stdbool.h>

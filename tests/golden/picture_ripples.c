@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Waves that are too short for the slices are seen all the same: the picture has their slopes, and what its pixels do not
-// resolve of them it has as roughness. Drawn from straight above, where a pixel shows one place.
+// Waves that are too short for the slices are seen all the same: the picture has their slopes, and what its pixels do
+// not resolve of them it has as roughness. Drawn from straight above, where a pixel shows one place.
 
 #include <math.h>
 #include <stdlib.h>
@@ -136,8 +136,8 @@ static double MeasureDrawn(const swWaveSystemDef* waves, float height)
     return sum / PIXELS;
 }
 
-// From wherever it is seen, a sea of few waves has the slopes that the glitter has: in its waves, or in its roughness. Waves
-// longer than the picture is wide have no mean in it.
+// From wherever it is seen, a sea of few waves has the slopes that the glitter has: in its waves, or in its roughness.
+// Waves longer than the picture is wide have no mean in it.
 static void NoSlopeIsLostOnTheWay(void** state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Golden pictures: a few seas from a few heights, drawn small, held against references block by block, and looked over for
-// what no picture may have: numbers that are none, fireflies, a horizon with an edge.
+// Golden pictures: a few seas from a few heights, drawn small, held against references block by block, and looked over
+// for what no picture may have: numbers that are none, fireflies, a horizon with an edge.
 //
 //   render_golden                  the tests
 //   render_golden --update         draw the references anew
@@ -183,8 +183,8 @@ static void SeaAndSkyJoinAtTheHorizon(void** state)
     assert_true(edge < 2.2f);
 }
 
-// Largest bend of the brightness across the aureole, over the brightness: a table's columns would show as kinks, upright ones
-// above each other. A mean over rows, since half floats step by a thousandth.
+// Largest bend of the brightness across the aureole, over the brightness: a table's columns would show as kinks,
+// upright ones above each other. A mean over rows, since half floats step by a thousandth.
 static float AureoleKink(const float* hdr)
 {
     enum

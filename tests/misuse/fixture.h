@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What generated misuses work with: one valid object of each kind, and a child process for each misuse, so that one that
-// crashes is counted and the others are still tried.
+// What generated misuses work with: one valid object of each kind, and a child process for each misuse, so that one
+// that crashes is counted and the others are still tried.
 
 #include <math.h>
 #include <signal.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What parity tests share: a world on the CPU with its layers, its twin on the GPU, and the difference between two arrays.
+// What parity tests share: a world on the CPU with its layers, its twin on the GPU, and the difference between two
+// arrays.
 
 #include "support/cmocka_setup.h"
 

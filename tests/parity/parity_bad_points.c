@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One bad point of a query on the GPU spoils no other: its answers are NaN, also in the buffers that shaders see, and those of
-// all others are, to the bit, those of a query without it. Two queries share a frame, one with bad points among the good
-// ones and one without; points come from the host, and from a buffer of floats on the device.
+// One bad point of a query on the GPU spoils no other: its answers are NaN, also in the buffers that shaders see, and
+// those of all others are, to the bit, those of a query without it. Two queries share a frame, one with bad points
+// among the good ones and one without; points come from the host, and from a buffer of floats on the device.
 
 #include "parity/parity.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the core makes the layers, the device holds just them: bit for bit, derivatives as half floats, and tiles and their
-// slopes as the passes would make them.
+// Where the core makes the layers, the device holds just them: bit for bit, derivatives as half floats, and tiles and
+// their slopes as the passes would make them.
 
 #include "parity/parity.h"
 

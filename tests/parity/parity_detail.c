@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The detail layers hold the slopes of the core's splines, and their mips the means of slopes and of squares. The oracle
-// here evaluates the core's tiles in double.
+// The detail layers hold the slopes of the core's splines, and their mips the means of slopes and of squares. The
+// oracle here evaluates the core's tiles in double.
 
 #include "parity/parity.h"
 

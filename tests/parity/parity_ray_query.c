@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rays on the GPU meet the water that the core's rays meet. Every hit is held against the core's surface at that place; and
-// the distance against that of the core's own ray. The second may differ where a ray grazes a crest that one of the two just
-// misses; how many do is printed.
+// Rays on the GPU meet the water that the core's rays meet. Every hit is held against the core's surface at that place;
+// and the distance against that of the core's own ray. The second may differ where a ray grazes a crest that one of the
+// two just misses; how many do is printed.
 
 #include "parity/parity.h"
 
@@ -11,7 +11,8 @@
 #define MOST 2000
 #define TOLERANCE_M 5e-4
 
-// Of the gap at a hit beyond what the tolerance and the residuals of searches explain, for ways of up to 400 m. Measured: 0.
+// Of the gap at a hit beyond what the tolerance and the residuals of searches explain, for ways of up to 400 m.
+// Measured: 0.
 #define GAP_M 1e-4
 
 static swRay rays[MOST];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Displacement agrees within a millimetre at every texel of every slice, wherever the viewer is and whenever; derivatives
-// within what half floats hold.
+// Displacement agrees within a millimetre at every texel of every slice, wherever the viewer is and whenever;
+// derivatives within what half floats hold.
 
 #include "parity/parity.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Queries on the GPU give the core's answers. Two things are held against the core for every point: the particle that the
-// GPU names is where it says (asked of the core at that particle's rest, no search), and its height is that of the core's
-// own search. The second may differ in a fold, where several particles are above a point; how many do is printed.
+// Queries on the GPU give the core's answers. Two things are held against the core for every point: the particle that
+// the GPU names is where it says (asked of the core at that particle's rest, no search), and its height is that of the
+// core's own search. The second may differ in a fold, where several particles are above a point; how many do is
+// printed.
 
 #include "parity/parity.h"
 

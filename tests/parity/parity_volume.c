@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The water below as the GPU answers it is the core's: depth, orbital velocity, local acceleration and pressure, at every
-// depth, in the air, in deep and shallow water, with either stretching. Both sum the same waves one by one.
+// The water below as the GPU answers it is the core's: depth, orbital velocity, local acceleration and pressure, at
+// every depth, in the air, in deep and shallow water, with either stretching. Both sum the same waves one by one.
 
 #include "parity/parity.h"
 

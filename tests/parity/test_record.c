@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Recording is all or nothing: after a failure, or commands that were thrown away, the next recording leaves what a twin
-// leaves that never missed anything. Both twins are of one world on one device, so that they can be compared bit for bit.
+// Recording is all or nothing: after a failure, or commands that were thrown away, the next recording leaves what a
+// twin leaves that never missed anything. Both twins are of one world on one device, so that they can be compared bit
+// for bit.
 
 #include "parity/parity.h"
 
@@ -229,8 +230,8 @@ static void ChangeAll(Twins* twins, swGpuQuery** query)
     swGpuQuery_SetPoints(*query, 1, &(swPosXZ){1.0, 2.0});
 }
 
-// The frame that makes everything new, with one of its creations failing; false once there was none to fail. Commands of the
-// frame that failed run or not, just as a host likes.
+// The frame that makes everything new, with one of its creations failing; false once there was none to fail. Commands
+// of the frame that failed run or not, just as a host likes.
 static bool FailOnce(int failAt, bool hostMemory)
 {
     Twins* twins = MakeTwins();

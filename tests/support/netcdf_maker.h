@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes small netCDF files for tests: dimensions, variables of numbers, texts. Any failure of the library fails the test.
+// Writes small netCDF files for tests: dimensions, variables of numbers, texts. Any failure of the library fails the
+// test.
 
 #include "support/cmocka_setup.h"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// V22: a measured spectrum goes in, and buoys on the surface measure the same sea: significant height, period Tm02, mean
-// direction and spread for eight seeds, each by itself, and the peak and its direction for all of them together. Where another
-// bin holds more than 95 % of the highest density, either counts as the peak; where the energy at the peak goes in nearly all
-// directions (r1 below 0.25) its direction is printed and not judged. Every file of others that lies beside the sources is
-// taken, whatever its format.
+// V22: a measured spectrum goes in, and buoys on the surface measure the same sea: significant height, period Tm02,
+// mean direction and spread for eight seeds, each by itself, and the peak and its direction for all of them together.
+// Where another bin holds more than 95 % of the highest density, either counts as the peak; where the energy at the
+// peak goes in nearly all directions (r1 below 0.25) its direction is printed and not judged. Every file of others that
+// lies beside the sources is taken, whatever its format.
 //
-// Seeds run side by side on all processors. The sea is made by transforms, or of Gerstner waves, 32 an octave, each of which
-// stands for 1.1 % of frequency. Where a file's bins are not three times as wide, some hold half as many waves again as
-// others, and a peak may be found two bins away. Where seas nearly cancel each other in the mean, so few waves leave it
-// uncertain by some degrees, and the direction at the peak is that of a handful of waves.
+// Seeds run side by side on all processors. The sea is made by transforms, or of Gerstner waves, 32 an octave, each of
+// which stands for 1.1 % of frequency. Where a file's bins are not three times as wide, some hold half as many waves
+// again as others, and a peak may be found two bins away. Where seas nearly cancel each other in the mean, so few waves
+// leave it uncertain by some degrees, and the direction at the peak is that of a handful of waves.
 
 #include "truth.h"
 
@@ -55,10 +55,7 @@ static void MeasureSeed(void* context, int seed)
     MeasuredCase* measured = context;
     SeaGauges gauges = {.area = 8000.0, .gaugeCount = 1024, .duration = 800.0};
     gauges.duration = fmax(gauges.duration, FindTableDuration(&measured->record.table));
-    if (measured->method == SW_WAVES_GERSTNER)
-    {
-        gauges.area *= 8.0; // a few long waves beat over tens of kilometres
-    }
+    gauges.area *= 8.0; // a few long waves, and those of parallel tiles, beat over tens of kilometres
     swSpectrumDef spectrum = MakeTableSpectrum(measured);
     double highest = 1.02 * measured->bins.high[measured->bins.count - 1]; // shorter waves are not measured
     swWaveSystemDef def =

@@ -5,8 +5,8 @@
 // seeds that run side by side on all processors.
 //
 // A finding is printed and asserted. Where the environment variable SEAWAY_TRUTH_OUT names a folder, it is also written
-// there, a line each to <program>.tsv; scripts/make_validation makes docs/validation.md of them. So a finding has to be the
-// same on every machine: it is rounded to the digits that are given, and seeds are summed up in order.
+// there, a line each to <program>.tsv; scripts/make_validation makes docs/validation.md of them. So a finding has to be
+// the same on every machine: it is rounded to the digits that are given, and seeds are summed up in order.
 
 #include "support/cmocka_setup.h"
 
@@ -47,8 +47,8 @@ void FindBelow(const Finding* finding, double limit, double measured);
 // Findings of data that is not part of the project: a line that may be absent. Off until switched on.
 void MarkOptional(bool isOptional);
 
-// Sanitizers and counters of coverage are slow: with them an eighth of the seeds, and tolerances of statistics are wider
-// by `Loosen()`. Findings of such builds are not written to the file.
+// Sanitizers and counters of coverage are slow: with them an eighth of the seeds, and tolerances of statistics are
+// wider by `Loosen()`. Findings of such builds are not written to the file.
 int Seeds(int count);
 double Loosen(double tolerance);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // V7, V8: how heights are distributed above fixed places.
 //
-// A linear sea (chop 0) is Gaussian. Where particles also move sideways, as those of Gerstner's waves do, crests are sharper
-// than troughs: what lies above a place is h - X h' to second order, X being the sideways displacement. Nothing corrects
-// for that silently; what it comes to is stated here.
+// A linear sea (chop 0) is Gaussian. Where particles also move sideways, as those of Gerstner's waves do, crests are
+// sharper than troughs: what lies above a place is h - X h' to second order, X being the sideways displacement. Nothing
+// corrects for that silently; what it comes to is stated here.
 //   - The mean lies below the resting level, by the integral of k S, which is k a^2 / 2 summed over waves.
-//   - Of one regular wave the heights are skewed, by 3 k a / (2 sqrt 2). Of many independent waves they are not, to this
-//     order: the third moment of h - X h' holds only products with the means of h X and h h', which are zero.
+//   - Of one regular wave the heights are skewed, by 3 k a / (2 sqrt 2). Of many independent waves they are not, to
+//     this order: the third moment of h - X h' holds only products with the means of h X and h h', which are zero.
 //   - The curvature of crests against that of troughs is what the eye sees; it is skewed in both.
 
 #include "truth.h"

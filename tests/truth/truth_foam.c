@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// V11: the foam that waves make of themselves covers as much of the sea as whitecaps were seen to, whatever the spectrum.
-// Cover is the mean of the foam layer in its steady state, over slices of 64 m to 2 km, as `seaway stats` measures it and
-// the picture draws it. Between 5 and 20 m/s it lies within a factor of two of the band between two laws; below 3 m/s and
-// under swell alone there is none; above 23 m/s it grows and stays below the whole sea.
+// V11: the foam that waves make of themselves covers as much of the sea as whitecaps were seen to, whatever the
+// spectrum. Cover is the mean of the foam layer in its steady state, over slices of 64 m to 2 km, as `seaway stats`
+// measures it and the picture draws it. Between 5 and 20 m/s it lies within a factor of two of the band between two
+// laws; below 3 m/s and under swell alone there is none; above 23 m/s it grows and stays below the whole sea.
 
 #include "truth.h"
 

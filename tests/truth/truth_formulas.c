@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// V2, V3: seas of JONSWAP and Pierson-Moskowitz have the heights and periods of the published formulas, which others have
-// integrated with the published constants. No number here was worked out by this project's own formulas. Buoys on the generated surface measure them; waves beyond the buoys' last frequency are added from the
-// density's f^-5 tail. The peak of a broad spectrum is hard to see in scattered bins: its period is that of the formula's
-// shape, written down here once more, that is likeliest to have given all the bins between 0.6 and 3 peak frequencies
-// [Whittle 1953].
+// V2, V3: seas of JONSWAP and Pierson-Moskowitz have the heights and periods of the published formulas, which others
+// have integrated with the published constants. No number here was worked out by this project's own formulas. Buoys on
+// the generated surface measure them; waves beyond the buoys' last frequency are added from the density's f^-5 tail.
+// The peak of a broad spectrum is hard to see in scattered bins: its period is that of the formula's shape, written
+// down here once more, that is likeliest to have given all the bins between 0.6 and 3 peak frequencies [Whittle 1953].
 
 #include "truth.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One wave given by hand has a closed form, exact at any place and time: V6 (its speed, without drift, for thirty days),
-// V8 (the trochoid's mean and shape above fixed places), V23 (a million metres from the origin).
+// One wave given by hand has a closed form, exact at any place and time: V6 (its speed, without drift, for thirty
+// days), V8 (the trochoid's mean and shape above fixed places), V23 (a million metres from the origin).
 
 #include "truth.h"
 
@@ -124,7 +124,8 @@ static void ATrochoidIsSharpAboveAndFlatBelow(void** state)
     FindNear(&(Finding){"V8", "Mean of a trochoid of 1 m and 20 m", "-k a\xc2\xb2 / 2", "m", 5}, -0.15708, mean, 1e-4);
     FindNear(&(Finding){"V8", "Crest of the same", source, "m", 4}, 1.0, highest, 1e-4);
     FindNear(&(Finding){"V8", "Trough of the same", source, "m", 4}, -1.0, lowest, 1e-4);
-    // Exact for the trochoid: with x = u - a sin ku the moments of z = a cos ku above x are those above u times 1 - ka cos ku.
+    // Exact for the trochoid: with x = u - a sin ku the moments of z = a cos ku above x are those above u times 1 - ka
+    // cos ku.
     double s = steepness, variance = 0.5 - 0.25 * s * s, third = -0.375 * s + 0.75 * s - 0.25 * s * s * s;
     FindNear(&(Finding){"V8", "Variance of the same", "a\xc2\xb2 / 2 - (k a\xc2\xb2)\xc2\xb2 / 4", "m\xc2\xb2", 5},
              variance, square, 1e-4);

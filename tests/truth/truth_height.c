@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// V1, V4: ask for a significant height and the surface has it. Heights over a wide area at times far apart are as good as
-// independent, so that their variance over n samples scatters as chi squared with n degrees of freedom: no seed may leave
-// the band that one in two thousand would, and the mean over the seeds has to be right within a percent.
+// V1, V4: ask for a significant height and the surface has it. Heights over a wide area at times far apart are as good
+// as independent, so that their variance over n samples scatters as chi squared with n degrees of freedom: no seed may
+// leave the band that one in two thousand would, and the mean over the seeds has to be right within a percent.
 
 #include "truth.h"
 

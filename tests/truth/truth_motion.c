@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // V12, V13: how the water moves below and at the surface: the published orbit of one wave, the velocity of a whole sea
-// against its spectrum's integral, no water made or lost, velocity and acceleration as derivatives of where particles are,
-// and the drift that is left when the orbits are averaged.
+// against its spectrum's integral, no water made or lost, velocity and acceleration as derivatives of where particles
+// are, and the drift that is left when the orbits are averaged.
 
 #include "truth.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// V20: the reflectance that the shaders use, compiled as C: against the published table, at the critical angle, and in a
-// white furnace, where what is not reflected has to come out on the other side.
+// V20: the reflectance that the shaders use, compiled as C: against the published table, at the critical angle, and in
+// a white furnace, where what is not reflected has to come out on the other side.
 
 #include "truth.h"
 

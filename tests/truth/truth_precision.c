@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// V23: a million metres from the origin the sea is what it is at the origin. A band's waves repeat with its tile, so places
-// that lie whole tiles apart, on any heading, have to have the same water; and what queries read there is as near to the
-// waves' direct sum as it is at home. Nor does the sea change when the host moves its coordinates along with the player,
-// which is asked of heights, of normals, of velocities below and of a view's slices and foam.
+// V23: a million metres from the origin the sea is what it is at the origin. A band's waves repeat with its tile, so
+// places that lie whole tiles apart, on any heading, have to have the same water; and what queries read there is as
+// near to the waves' direct sum as it is at home. Nor does the sea change when the host moves its coordinates along
+// with the player, which is asked of heights, of normals, of velocities below and of a view's slices and foam.
 
 #include "truth.h"
 

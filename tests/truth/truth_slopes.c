@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// V9: the slopes of the surface and the roughness that the picture adds for ripples make up the slopes that Cox and Munk
-// saw, within the scatter of their measurements, under winds for which they measured.
-// V10: the unified spectrum has the slopes of its published equations, which were integrated for this test by another program
-// up to 500 Hz, waves of 1.2 mm. These slopes are those of the glitter within a tenth, or within the scatter of the
-// measurements where that is more. The published spectrum is off by that tenth, not this one: it lies 6 to 9 % above the
-// glitter from 8 to 13 m/s, whichever law of drag makes its u* from the wind (by the drags of Wu, of the paper and a fixed one
-// it has 0.0605, 0.0612 and 0.0603 at 10 m/s). What of it is waves of 6 cm and longer is measured on the surface. The wind of
-// the glitter blew at 41 feet, the spectrum's blows at 10 m. Below 3 m/s the spectrum as published keeps its short waves while
-// the sea falls calm: at 2 m/s it has half as much slope again as was seen. Such winds are no target.
+// V9: the slopes of the surface and the roughness that the picture adds for ripples make up the slopes that Cox and
+// Munk saw, within the scatter of their measurements, under winds for which they measured.
+// V10: the unified spectrum has the slopes of its published equations, which were integrated for this test by another
+// program up to 500 Hz, waves of 1.2 mm. These slopes are those of the glitter within a tenth, or within the scatter of
+// the measurements where that is more. The published spectrum is off by that tenth, not this one: it lies 6 to 9 %
+// above the glitter from 8 to 13 m/s, whichever law of drag makes its u* from the wind (by the drags of Wu, of the
+// paper and a fixed one it has 0.0605, 0.0612 and 0.0603 at 10 m/s). What of it is waves of 6 cm and longer is measured
+// on the surface. The wind of the glitter blew at 41 feet, the spectrum's blows at 10 m. Below 3 m/s the spectrum as
+// published keeps its short waves while the sea falls calm: at 2 m/s it has half as much slope again as was seen. Such
+// winds are no target.
 
 #include "truth.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// V5: the distribution of direction integrates to one at every frequency, and the circular moments that buoys measure on
-// the surface, frequency by frequency, are those of the model. Distributions that the literature gives by frequency are
-// written down here once more.
+// V5: the distribution of direction integrates to one at every frequency, and the circular moments that buoys measure
+// on the surface, frequency by frequency, are those of the model. Distributions that the literature gives by frequency
+// are written down here once more.
 
 #include "truth.h"
 

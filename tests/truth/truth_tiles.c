@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A tile holds spline coefficients; what a query reads from it is held here against the direct sum, in double, of the very
-// waves that the tile was made of, band by band and for every instruction set of the machine, at the default resolution.
-// Errors are relative to the band's own root mean square.
+// A tile holds spline coefficients; what a query reads from it is held here against the direct sum, in double, of the
+// very waves that the tile was made of, band by band and for every instruction set of the machine, at the default
+// resolution. Errors are relative to the band's own root mean square.
 //
 // A tile repeats. A swell would be seen to, whose energy is all in one octave: how much it does is its correlation with
 // itself as far away as each of its tiles is wide, and twice as far.

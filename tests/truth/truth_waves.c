@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// V7: waves counted one by one, from one upward crossing of the resting level to the next, as in a buoy's record. In a narrow
-// spectrum heights from crest to trough follow Rayleigh's law, and the highest of 1000 is what the law says. In a spectrum as
-// broad as a wind sea's, heights are a few percent lower, as measured seas are.
+// V7: waves counted one by one, from one upward crossing of the resting level to the next, as in a buoy's record. In a
+// narrow spectrum heights from crest to trough follow Rayleigh's law, and the highest of 1000 is what the law says. In
+// a spectrum as broad as a wind sea's, heights are a few percent lower, as measured seas are.
 //
-// A sum of N waves of fixed heights is only nearly Gaussian: its kurtosis is 3 - 3 / (2 N) where they are equally high, so
-// the highest waves are a little too rare. A Gerstner system by spectrum has at most 32 waves an octave, eleven in the narrow
-// spectrum here; several of them with other seeds, each with its part of the energy, make up for that.
+// A sum of N waves of fixed heights is only nearly Gaussian: its kurtosis is 3 - 3 / (2 N) where they are equally high,
+// so the highest waves are a little too rare. A Gerstner system by spectrum has at most 32 waves an octave, eleven in
+// the narrow spectrum here; several of them with other seeds, each with its part of the energy, make up for that.
 
 #include "truth.h"
 

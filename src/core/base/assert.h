@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// SW_ASSERT stops at misuse by the caller unless NDEBUG is defined; with it the call goes on and must do nothing. Public
-// functions use SW_REQUIRE (misuse.h), which also tells the host's log.
+// SW_ASSERT stops at misuse by the caller unless NDEBUG is defined; with it the call goes on and must do nothing.
+// Public functions use SW_REQUIRE (misuse.h), which also tells the host's log.
 
 #include <assert.h>
 

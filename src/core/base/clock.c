@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A slewing clock adds at most slewRate of the time that passes, forwards or backwards; since that is below one, time that
-// runs forwards never runs back.
+// A slewing clock adds at most slewRate of the time that passes, forwards or backwards; since that is below one, time
+// that runs forwards never runs back.
 
 #include "seaway/clock.h"
 

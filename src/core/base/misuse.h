@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The contract of the API, see seaway/base.h: misuse is told to the host's log in a sentence and stops the program where
-// asserts are on. Without them the call does nothing but set what it would have answered to neutral values.
+// The contract of the API, see seaway/base.h: misuse is told to the host's log in a sentence and stops the program
+// where asserts are on. Without them the call does nothing but set what it would have answered to neutral values.
 
 #include "core/base/assert.h"
 #include "core/base/host.h"
@@ -14,7 +14,8 @@ void swTellMisuse(const swHost* host, const char* format, ...) SW_PRINTF(2, 3);
 
 SW_SEAM_END
 
-// At the head of a public function: unless the condition holds, the sentence is told and the function returns `neutral`.
+// At the head of a public function: unless the condition holds, the sentence is told and the function returns
+// `neutral`.
 #define SW_REQUIRE(condition, neutral, host, ...)                                                                      \
     do                                                                                                                 \
     {                                                                                                                  \

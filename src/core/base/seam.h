@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Functions between SW_SEAM_BEGIN and SW_SEAM_END are called by the gpu and scene libraries too, so a shared core library
-// keeps them visible although no installed header declares them. Everything else that is internal is hidden.
+// Functions between SW_SEAM_BEGIN and SW_SEAM_END are called by the gpu and scene libraries too, so a shared core
+// library keeps them visible although no installed header declares them. Everything else that is internal is hidden.
 
 #if defined(__GNUC__)
 #define SW_SEAM_BEGIN _Pragma("GCC visibility push(default)")

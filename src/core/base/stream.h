@@ -39,8 +39,8 @@ void swStreamF64(swStream* stream, double* value);
 void swStreamBool(swStream* stream, bool* value);
 void swStreamFloats(swStream* stream, float* values, size_t count);
 
-// Reading only: whether `count` things of at least `size` bytes are left; if not, the stream is broken. Ask before memory for
-// them is taken or they are looped over, so that a count alone takes nothing.
+// Reading only: whether `count` things of at least `size` bytes are left; if not, the stream is broken. Ask before
+// memory for them is taken or they are looped over, so that a count alone takes nothing.
 bool swStreamHasLeft(swStream* stream, size_t count, size_t size);
 
 // A count or an index that must lie within [least, most].

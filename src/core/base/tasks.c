@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A pool of threads for hosts without a job system. A parallel loop is one job at a time: the caller publishes it, takes
-// part itself as worker 0, and closes it when no item is left; threads that wake in time join, late ones go back to sleep.
-// Parts are handed out by an atomic counter, so who does which part varies, which must not change any result.
+// A pool of threads for hosts without a job system. A parallel loop is one job at a time: the caller publishes it,
+// takes part itself as worker 0, and closes it when no item is left; threads that wake in time join, late ones go back
+// to sleep. Parts are handed out by an atomic counter, so who does which part varies, which must not change any result.
 // A second caller (another world, or a loop inside a task) finds the pool busy and runs its loop alone.
 
 #include <pthread.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reading on after a fault. What may fail gets a host that keeps the first error instead of telling it; then the error is
-// either told as a warning, because only one record of many is lost, or passed on.
+// Reading on after a fault. What may fail gets a host that keeps the first error instead of telling it; then the
+// error is either told as a warning, because only one record of many is lost, or passed on.
 
 #include <stdbool.h>
 
@@ -27,5 +27,6 @@ void swBeginTrial(swTrial* trial, const swHost* outer);
 // first few are told.
 swResult swJudgeTrial(swTrial* trial, swResult result, const char* place, int number);
 
-// After all records: tells the error that is kept, or how many records were left out in silence. The result is passed on.
+// After all records: tells the error that is kept, or how many records were left out in silence. The result is passed
+// on.
 swResult swEndTrial(swTrial* trial, swResult result);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What can be asked of the water, on either half. A point, a place or a ray that cannot be answered gets NaN and is counted;
-// the others are as without it. Comparisons are written so that NaN fails them.
+// What can be asked of the water, on either half. A point, a place or a ray that cannot be answered gets NaN and is
+// counted; the others are as without it. Comparisons are written so that NaN fails them.
 
 #include <math.h>
 

@@ -32,9 +32,9 @@ typedef struct swMode
     uint32_t frequencyLow, frequencyHigh;
 } swMode;
 
-// How waves strain the surface sideways: sums over waves of half (chop k amplitude)^2 times powers of the cosine c and sine
-// s of their direction. cccc is the variance of dDx/dx, ssss that of dDz/dz, ccss their covariance and the variance of
-// dDx/dz; cccs and csss are what the others need when axes turn.
+// How waves strain the surface sideways: sums over waves of half (chop k amplitude)^2 times powers of the cosine c and
+// sine s of their direction. cccc is the variance of dDx/dx, ssss that of dDz/dz, ccss their covariance and the
+// variance of dDx/dz; cccs and csss are what the others need when axes turn.
 typedef struct swStrain
 {
     float cccc, cccs, ccss, csss, ssss;

@@ -7,9 +7,9 @@
 
 #include "core/frame/frame.h"
 
-// A slice carries waves down to this many texels a wave: four vertices of the surface mesh, whose vertices stand two texels
-// apart. With half as many, mesh and morph would see the shortest waves at two vertices a wave, as ridges that flicker. What
-// is shorter has its slopes in the pixels' detail layers and its whitecaps in the foam's statistics.
+// A slice carries waves down to this many texels a wave: four vertices of the surface mesh, whose vertices stand two
+// texels apart. With half as many, mesh and morph would see the shortest waves at two vertices a wave, as ridges that
+// flicker. What is shorter has its slopes in the pixels' detail layers and its whitecaps in the foam's statistics.
 #define SW_TEXELS_PER_WAVE 8
 
 // The window of `resolution` texels centred on (x, z), for a lattice `level` doublings above finestTexel.

@@ -3,8 +3,9 @@
 
 // The slices of a view: each is twice as wide as the one before, all centred on the viewer. Seen from high above, fine
 // slices are wasted, so the stack doubles with height: scale level s multiplies every slice by 2^s. While the viewer
-// climbs through one level, `fade` runs from 0 to 1: the finest slice turns into the next and the outermost one appears,
-// so that nothing is seen of the doubling itself. The picture of level s at fade 1 is that of level s + 1 at fade 0.
+// climbs through one level, `fade` runs from 0 to 1: the finest slice turns into the next and the outermost one
+// appears, so that nothing is seen of the doubling itself. The picture of level s at fade 1 is that of level s + 1 at
+// fade 0.
 //
 // With L = log2(height / one quarter of the finest slice's side), level s holds between L = s - delta and s + 1 + delta
 // and fade goes from 0 at s + delta to 1 at s + 1 - delta. A viewer who bobs at a boundary therefore changes nothing.

@@ -59,8 +59,8 @@ static inline void swSinCosTurnsW(swWideI phase, swWide* sine, swWide* cosine)
     *cosine = swFlipSignW(swSelectW(odd, s, c), swShiftLeftI(swAddI(quadrant, one), 30));
 }
 
-// exp(x) for x in [-87, 80], below which it stays at exp(-87); 2 ulp. Cephes' reduction: x = n ln 2 + r, with ln 2 in two
-// parts so that r is exact.
+// exp(x) for x in [-87, 80], below which it stays at exp(-87); 2 ulp. Cephes' reduction: x = n ln 2 + r, with ln 2 in
+// two parts so that r is exact.
 static inline swWide swExpW(swWide x)
 {
     const float round = 12582912.0f; // 1.5 * 2^23: adding it leaves the nearest integer in the low bits

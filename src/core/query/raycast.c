@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rays against the surface. Along a ray the gap to the water below is a function of distance; its first change of sign is
-// looked for by marching, then closed in on by bisection with secants [Dowell and Jarratt 1971]. A step is as long as the
-// gap allows where slopes stay below one, but at least a quarter of the shortest wave that counts.
+// Rays against the surface. Along a ray the gap to the water below is a function of distance; its first change of sign
+// is looked for by marching, then closed in on by bisection with secants [Dowell and Jarratt 1971]. A step is as long
+// as the gap allows where slopes stay below one, but at least a quarter of the shortest wave that counts.
 //
 // Far above or below there is nothing to meet: the march is confined to heights that six standard deviations of the sea
 // can reach. Rays march together, so that each look at the surface is one batch.

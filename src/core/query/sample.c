@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Heights from tiles that displace sideways too. The water above q belongs to the particle that rests at u with
-// u + D(u) = q. With the offset d = u - q this is a root of r(d) = d + D(q + d), two equations in two unknowns, found by a
-// quasi-Newton iteration: the Jacobian starts as the identity (which makes the first step the classic fixed-point one)
-// and is corrected after each step by what the residual did [Broyden 1965]. That needs no gradients, which cost as much
-// as the displacement itself. A step that made the residual worse is taken back and tried again shorter.
+// u + D(u) = q. With the offset d = u - q this is a root of r(d) = d + D(q + d), two equations in two unknowns, found
+// by a quasi-Newton iteration: the Jacobian starts as the identity (which makes the first step the classic fixed-point
+// one) and is corrected after each step by what the residual did [Broyden 1965]. That needs no gradients, which cost as
+// much as the displacement itself. A step that made the residual worse is taken back and tried again shorter.
 //
 // Points run in blocks, and within a block the kernels see only points that are not yet done. A point's iteration
 // depends on nothing but itself, so its bits do not depend on the batch that it came in.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The surface above points of the horizontal plane: find the particle that is there, then say where it is. See sample.c.
+// The surface above points of the horizontal plane: find the particle that is there, then say where it is. See
+// sample.c.
 
 #include <math.h>
 
@@ -36,7 +37,8 @@ static inline bool swIsTileAsked(const swQuery* query, const swTile* tile)
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin);
 
-// What is asked of a block of rest points (in the sea). What is not asked for is NULL; gradients come with displacement.
+// What is asked of a block of rest points (in the sea). What is not asked for is NULL; gradients come with
+// displacement.
 typedef struct swEvaluation
 {
     float (*displacement)[4];

@@ -2,12 +2,12 @@
 // The motion of the water below its surface, by linear theory: each wave's velocity potential fades as
 // cosh k (y + d) / cosh k d [Dean and Dalrymple 1991]. Heights y count from still water.
 //
-// Between trough and crest linear theory has nothing to say. Wheeler's stretching [Wheeler 1970] lets heights count from
-// the surface: with eta the water's height above a place, y' = d (d + y) / (d + eta) - d, in deep water y - eta, so that
-// the surface moves as linear theory says of still water. It needs eta, which is searched for as for any query.
+// Between trough and crest linear theory has nothing to say. Wheeler's stretching [Wheeler 1970] lets heights count
+// from the surface: with eta the water's height above a place, y' = d (d + y) / (d + eta) - d, in deep water y - eta,
+// so that the surface moves as linear theory says of still water. It needs eta, which is searched for as for any query.
 //
-// Which waves are too short to reach a place depends on its own height alone (waves_sum.inl), so that its bits do not depend
-// on the batch that it came in.
+// Which waves are too short to reach a place depends on its own height alone (waves_sum.inl), so that its bits do not
+// depend on the batch that it came in.
 
 #include "core/query/volume.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Foam on a view's slices: shared/foam.h has the law and the rule for scrolling. The GPU's twin is shaders/sim/foam.comp.
+// Foam on a view's slices: shared/foam.h has the law and the rule for scrolling. The GPU's twin is
+// shaders/sim/foam.comp.
 
 #include "core/frame/frame.h"
 

@@ -2,22 +2,22 @@
 // The foam that a sea has. The wind says how much, the waves say where.
 //
 // Cover by wind: the geometric mean of W = 3.84e-6 U^3.41 [Monahan and O'Muircheartaigh 1980] and of the cubics of
-// [Callaghan 2008], of which the upper one goes on beyond its 23 m/s; W is then bent to 1 - exp(-W), so that a hurricane
-// is not all foam.
+// [Callaghan 2008], of which the upper one goes on beyond its 23 m/s; W is then bent to 1 - exp(-W), so that a
+// hurricane is not all foam.
 //
 // A place of the surface folds when J = (1 + a)(1 + b) - c^2 falls below a threshold, where the strains a = dDx/dx,
 // b = dDz/dz and the shear c = dDx/dz of a Gaussian sea are normal numbers. Their variances follow from the spectrum.
-// Each fold leaves foam, which fades at the rate f. With folds at the rate n a place and second, each turning the share q
-// of what is clear into foam, the mean of the steady state is
+// Each fold leaves foam, which fades at the rate f. With folds at the rate n a place and second, each turning the share
+// q of what is clear into foam, the mean of the steady state is
 //   W = n q / (n q + f),
 // exactly so if folds come at random times (that the foam before a fold is the mean). So n follows from W, and the
 // threshold from n: the rate at which J crosses it downwards [Rice 1945]. Thresholds by the expected fold of a spectrum
 // are the idea of [Dupuy and Bruneton 2012].
 //
 // Growth is such that a mean fold, growth x (integral of threshold - J over its time) = GROWN, covers the share
-// 1 - exp(-GROWN) of a place; as folds differ, q = SHARE in the mean: the fold's height over the threshold is exponential,
-// its area goes with the power 3/2 of that. Where no wave is known foam grows by the mean fold all the time, with
-// unknownGrowth, which makes the same W.
+// 1 - exp(-GROWN) of a place; as folds differ, q = SHARE in the mean: the fold's height over the threshold is
+// exponential, its area goes with the power 3/2 of that. Where no wave is known foam grows by the mean fold all the
+// time, with unknownGrowth, which makes the same W.
 
 #include "core/sim/whitecaps.h"
 

@@ -153,10 +153,12 @@ bool swPrepareTable(swCompiledSpectrum* spectrum, const swSpectrumDef* def, swCo
 // The bin in which a frequency lies; -1 below the first, the number of bins above the last.
 int swFindTableBin(const swCompiledSpectrum* spectrum, double frequency);
 
-// Density of a bin times its bandwidth over the bin's true width: densities of the table times this are the bin's means.
+// Density of a bin times its bandwidth over the bin's true width: densities of the table times this are the bin's
+// means.
 double swGetBinFactor(const swCompiledSpectrum* spectrum, int bin);
 
-// Of one bin, all directions, a mean over its width: the integral over the circle of density times cos and sin. Not scaled.
+// Of one bin, all directions, a mean over its width: the integral over the circle of density times cos and sin. Not
+// scaled.
 void swGetBinVector(const swCompiledSpectrum* spectrum, int bin, double* x, double* z);
 
 int swGetTailBins(const swSpectrumTable* table); // the last bins, which shape the tail

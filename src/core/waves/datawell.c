@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Reads the spectrum files (.spt) of Datawell's Waverider buoys: twelve lines of a number each (transmission, Hs in cm, Tz,
-// largest density in m2/Hz, temperatures, ...), then for each frequency a line of
+// Reads the spectrum files (.spt) of Datawell's Waverider buoys: twelve lines of a number each (transmission, Hs in
+// cm, Tz, largest density in m2/Hz, temperatures, ...), then for each frequency a line of
 //
 //   f, S / S_max, direction that waves come from in degrees, spread in degrees, skewness, kurtosis
 //
-// Spread is sqrt(2 (1 - m1)). Skewness and kurtosis of direction hold the second moments m2, n2 about the mean direction
-// [Kuik 1988]:  skewness = -n2 / ((1 - m2) / 2)^(3/2),  kurtosis = (6 - 8 m1 + 2 m2) / (2 (1 - m1))^2.
-// The time is in the file's name, as in buoy}2013-06-03T00h30.spt.
+// Spread is sqrt(2 (1 - m1)). Skewness and kurtosis of direction hold the second moments m2, n2 about the mean
+// direction [Kuik 1988]:  skewness = -n2 / ((1 - m2) / 2)^(3/2),  kurtosis = (6 - 8 m1 + 2 m2) / (2 (1 - m1))^2. The
+// time is in the file's name, as in buoy}2013-06-03T00h30.spt.
 
 #include <math.h>
 #include <string.h>

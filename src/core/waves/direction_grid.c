@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A table has equally spaced directions. Files have them in any order, from any first angle, at times with both 0 and 360
-// degrees, now and then unequally spaced or over a sector only.
+// A table has equally spaced directions. Files have them in any order, from any first angle, at times with both 0 and
+// 360 degrees, now and then unequally spaced or over a sector only.
 //
-// Equal spacing, within what rounding in print does to it, is kept: columns are only put in order. Otherwise the file means
-// the function g that runs linearly between its directions, and a table on a fine grid theta_j with step h gets
+// Equal spacing, within what rounding in print does to it, is kept: columns are only put in order. Otherwise the file
+// means the function g that runs linearly between its directions, and a table on a fine grid theta_j with step h gets
 //   t_j = (1 / h) integral of g(theta) hat_j(theta),  hat_j = max(0, 1 - |theta - theta_j| / h).
 // Hats add up to one, so the sum of t_j h is the integral of g: no energy is lost. The first moment keeps its direction
-// within h^3 and loses h^2 / 6 of its length, 5e-5 at one degree. Both g and the hats are linear between the union of their
-// nodes, where Simpson's rule is exact.
+// within h^3 and loses h^2 / 6 of its length, 5e-5 at one degree. Both g and the hats are linear between the union of
+// their nodes, where Simpson's rule is exact.
 
 #include "core/waves/direction_grid.h"
 
@@ -21,7 +21,8 @@
 // Closer angles are the same: a thousandth of a degree.
 #define SAME_ANGLE (TURN / 360000.0)
 
-// How far printed directions may be from equal spacing, in steps: radians with three digits are 0.3 degrees off at most.
+// How far printed directions may be from equal spacing, in steps: radians with three digits are 0.3 degrees off at
+// most.
 #define REGULAR_TOLERANCE 0.06
 
 // A gap that is so much wider than the next one is the outside of a sector.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// How fast waves of one length run: omega^2 = (g k + sigma k^3) tanh(k depth). Wave numbers k in rad/m, frequencies omega
-// in rad/s.
+// How fast waves of one length run: omega^2 = (g k + sigma k^3) tanh(k depth). Wave numbers k in rad/m, frequencies
+// omega in rad/s.
 
 typedef struct swDispersion
 {

@@ -5,6 +5,7 @@
 #include "core/waves/measured.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -214,11 +215,17 @@ static void warnOfNegatives(const swMeasuredSea* sea)
     }
     if (count > 0)
     {
+        char gained[128] = "";
+        if (added > 0.0f)
+        {
+            snprintf(gained, sizeof(gained), " Where one cannot, a record has up to %.2g %% more than the file.",
+                     100.0 * (double)added);
+        }
         swLog(&sea->host, SW_LOG_WARNING,
               "%s: %zu of %zu records hold negative densities, at most %.2g %% of a record's variance. They count as "
               "none, "
-              "and each frequency is scaled to keep its energy; where one cannot, a record has up to %.2g %% more.",
-              sea->name, count, sea->records.count, 100.0 * (double)negative, 100.0 * (double)added);
+              "and each frequency is scaled to keep its energy.%s",
+              sea->name, count, sea->records.count, 100.0 * (double)negative, gained);
     }
 }
 

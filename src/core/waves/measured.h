@@ -93,8 +93,8 @@ swResult swFindSeaPoint(swMeasuredSea* sea, bool isNew, int index, const char* n
 // After the energies: sums the record's variance.
 void swSumSeaRecord(swSeaRecord* record);
 
-// The rule for negative densities, which swMeasuredRecord::negativeCount tells. `least` is the smallest density that can be
-// one: smaller numbers mark what is missing.
+// The rule for negative densities, which swMeasuredRecord::negativeCount tells. `least` is the smallest density that
+// can be one: smaller numbers mark what is missing.
 double swFindLeastDensity(const double* densities, size_t count);
 
 // Make the row of one frequency a row without negative densities, of the same sum if that is positive, else of zeros.
@@ -113,8 +113,8 @@ typedef struct swSeaMoments
 // frequency. Fills gaps and corrects what is impossible; without any first moments spreads around east.
 void swFillSeaDirections(swSeaRecord* record, const swSeaMoments* moments);
 
-// Keep the moments of frequency i, those of a distribution that integrates to one, and whether its mean direction and r1
-// were told by the file.
+// Keep the moments of frequency i, those of a distribution that integrates to one, and whether its mean direction and
+// r1 were told by the file.
 void swKeepSeaMoments(swSeaRecord* record, int i, const swMoments* moments, bool hasDirection, bool hasSpread);
 
 // The moments of cos^2s stand in for second moments that are missing.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// One spectrum, by frequency and direction or as energies and moments by frequency, made into a record of a measured sea.
+// One spectrum, by frequency and direction or as energies and moments by frequency, made into a record of a measured
+// sea.
 //
 // Frequencies are put in ascending order, directions on the grid of core/waves/direction_grid.h. Moments become the
-// maximum-entropy distribution of core/waves/spreading.h, which is never negative. What they lack is filled in: a frequency
-// without direction takes its nearest neighbour's, second moments are those of cos^2s with the same r1, and a record without
-// any direction spreads as cos^2s with s = 8 around east.
+// maximum-entropy distribution of core/waves/spreading.h, which is never negative. What they lack is filled in: a
+// frequency without direction takes its nearest neighbour's, second moments are those of cos^2s with the same r1, and
+// a record without any direction spreads as cos^2s with s = 8 around east.
 
 #include <assert.h>
 #include <math.h>

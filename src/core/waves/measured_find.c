@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Records of a measured sea by time, and places by where they lie. An answer from another year or another ocean would be
-// wrong without a word, so both have limits: a time may lie outside the records by half of what usually lies between two
-// of them, a point SW_MEASURED_REACH from the nearest place.
+// Records of a measured sea by time, and places by where they lie. An answer from another year or another ocean would
+// be wrong without a word, so both have limits: a time may lie outside the records by half of what usually lies between
+// two of them, a point SW_MEASURED_REACH from the nearest place.
 
 #include <math.h>
 #include <stdio.h>

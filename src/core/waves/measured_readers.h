@@ -6,8 +6,8 @@
 #include "core/base/trial.h"
 #include "core/waves/measured.h"
 
-// What every reader of a text begins with. Messages go to text.host, which is the trial's: a record that fails is judged,
-// left out with a warning, and the rest is read.
+// What every reader of a text begins with. Messages go to text.host, which is the trial's: a record that fails is
+// judged, left out with a warning, and the rest is read.
 typedef struct swSeaReader
 {
     swSeaText text;

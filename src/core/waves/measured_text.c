@@ -139,7 +139,7 @@ swResult swParseMeasuredSea(const swHost* host, const char* text, size_t size, c
 {
     SW_REQUIRE_PLACE(host, sea, "swParseMeasuredSea()");
     swMeasuredFormat format = swFindMeasuredFormat(text, size);
-    bool isWide = size >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0);
+    bool isWide = text != NULL && size >= 2 && (memcmp(text, "\xFF\xFE", 2) == 0 || memcmp(text, "\xFE\xFF", 2) == 0);
     if (isWide)
     {
         return swFail(host, SW_ERROR_FORMAT, "%s:1: the text is UTF-16; save it as UTF-8.",

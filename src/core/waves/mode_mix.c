@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 
-// Amplitudes are mixed linearly, A = c ((1 - s) A0 + s A1). Where both seas have energy at a wave, its phase is the same
-// in both, so that the mixture has it too. Where only one has, energies would add up to less on the way ((1 - s)^2 + s^2);
-// the factor c makes up for that for each band as a whole: with V0, V1 the band's variances and C their covariance,
+// Amplitudes are mixed linearly, A = c ((1 - s) A0 + s A1). Where both seas have energy at a wave, its phase is the
+// same in both, so that the mixture has it too. Where only one has, energies would add up to less on the way ((1 - s)^2
+// + s^2); the factor c makes up for that for each band as a whole: with V0, V1 the band's variances and C their
+// covariance,
 //   c^2 = ((1 - s) V0 + s V1) / ((1 - s)^2 V0 + s^2 V1 + 2 s (1 - s) C).
-// Parallel tiles of a band have one factor: a tile that only one of the seas has begins with the amplitudes of a part s, not
-// with those of an energy s, which would be a jump.
+// Parallel tiles of a band have one factor: a tile that only one of the seas has begins with the amplitudes of a part
+// s, not with those of an energy s, which would be a jump.
 
 #include "core/waves/mode_mix.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A sea that turns into another one, wave by wave. Both have the same waves with the same phases, so that any mixture of
-// amplitudes is a sea: nothing jumps, whatever the spectra.
+// A sea that turns into another one, wave by wave. Both have the same waves with the same phases, so that any mixture
+// of amplitudes is a sea: nothing jumps, whatever the spectra.
 
 #include "core/base/hash.h"
 #include "core/base/stream.h"
@@ -24,7 +24,7 @@ void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands);
 // All that a mix is made of; its share is not part of it.
 void swAddHashMix(swHash* hash, const swModeMix* mix);
 
-// A mix and its bands as bytes. Reading makes both, as swMakeModeMix() does; SW_ERROR_FORMAT if they are no mix of bands
-// on `tileWaves` and `resolution`.
+// A mix and its bands as bytes. Reading makes both, as swMakeModeMix() does; SW_ERROR_FORMAT if they are no mix of
+// bands on `tileWaves` and `resolution`.
 swResult swStreamModeMix(swStream* stream, const swHost* host, int tileWaves, int resolution, swBandModes* bands,
                          swModeMix** mix);

@@ -3,12 +3,12 @@
 //
 // NDBC prints, for each frequency, the energy density E, the mean direction alpha1 and the principal direction alpha2
 // that waves come FROM in degrees clockwise from north, and the lengths r1 and r2 of the circular moments. Here the
-// moments are c1 = r1 exp(i a1), c2 = r2 exp(2 i a2) with a1, a2 the directions waves go in radians (seaway/math.h), and
-// S(f, theta) = E(f) D(theta) with the maximum-entropy D of core/waves/spreading.h.
+// moments are c1 = r1 exp(i a1), c2 = r2 exp(2 i a2) with a1, a2 the directions waves go in radians (seaway/math.h),
+// and S(f, theta) = E(f) D(theta) with the maximum-entropy D of core/waves/spreading.h.
 //
-// r1 without a file is that of cos^2s with s = 8; measured_def.c fills in what else is missing. Frequencies are printed with three decimals
-// in real time (0.033 is 0.0325); where all of them belong to the buoys' standard set [NDBC 2024], its true frequencies
-// and bandwidths are taken, otherwise bands reach half-way to their neighbours.
+// r1 without a file is that of cos^2s with s = 8; measured_def.c fills in what else is missing. Frequencies are
+// printed with three decimals in real time (0.033 is 0.0325); where all of them belong to the buoys' standard set
+// [NDBC 2024], its true frequencies and bandwidths are taken, otherwise bands reach half-way to their neighbours.
 
 #include <math.h>
 #include <string.h>

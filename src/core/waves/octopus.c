@@ -12,8 +12,8 @@
 //   0,0.0000000,...                a line for each direction that waves come from, degrees, and its sum at the end
 //   fSpec,...  den,...             sums over the directions
 //
-// and the whole again for another place. A cell holds the variance of its band and sector, m2: bands reach half-way to their
-// neighbours.
+// and the whole again for another place. A cell holds the variance of its band and sector, m2: bands reach half-way
+// to their neighbours.
 
 #include <math.h>
 #include <string.h>

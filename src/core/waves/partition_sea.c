@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Each partition becomes a JONSWAP spectrum [Hasselmann 1973] of its height with its peak at its period, spread as cos^2s
-// around its direction, and a record is the sum of those of its place and time. What a file does not tell is assumed as of
-// buoys' summaries (core/waves/summary_sea.c): gamma 3.3, for wind sea 2; s = 25 at the peak, for wind sea 10, falling off
-// on both sides [Mitsuyasu 1975]. A spread that is told gives the same s = r1 / (1 - r1) at all frequencies, with
-// r1 = 1 - spread^2 / 2, so that the partition as a whole has it.
+// Each partition becomes a JONSWAP spectrum [Hasselmann 1973] of its height with its peak at its period, spread as
+// cos^2s around its direction, and a record is the sum of those of its place and time. What a file does not tell is
+// assumed as of buoys' summaries (core/waves/summary_sea.c): gamma 3.3, for wind sea 2; s = 25 at the peak, for wind
+// sea 10, falling off on both sides [Mitsuyasu 1975]. A spread that is told gives the same s = r1 / (1 - r1) at all
+// frequencies, with r1 = 1 - spread^2 / 2, so that the partition as a whole has it.
 
 #include "core/waves/partition_sea.h"
 

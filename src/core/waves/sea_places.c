@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The places of a measured sea, found by name or by name and position: a hash table of open addressing, twice as large as
-// it need be. Each place stands in it once with its position and, if it is the first of its name, once without: files of
-// a hundred thousand points are read in linear time.
+// The places of a measured sea, found by name or by name and position: a hash table of open addressing, twice as
+// large as it need be. Each place stands in it once with its position and, if it is the first of its name, once
+// without: files of a hundred thousand points are read in linear time.
 
 #include <math.h>
 #include <string.h>

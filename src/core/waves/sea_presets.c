@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Seas by one knob. Under a wind U over a fetch F, x = g F / U^2, a sea has [Hasselmann 1973]
 //   Hs = 0.0016 sqrt(x) U^2 / g,   omega_p = 2 pi 3.5 x^-0.33 g / U,
-// and stops where it meets the fully developed sea [Pierson 1964], Hs = 0.2202 U^2 / g and omega_p = 0.855 g / U: the two
-// laws get there at x = 18,900 and 18,800. These are what the waves were measured to be; the integral of the JONSWAP
-// spectrum with the parameters of the same paper is a quarter higher and never stops, so height and period are given to
-// the spectrum here. A wind that has blown for D hours makes the sea of the fetch that it has had time for, X km with
-// D = 1.167 X^0.7 / U^0.4 [Carter 1982]. The peak's enhancement grows with how young the sea
-// is, as the waves' measured peaks do, 6 log10 of the peak's frequency [Donelan 1985], from 1 at full development to 3.3.
+// and stops where it meets the fully developed sea [Pierson 1964], Hs = 0.2202 U^2 / g and omega_p = 0.855 g / U: the
+// two laws get there at x = 18,900 and 18,800. These are what the waves were measured to be; the integral of the
+// JONSWAP spectrum with the parameters of the same paper is a quarter higher and never stops, so height and period are
+// given to the spectrum here. A wind that has blown for D hours makes the sea of the fetch that it has had time for, X
+// km with D = 1.167 X^0.7 / U^0.4 [Carter 1982]. The peak's enhancement grows with how young the sea
+// is, as the waves' measured peaks do, 6 log10 of the peak's frequency [Donelan 1985], from 1 at full development to
+// 3.3.
 
 #include <math.h>
 
@@ -67,8 +68,8 @@ swSpectrumDef swMakeWindSeaSpectrum(float windSpeed, float fetch, float duration
     return def;
 }
 
-// A sea that has grown to a height under a wind. Beyond what the wind can do it is what is left of a stronger wind's: the
-// fully developed sea of that height, no steeper than any other.
+// A sea that has grown to a height under a wind. Beyond what the wind can do it is what is left of a stronger wind's:
+// the fully developed sea of that height, no steeper than any other.
 static swSpectrumDef makeSeaOfHeight(double wind, double height, double direction)
 {
     double root = height * GRAVITY / (wind * wind) / 0.0016;
@@ -82,7 +83,8 @@ static swSpectrumDef makeSeaOfHeight(double wind, double height, double directio
     return def;
 }
 
-// Probable heights in the open sea, m, by Beaufort's number [WMO 2019]; one more so that the state of the sea can go on.
+// Probable heights in the open sea, m, by Beaufort's number [WMO 2019]; one more so that the state of the sea can go
+// on.
 #define BEAUFORT_COUNT 14
 static const double beaufortHeights[BEAUFORT_COUNT] = {0.0, 0.1, 0.2, 0.6, 1.0,  2.0,  3.0,
                                                        4.0, 5.5, 7.0, 9.0, 11.5, 14.0, 17.0};

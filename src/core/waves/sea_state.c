@@ -55,9 +55,9 @@ static Vector integrateVector(const swCompiledSpectrum* spectrum, double frequen
     return total;
 }
 
-// Where in [frequency0, frequency1] the density is largest. Most formulas have one peak that is known; of a table it is the
-// frequency of the bin whose mean is largest, or an end of the range. Bins that are equal but for rounding tie, and the
-// lowest frequency wins.
+// Where in [frequency0, frequency1] the density is largest. Most formulas have one peak that is known; of a table it is
+// the frequency of the bin whose mean is largest, or an end of the range. Bins that are equal but for rounding tie, and
+// the lowest frequency wins.
 static double findPeak(const swCompiledSpectrum* spectrum, double frequency0, double frequency1)
 {
     if (spectrum->kind == SW_SPECTRUM_TMA || spectrum->kind == SW_SPECTRUM_ELFOUHAILY ||

@@ -77,9 +77,10 @@ bool swParseSeaNumber(swSeaToken token, double* value);
 // Whether the rest of the line begins with a word; spaces are passed over.
 bool swHasSeaPrefix(swSeaText* text, const char* word);
 
-// The next number of a text that is wrapped at will: across lines, after spaces or commas. It ends where the next begins,
-// even if a sign is all that parts them, as Fortran writes. "0.261-100", an exponent that has pushed its letter out, is
-// small enough to be 0 where `isWide` says that exponents are written; 1e60 is the largest. Fails with line and name.
+// The next number of a text that is wrapped at will: across lines, after spaces or commas. It ends where the next
+// begins, even if a sign is all that parts them, as Fortran writes. "0.261-100", an exponent that has pushed its
+// letter out, is small enough to be 0 where `isWide` says that exponents are written; 1e60 is the largest. Fails with
+// line and name.
 swResult swReadSeaNumber(swSeaText* text, const char* what, bool isWide, double* value);
 
 // The same, refused outside of [low, high].

@@ -3,11 +3,11 @@
 //
 // JONSWAP [Hasselmann 1973]:
 //   S = alpha g^2 omega^-5 exp(-5/4 (omega_p / omega)^4) gamma^exp(-(omega - omega_p)^2 / (2 sigma^2 omega_p^2)),
-//   sigma = 0.07 up to omega_p and 0.09 above, alpha = 0.076 x^-0.22, omega_p = 2 pi 3.5 (g / U) x^-0.33, x = g F / U^2;
-//   or, by another growth law, omega_p = 22 (g / U) x^(-1/3).
+//   sigma = 0.07 up to omega_p and 0.09 above, alpha = 0.076 x^-0.22, omega_p = 2 pi 3.5 (g / U) x^-0.33, x = g F /
+//   U^2; or, by another growth law, omega_p = 22 (g / U) x^(-1/3).
 // Pierson-Moskowitz [Pierson 1964]:
-//   S = 0.0081 g^2 omega^-5 exp(-0.74 (g / (U19.5 omega))^4), with the wind at 19.5 m taken as 1.026 U10: the same shape
-//   with gamma = 1 and omega_p = (0.8 * 0.74)^(1/4) g / U19.5.
+//   S = 0.0081 g^2 omega^-5 exp(-0.74 (g / (U19.5 omega))^4), with the wind at 19.5 m taken as 1.026 U10: the same
+//   shape with gamma = 1 and omega_p = (0.8 * 0.74)^(1/4) g / U19.5.
 // Phillips [Phillips 1958], with the cut-off of [Tessendorf 2001] at waves longer than L = U^2 / g, exp(-1 / (k L)^2):
 //   S = 0.0081 g^2 omega^-5 exp(-(g / (U omega))^4), so omega_p = 0.8^(1/4) g / U.
 // TMA [Bouws 1985]: JONSWAP times [Kitaigorodskii 1975]

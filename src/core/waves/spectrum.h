@@ -12,8 +12,8 @@
 typedef struct swCompiledSpectrum swCompiledSpectrum;
 
 // Checks ranges (a sentence goes to the log) and copies tables.
-// Gravity is needed by the formulas (Hasselmann 1973 and Pierson 1964 scale with g) and, with surface tension over density
-// (m^3/s^2), by the dispersion.
+// Gravity is needed by the formulas (Hasselmann 1973 and Pierson 1964 scale with g) and, with surface tension over
+// density (m^3/s^2), by the dispersion.
 swResult swCompileSpectrum(const swHost* host, const swSpectrumDef* def, double gravity, double surfaceTension,
                            swCompiledSpectrum** spectrum);
 void swFreeCompiledSpectrum(const swHost* host, swCompiledSpectrum* spectrum);
@@ -30,12 +30,13 @@ double swGetCompiledDensity2(const swCompiledSpectrum* spectrum, double omega, d
 // Integral of S(omega) over [omega0, omega1], m^2; accurate to 1e-5 relative however narrow the peak.
 double swIntegrateCompiled(const swCompiledSpectrum* spectrum, double omega0, double omega1);
 
-// A table has bins whose energy the waves in them share; any other spectrum is one bin. Bin 0 is below the table's first, the
-// last one above its last.
+// A table has bins whose energy the waves in them share; any other spectrum is one bin. Bin 0 is below the table's
+// first, the last one above its last.
 #define SW_MAX_SPECTRUM_BINS 1026
 int swFindCompiledBin(const swCompiledSpectrum* spectrum, double omega);
 
-// What of each bin lies in [omega0, omega1], m^2, into variances[SW_MAX_SPECTRUM_BINS]. Returns how many bins there are.
+// What of each bin lies in [omega0, omega1], m^2, into variances[SW_MAX_SPECTRUM_BINS]. Returns how many bins there
+// are.
 int swGetCompiledBins(const swCompiledSpectrum* spectrum, double omega0, double omega1, double* variances);
 
 // Means of cos and sin of the direction over a table's bin. False if there is no such bin or no energy in it.

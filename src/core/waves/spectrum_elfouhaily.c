@@ -13,8 +13,8 @@
 // - The short waves have L and J as well. They are missing in the paper's equation 41; without them ripples would go on
 //   through the longest waves, which adds half a percent to the slopes.
 // - The logarithm in gamma is to the base of ten, as in JONSWAP's growth curves.
-// - u* is that of [Wu 1982], as for all spreadings. The paper's own roughness, z0 = 3.7e-5 U^2 / g age^0.9, makes slopes
-//   1 % larger in a developed sea, and 8 % in a young one of age 2.
+// - u* is that of [Wu 1982], as for all spreadings. The paper's own roughness, z0 = 3.7e-5 U^2 / g age^0.9, makes
+//   slopes 1 % larger in a developed sea, and 8 % in a young one of age 2.
 
 #include "core/waves/compiled.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The equaliser. A power is log10 S(omega) at its octave's shortest wave, whose omega the dispersion gives. Between two
-// edges ln S runs linearly over ln omega, so that the power laws of wind seas are met exactly and not only at the edges;
-// the longest octave goes on as omega^-5. What an octave holds is the integral of that, neither doubled nor tuned.
+// edges ln S runs linearly over ln omega, so that the power laws of wind seas are met exactly and not only at the
+// edges; the longest octave goes on as omega^-5. What an octave holds is the integral of that, neither doubled nor
+// tuned.
 
 #include "core/waves/compiled.h"
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Tables of density by frequency and direction, read so that every cell of the table keeps its own energy.
 //
-// A line through the densities of neighbouring bins would take a quarter of its energy from a bin that stands out. Instead
-// the running integral over frequency is interpolated, for each direction by itself: a cubic through its values at the
-// bins' edges that never falls [Fritsch and Carlson 1980], with the slopes of [Fritsch and Butland 1984]. Its derivative is
-// the density, a parabola in each bin. It is continuous, nowhere negative, has the bin's mean m, and at the edges the values
-// d0 and d1, harmonic means of both sides, so that the highest bin stays the highest:
+// A line through the densities of neighbouring bins would take a quarter of its energy from a bin that stands out.
+// Instead the running integral over frequency is interpolated, for each direction by itself: a cubic through its values
+// at the bins' edges that never falls [Fritsch and Carlson 1980], with the slopes of [Fritsch and Butland 1984]. Its
+// derivative is the density, a parabola in each bin. It is continuous, nowhere negative, has the bin's mean m, and at
+// the edges the values d0 and d1, harmonic means of both sides, so that the highest bin stays the highest:
 //   S(t) = 6 t (1 - t) m + (1 - t) (1 - 3 t) d0 + t (3 t - 2) d1, t from 0 to 1 through the bin.
-// As that holds for each direction, each bin keeps all moments of its directions. S(f) is the sum over directions, and as S
-// is linear in m, d0 and d1, it has the same form with their sums.
+// As that holds for each direction, each bin keeps all moments of its directions. S(f) is the sum over directions, and
+// as S is linear in m, d0 and d1, it has the same form with their sums.
 // Around the circle the same is done with the densities that the directions have at one frequency.
 //
 // The first and the last bin go on to their outer edges as a line would, but rise no further.
-// Above the last bin the density may go on as f^-5 [Phillips 1958], at the level and with the directions of the last few.
+// Above the last bin the density may go on as f^-5 [Phillips 1958], at the level and with the directions of the last
+// few.
 
 #include "core/waves/compiled.h"
 
@@ -31,8 +32,8 @@ static double clamp(double value, double low, double high)
     return value < low ? low : value > high ? high : value;
 }
 
-// The end of bin i. Its begin and width say where that is, unless it is beyond all that may be meant: half-way to the next
-// frequency, where this bin ends around its frequency, and where the next one begins around its own.
+// The end of bin i. Its begin and width say where that is, unless it is beyond all that may be meant: half-way to the
+// next frequency, where this bin ends around its frequency, and where the next one begins around its own.
 static double findEdge(const swSpectrumTable* table, int i, double begin)
 {
     double here = (double)table->frequencies[i], width = (double)table->bandwidths[i];
@@ -49,8 +50,10 @@ static double findEdge(const swSpectrumTable* table, int i, double begin)
 
 void swSpectrumTable_GetEdges(const swSpectrumTable* table, double* edges)
 {
-    SW_ASSERT(table != NULL && edges != NULL && table->frequencies != NULL && table->bandwidths != NULL);
-    if (table == NULL || edges == NULL || table->frequencies == NULL || table->bandwidths == NULL)
+    bool isValid = table != NULL && edges != NULL && table->frequencyCount > 0 && table->frequencies != NULL &&
+                   table->bandwidths != NULL;
+    SW_ASSERT(isValid);
+    if (!isValid)
     {
         return;
     }

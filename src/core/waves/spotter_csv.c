@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the table that the dashboard of Sofar's Spotter buoys exports [Sofar 2023]: a heading, and a line for each record with
+// Reads the table that the dashboard of Sofar's Spotter buoys exports [Sofar 2023]: a heading, and a line for each
+// record with
 //
 //   Epoch Time, Latitude (deg), Longitude (deg)         seconds since 1970, UTC
 //   f_0 ..., df_0 ..., varianceDensity_0 ...            Hz, Hz, m2/Hz

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Published distributions of direction. With w = omega / omega_p and U / c_p the age of the sea, wind over the phase speed
-// g / omega_p of the peak:
+// Published distributions of direction. With w = omega / omega_p and U / c_p the age of the sea, wind over the phase
+// speed g / omega_p of the peak:
 //
 //   Mitsuyasu        cos^2s(a / 2), s = 11.5 (U / c_p)^-2.5 w^5 below the peak and w^-2.5 above
 //   Hasselmann       cos^2s(a / 2), s = 6.97 w^4.06 up to the peak, 9.77 w^(-2.33 - 1.45 (U / c_p - 1.17)) above
@@ -9,12 +9,12 @@
 //   Elfouhaily       1 + Delta cos 2a, Delta = tanh(a0 + 4 (c / c_p)^2.5 + am (c_m / c)^2.5), a0 = ln 2 / 4,
 //                    am = 0.13 u* / c_m, c_m = 0.23 m/s
 //
-// Swell multiplies by cos^2s(a / 2), s = 16 tanh(1 / w) swell^2 [Horvath 2015]; two such cosines are one whose exponent is
-// their sum. Turbulence blends with the even distribution.
+// Swell multiplies by cos^2s(a / 2), s = 16 tanh(1 / w) swell^2 [Horvath 2015]; two such cosines are one whose exponent
+// is their sum. Turbulence blends with the even distribution.
 //
 // Normalisers are closed: of cos^2s Gamma(s + 1) / (2 sqrt(pi) Gamma(s + 1/2)), of sech^2 beta / (2 tanh(pi beta)), and
-// 1 + Delta cos 2a times cos^2s adds Delta times its second moment. Only sech^2 times cos^2s has none; it is integrated,
-// and tabulated for builders of seas, who ask for hundreds of thousands.
+// 1 + Delta cos 2a times cos^2s adds Delta times its second moment. Only sech^2 times cos^2s has none; it is
+// integrated, and tabulated for builders of seas, who ask for hundreds of thousands.
 
 #include "core/waves/spread_models.h"
 
@@ -98,8 +98,9 @@ int swGetSpreadJumps(const swSpreadModel* model, double* ratios)
 #define NODE_COUNT 8
 #define PANELS 3 // of each half
 
-// Integrals over the circle of the shape times 1, cos a, cos 2a, by Gauss-Legendre of order 8 in equal panels: from 0 to
-// pi / 2 over a, and from there over t with a = pi - pi / 2 t^4, as cos^2s with a small s ends in a cusp. Good to 1e-9.
+// Integrals over the circle of the shape times 1, cos a, cos 2a, by Gauss-Legendre of order 8 in equal panels: from 0
+// to pi / 2 over a, and from there over t with a = pi - pi / 2 t^4, as cos^2s with a small s ends in a cusp. Good to
+// 1e-9.
 static void integrateShape(const swSpread* spread, double* sums)
 {
     static const double nodes[4] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};

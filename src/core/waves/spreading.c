@@ -47,8 +47,8 @@ static double squareOf(Complex a)
 }
 
 // Gamma(s + 1) / Gamma(s + 1/2), as builders of seas ask for it at every wave: from one s to the next it grows by
-// (s + 1) / (s + 1/2), and for large s it is sqrt(x) (1 + 1 / (64 x^2) - 19 / (8192 x^4) + ...), x = s + 1/4 [Fields 1966].
-// Good to 2e-13.
+// (s + 1) / (s + 1/2), and for large s it is sqrt(x) (1 + 1 / (64 x^2) - 19 / (8192 x^4) + ...), x = s + 1/4
+// [Fields 1966]. Good to 2e-13.
 double swGetCosineSpreadScale(double exponent)
 {
     double numerator = 1.0;

@@ -20,13 +20,13 @@ typedef struct swMoments
     double a1, b1, a2, b2;
 } swMoments;
 
-// Move moments that no distribution can have, or only one of infinitely sharp peaks, to the nearest useful ones, keeping
-// the mean direction.
+// Move moments that no distribution can have, or only one of infinitely sharp peaks, to the nearest useful ones,
+// keeping the mean direction.
 // Returns whether they were impossible.
 bool swCorrectMoments(swMoments* moments);
 
-// The maximum-entropy distribution of possible moments on directions 2 pi j / count, each the mean of its cell. The sums over
-// these directions have the given moments.
+// The maximum-entropy distribution of possible moments on directions 2 pi j / count, each the mean of its cell. The
+// sums over these directions have the given moments.
 void swFillMaximumEntropy(const swMoments* moments, int count, float* density);
 
 // cos^2s around a mean direction on directions 2 pi j / count, with integral one.

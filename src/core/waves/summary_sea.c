@@ -5,13 +5,13 @@
 // with E the JONSWAP shape [Hasselmann 1973] and D = cos^2s [Longuet-Higgins 1963], and the sum is scaled so that its
 // height is that of the whole sea, which is printed too (the parts' squares add up to it but for their rounding).
 //
-// A summary says nothing of the shapes but the average period, APD, which is Tm02. Where it is there, the shape is chosen
-// that has it (core/waves/summary_shape.h). Where it is not, the usual gamma is 3.3 for swell and 2 for wind sea: of 1, 2,
-// 3.3, 5, 6, 7 and 10 those that misplaced the least energy in the 287 records of two buoys (44013 in May 2022, 41010 in
-// June 2020) whose spectra are known as well. (2 lies between the growing and the grown sea; a swell's 5 to 10 after a long
-// way is washed out by the buoy's bins.) Spreading is narrowest at the peak, s = s_max (f / f_peak)^5 below and
-// s_max (f / f_peak)^-2.5 above [Mitsuyasu 1975], with s_max = 25 for swell that has not come far and 10 for wind sea
-// [Goda 1985].
+// A summary says nothing of the shapes but the average period, APD, which is Tm02. Where it is there, the shape is
+// chosen that has it (core/waves/summary_shape.h). Where it is not, the usual gamma is 3.3 for swell and 2 for wind
+// sea: of 1, 2, 3.3, 5, 6, 7 and 10 those that misplaced the least energy in the 287 records of two buoys (44013 in
+// May 2022, 41010 in June 2020) whose spectra are known as well. (2 lies between the growing and the grown sea; a
+// swell's 5 to 10 after a long way is washed out by the buoy's bins.) Spreading is narrowest at the peak, s = s_max
+// (f / f_peak)^5 below and s_max (f / f_peak)^-2.5 above [Mitsuyasu 1975], with s_max = 25 for swell that has not
+// come far and 10 for wind sea [Goda 1985].
 //
 // Directions of parts are rounded to a point of the compass. The mean direction is that at the peak, in degrees: the
 // part with the higher peak takes it if it lies within its point's sector (in 273 of the 287 records it does).
@@ -179,8 +179,8 @@ static void fillPartitions(Sea* sea, double firstOfPeak, float* frequencies, flo
     swFillShapes(sea->shapes, sea->count, 0.0, widths);
 }
 
-// Without the dominant period a peak is sought whose usual spectrum, cut off where the buoy's is, has the average period;
-// each round brings the two closer by half or more.
+// Without the dominant period a peak is sought whose usual spectrum, cut off where the buoy's is, has the average
+// period; each round brings the two closer by half or more.
 static void findPeak(Sea* sea, double average, float* frequencies, float* widths)
 {
     swShape* shape = &sea->shapes[0];

@@ -3,13 +3,14 @@
 //
 //   E(f) ~ x^-n exp(-n/4 x^-4) gamma^b(x) + shelf p(x),
 //
-// which is JONSWAP's [Hasselmann 1973] for n = 5 and without a shelf, and has its peak at x = 1 whatever n and gamma are.
-// On the way from the usual shape (0) to 1, gamma grows to 20: less energy away from the peak, and Tm02 comes near the
-// peak's period. Beyond 1, longer waves stand beside the peak up to 0.85 of its density, and Tm02 grows beyond the peak's
-// period. On the way to -1, gamma first falls to 1, then n to 1.5: short waves of a wind sea upon a swell, which one system
-// does not tell apart, and Tm02 falls to less than half of the peak's period. Of two systems the shorter one's tail
-// changes, then beyond -1 the longer one's, and gamma does not fall: two broad peaks would become one between them. Longer
-// waves stand beside the longer one. Tm02 grows along the way, so that halving finds it.
+// which is JONSWAP's [Hasselmann 1973] for n = 5 and without a shelf, and has its peak at x = 1 whatever n and gamma
+// are. On the way from the usual shape (0) to 1, gamma grows to 20: less energy away from the peak, and Tm02 comes
+// near the peak's period. Beyond 1, longer waves stand beside the peak up to 0.85 of its density, and Tm02 grows
+// beyond the peak's period. On the way to -1, gamma first falls to 1, then n to 1.5: short waves of a wind sea upon a
+// swell, which one system does not tell apart, and Tm02 falls to less than half of the peak's period. Of two systems
+// the shorter one's tail changes, then beyond -1 the longer one's, and gamma does not fall: two broad peaks would
+// become one between them. Longer waves stand beside the longer one. Tm02 grows along the way, so that halving finds
+// it.
 
 #include "core/waves/summary_shape.h"
 

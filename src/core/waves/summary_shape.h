@@ -7,8 +7,8 @@
 
 #define SW_SHAPE_FREQUENCIES 64
 
-// How far shapes go: the least have the most energy in short waves, 0 is the usual one, 1 the narrowest, beyond it longer
-// waves stand beside the peak.
+// How far shapes go: the least have the most energy in short waves, 0 is the usual one, 1 the narrowest, beyond it
+// longer waves stand beside the peak.
 #define SW_SHAPE_LEAST (-2.0)
 #define SW_SHAPE_MOST 2.0
 
@@ -40,6 +40,7 @@ void swFillShapes(swShape* shapes, int count, double way, const float* widths);
 // Tm02 = sqrt(m0 / m2) of the sum of systems, over bins.
 double swGetAveragePeriod(const swShape* shapes, int count, const float* frequencies, const float* widths);
 
-// The way, at most `most`, whose sum has an average period, or comes nearest. Fills the energies and returns the period.
+// The way, at most `most`, whose sum has an average period, or comes nearest. Fills the energies and returns the
+// period.
 double swFitShapes(swShape* shapes, int count, double period, double most, const float* frequencies,
                    const float* widths);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The cell of a wave reaches across the edges of bins, and some bins are no wider than a cell. Left as they are, waves would
-// carry energy from a bin that stands out to its neighbours, with their directions, and few waves would miss their bin's mean
-// direction by some degrees. So the waves of each bin are scaled to the energy of that bin, and those of a table's bin are
-// turned: each is multiplied by exp(c . d), d its direction as a unit vector, with the c for which the mean of d, weighted by
-// energy, is the bin's own. Among all ways to give them that mean this changes them least, in the sense of relative entropy
-// [Csiszar 1975]. Newton's method finds c: C times its change is what the mean is off, with the covariance C of d.
+// The cell of a wave reaches across the edges of bins, and some bins are no wider than a cell. Left as they are, waves
+// would carry energy from a bin that stands out to its neighbours, with their directions, and few waves would miss
+// their bin's mean direction by some degrees. So the waves of each bin are scaled to the energy of that bin, and those
+// of a table's bin are turned: each is multiplied by exp(c . d), d its direction as a unit vector, with the c for which
+// the mean of d, weighted by energy, is the bin's own. Among all ways to give them that mean this changes them least,
+// in the sense of relative entropy [Csiszar 1975]. Newton's method finds c: C times its change is what the mean is off,
+// with the covariance C of d.
 
 #include "core/waves/waves_bins.h"
 
@@ -81,7 +82,8 @@ static void sumBins(const swBandCells* cells, int binCount, BinShare* shares)
     }
 }
 
-// Bins without waves leave their energy to the next one that has some; the last ones to the last that has. False if none has.
+// Bins without waves leave their energy to the next one that has some; the last ones to the last that has. False if
+// none has.
 static bool moveRests(int binCount, BinShare* shares)
 {
     int last = -1;

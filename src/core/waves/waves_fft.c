@@ -6,16 +6,17 @@
 // energy that the directional spectrum has in its lattice cell,
 //   E = integral over the cell of S(omega, theta) (d omega / d k) / k,
 // where the ring cuts a cell: in the part inside. Then all are scaled so that the band's variance is exactly the
-// integral of S over its frequencies, and of a table that of each of its bins (waves_bins.c). Amplitudes are sqrt(2 E) with random phases: every seed has the energy asked for,
-// and hundreds to thousands of waves a band make the surface as good as Gaussian.
+// integral of S over its frequencies, and of a table that of each of its bins (waves_bins.c). Amplitudes are sqrt(2 E)
+// with random phases: every seed has the energy asked for, and hundreds to thousands of waves a band make the surface
+// as good as Gaussian.
 //
 // A tile holds spline coefficients, and a cubic B-spline over samples damps a wave of q bins of N by sinc^4(q / N)
 // along each axis [Unser 1999]; the stored amplitudes are divided by that, so that the spline has the energy, not its
 // samples.
 //
-// A narrow swell has nearly all of its energy in one octave, and there in a few dozen waves: it would be seen to repeat from
-// one tile to the next. Such a band gets a second and a third tile beside the first, whose sides have no common multiple
-// near. Each has the same spectrum on another lattice with phases of its own, and its part of the energy.
+// A narrow swell has nearly all of its energy in one octave, and there in a few dozen waves: it would be seen to repeat
+// from one tile to the next. Such a band gets a second and a third tile beside the first, whose sides have no common
+// multiple near. Each has the same spectrum on another lattice with phases of its own, and its part of the energy.
 //
 // Frequencies are those of dispersion.h, rounded to 2^-64 turns a tick, some 10^-12 Hz; from there on a phase is
 // an integer, exact after any time. With a loop period they are whole numbers of turns a loop.
@@ -42,8 +43,9 @@
 // Waves with a smaller part of the band's energy than this are left out.
 #define LEAST_PART 1e-11
 
-// A band is narrow whose energy is in a smaller part of its waves than this: swells that spread by up to some 15 degrees, and
-// no wind sea. Then no tile has a larger part of the system's energy than this, unless it takes more than SW_BAND_TILES.
+// A band is narrow whose energy is in a smaller part of its waves than this: swells that spread by up to some 15
+// degrees, and no wind sea. Then no tile has a larger part of the system's energy than this, unless it takes more than
+// SW_BAND_TILES.
 #define NARROW 0.12
 #define LARGEST_SHARE 0.25
 
@@ -85,8 +87,8 @@ static double getWaveNumber(const Ring* ring, int qx, int qz)
     return ring->dk * sqrt((double)(qx * qx + qz * qz));
 }
 
-// Energy per area of the k plane, m^4, at a point of the wave's cell. A point beyond an edge of the spectrum's bin that the
-// wave is in stands for its direction only.
+// Energy per area of the k plane, m^4, at a point of the wave's cell. A point beyond an edge of the spectrum's bin that
+// the wave is in stands for its direction only.
 static double getDensity(const Builder* builder, const Ring* ring, int qx, int qz, double kx, double kz)
 {
     double k = sqrt(kx * kx + kz * kz);

@@ -8,8 +8,8 @@
 #include "core/waves/spectrum.h"
 #include "core/waves/wind_level.h"
 
-// A band has one tile, or up to three parallel ones. Tile i is of band i % SW_MAX_BANDS; the first SW_MAX_BANDS are there
-// wherever a band has energy. No swell is shorter than the first band that may have more, of waves from 1 m up.
+// A band has one tile, or up to three parallel ones. Tile i is of band i % SW_MAX_BANDS; the first SW_MAX_BANDS are
+// there wherever a band has energy. No swell is shorter than the first band that may have more, of waves from 1 m up.
 #define SW_BAND_TILES 3
 #define SW_FIRST_PARALLEL_BAND 4
 #define SW_SET_TILES (SW_BAND_TILES * SW_MAX_BANDS)

@@ -3,21 +3,23 @@
 // A sea of a few trochoidal waves [Gerstner 1802] [Fournier 1986], each with its exact wave vector, so that it never
 // repeats and goes just where it should.
 //
-// Each octave is cut into componentsPerOctave strips of equal ratio of wavelength. A strip's wave has all of its energy,
-// sits at a random place of it (as probable as the energy there) and goes in a direction of the spectrum's distribution.
-// Few strips have most of a peak's energy, so directions drawn by chance alone would miss the mean direction by many degrees
-// where seas cross. Two things keep them from that. Neighbours share out the distribution: of any two one goes to either half
-// of it, of any four one to each quarter, and so on, in an order that is drawn anew at each halving (a scrambled net
-// [Owen 1995]). And of many such draws the one is taken whose waves together come nearest to the spectrum's mean direction
-// and spread: to energy times cos and sin of the direction and of twice the direction.
+// Each octave is cut into componentsPerOctave strips of equal ratio of wavelength. A strip's wave has all of its
+// energy, sits at a random place of it (as probable as the energy there) and goes in a direction of the spectrum's
+// distribution. Few strips have most of a peak's energy, so directions drawn by chance alone would miss the mean
+// direction by many degrees where seas cross. Two things keep them from that. Neighbours share out the distribution: of
+// any two one goes to either half of it, of any four one to each quarter, and so on, in an order that is drawn anew at
+// each halving (a scrambled net [Owen 1995]). And of many such draws the one is taken whose waves together come nearest
+// to the spectrum's mean direction and spread: to energy times cos and sin of the direction and of twice the direction.
 // Place and phase are drawn independently of that.
-// Of a table, the waves whose places are in one of its bins are scaled to that bin's energy, as a strip may reach across edges.
+// Of a table, the waves whose places are in one of its bins are scaled to that bin's energy, as a strip may reach
+// across edges.
 //
 // reverseWeight gives each wave a twin that runs the other way with that part of its height; the two share the energy.
 //
-// To first order the Jacobian of the horizontal displacement is 1 minus the sum of chop k a cos over all waves: a Gaussian of
-// many waves, and never below 1 minus the sum of chop k a. Where that falls below leastJacobian at more than one place in ten
-// thousand (3.72 deviations), all waves' chop is taken back alike. The second order adds a little, most where waves cross.
+// To first order the Jacobian of the horizontal displacement is 1 minus the sum of chop k a cos over all waves: a
+// Gaussian of many waves, and never below 1 minus the sum of chop k a. Where that falls below leastJacobian at more
+// than one place in ten thousand (3.72 deviations), all waves' chop is taken back alike. The second order adds a
+// little, most where waves cross.
 
 #include <math.h>
 #include <string.h>
@@ -200,8 +202,8 @@ static double findDirection(const Spread* spread, double part)
     return 0.0;
 }
 
-// Where in the distribution strip `number` goes, in (0, 1): the number's bits in reverse order, each turned over or not by a
-// hash of the bits before it, and a random place within what they leave.
+// Where in the distribution strip `number` goes, in (0, 1): the number's bits in reverse order, each turned over or not
+// by a hash of the bits before it, and a random place within what they leave.
 static double getDirectionPart(const Builder* builder, uint32_t number, int draw)
 {
     uint32_t prefix = 1; // a one in front tells how many bits there are
@@ -270,7 +272,8 @@ static void addStrip(Builder* builder, int band, int index, double k0, double k1
     strip->omega = findPlace(builder, omega0, omega1, place * energy);
 }
 
-// Strips come longest first, so that bins come in ascending order. A bin without a strip's place leaves its energy to the next.
+// Strips come longest first, so that bins come in ascending order. A bin without a strip's place leaves its energy to
+// the next.
 static void keepBins(Builder* builder)
 {
     double wanted[SW_MAX_SPECTRUM_BINS], rest = 0.0;

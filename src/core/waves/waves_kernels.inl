@@ -83,8 +83,8 @@ typedef struct ModeSpectra
     float parts[6][MODE_CHUNK];
 } ModeSpectra;
 
-// `order` times derived by time: with dH/dt of the form that H has, p' = omega (q_im, -q_re) and q' = omega (p_im, -p_re)
-// as (re, im) pairs, and the second derivative is -omega^2 H.
+// `order` times derived by time: with dH/dt of the form that H has, p' = omega (q_im, -q_re) and q' = omega (p_im,
+// -p_re) as (re, im) pairs, and the second derivative is -omega^2 H.
 static void computeSpectra(const swMode* modes, int count, int64_t ticks, float weight, int order, ModeSpectra* spectra)
 {
     uint32_t phases[MODE_CHUNK];
@@ -348,8 +348,8 @@ static void transformTiles(const swTile* a, float* texelsA, const swTile* b, flo
 
 // ---- Sampling ----
 
-// Points that go through the tiles together: few enough for the nearest cache and for the stacks of fibres, many enough that
-// a tile's texels stay in the next cache while it is their turn.
+// Points that go through the tiles together: few enough for the nearest cache and for the stacks of fibres, many enough
+// that a tile's texels stay in the next cache while it is their turn.
 #define POINT_BLOCK 64
 
 static inline int padToEight(int count)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// A row of points on a lattice that runs along x: the same sums as sampleTiles(), bit for bit, for a third of the work. All
-// points of a row have the same weights along z, so the four texels above each other are added up once a column of the
-// tile, and a point is left with four columns instead of sixteen texels. Included after waves_kernels.inl.
+// A row of points on a lattice that runs along x: the same sums as sampleTiles(), bit for bit, for a third of the work.
+// All points of a row have the same weights along z, so the four texels above each other are added up once a column of
+// the tile, and a point is left with four columns instead of sixteen texels. Included after waves_kernels.inl.
 
 #include "shared/limits.h"
 

@@ -37,8 +37,8 @@ typedef struct swWaveSumJob
     int count;
     const swPosXZ* points; // at rest
 
-    // m above the resting water, for `below`. Above 0 counts as 0, below a wave's bottom as its bottom. Waves that are too
-    // short to reach a height are left out of its sums; to minus infinity none reaches.
+    // m above the resting water, for `below`. Above 0 counts as 0, below a wave's bottom as its bottom. Waves that are
+    // too short to reach a height are left out of its sums; to minus infinity none reaches.
     const float* heights;
 
     // One of them; the other is NULL.

@@ -4,8 +4,8 @@
 //   'WAVEWATCH III SPECTRA'     50    36     1 'title'       frequencies, directions, points
 //   frequencies, Hz; directions where waves go, radians clockwise from north; as many on a line as fit
 //   20220912 060000                                          for each time,
-//   '44097     '  40.98 -71.12      46.6   1.45 225.6   0.18  94.1   and each point: name, latitude, longitude, depth, ...
-//   densities, m2 s/rad, frequency fastest
+//   '44097     '  40.98 -71.12      46.6   1.45 225.6   0.18  94.1   and each point: name, latitude, longitude, depth,
+//   ... densities, m2 s/rad, frequency fastest
 
 #include <math.h>
 #include <string.h>
@@ -205,7 +205,8 @@ bool swIsPackedTime(const swSeaText* line)
            swMakePackedSeconds(date, time, &ignored);
 }
 
-// After a fault: to the next line where a point or a time begins, or this one if it is not the line of the fault's part.
+// After a fault: to the next line where a point or a time begins, or this one if it is not the line of the fault's
+// part.
 static void skipBroken(Reader* reader, int line)
 {
     swSeaText* text = &reader->file.text;

@@ -7,8 +7,8 @@
 #include "core/waves/waves_fft.h"
 
 // Level of the equilibrium range over g U. With 4 beta I = 0.12 [Thomson 2013] it stands for u* = U / 32. Seas after
-// [Pierson 1964] have 0.0045, after [Hasselmann 1973] 0.0035 (10 km) to 0.0055 (300 km); winds at a buoy off Boston over
-// six days fit 0.0037 best.
+// [Pierson 1964] have 0.0045, after [Hasselmann 1973] 0.0035 (10 km) to 0.0055 (300 km); winds at a buoy off Boston
+// over six days fit 0.0037 best.
 #define LEVEL 0.0039
 
 // A level is a mean over AVERAGE steps. It must be held over HELD means, each a step further: an octave of frequency.
@@ -17,9 +17,9 @@
 
 #define STEPS (SW_MAX_BANDS * SW_WIND_STEPS)
 
-// Waves break only where they are steep enough. Below SMOOTHEST = A omega / g^2 at the short end of the range, the level
-// is that of a swell's flank, which no wind keeps up; above ROUGHEST it counts in full. Wind seas have 0.006 and more
-// [Hasselmann 1973].
+// Waves break only where they are steep enough. Below SMOOTHEST = A omega / g^2 at the short end of the range, the
+// level is that of a swell's flank, which no wind keeps up; above ROUGHEST it counts in full. Wind seas have 0.006 and
+// more [Hasselmann 1973].
 #define SMOOTHEST 0.002
 #define ROUGHEST 0.004
 

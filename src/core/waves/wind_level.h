@@ -6,11 +6,11 @@
 // [Voermans 2020]. Here A = 0.0037 g U, in steps of a quarter octave of wavelength.
 //
 // A spectrum's level in a step is written as the wind U (m/s) that it alone would tell of. Levels are proportional to
-// energy and those of several systems add up. The wind of the sea is the highest level that the sea holds over an octave
-// of frequency: a swell is narrower than that and tells of none.
+// energy and those of several systems add up. The wind of the sea is the highest level that the sea holds over an
+// octave of frequency: a swell is narrower than that and tells of none.
 //
-// Where the wind is known, because a formula was given nothing else or because the def says so, the levels are scaled so
-// that they tell of it: the published formulas for one wind disagree by a third, and real seas by more.
+// Where the wind is known, because a formula was given nothing else or because the def says so, the levels are scaled
+// so that they tell of it: the published formulas for one wind disagree by a third, and real seas by more.
 
 #include "core/waves/spectrum.h"
 #include "seaway/waves.h"

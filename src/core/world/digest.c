@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The digest: all that decides the sea from now on, and the sea as the last step left it.
 //
-// What decides it are the world's def, the clocks, and each system's layers: their waves, how they fade and how far their
-// mixes have come. Waves are hashed once, when they are made; what a mix is made from as well, its share with the layer.
-// A ramp that is over counts as the value that it ended with, so that a sea that was changed and is done with it is the
-// same as one that was made so. A change that was ordered is part of all this at once.
+// What decides it are the world's def, the clocks, and each system's layers: their waves, how they fade and how far
+// their mixes have come. Waves are hashed once, when they are made; what a mix is made from as well, its share with the
+// layer. A ramp that is over counts as the value that it ended with, so that a sea that was changed and is done with it
+// is the same as one that was made so. A change that was ordered is part of all this at once.
 //
 // Tiles and free waves are there to notice a machine that works out other ones from the same. They are left out while a
 // change waits for its step, because they are of the sea before it, which a world that was just restored never had.
@@ -86,8 +86,8 @@ static void addBand(swHash* hash, const swBandModes* band)
     swAddHashFloats(hash, bounds, 3);
 }
 
-// Waves alone do not tell over what depth they run, which decides the motion below, nor from which wavelength on a query
-// leaves their band out.
+// Waves alone do not tell over what depth they run, which decides the motion below, nor from which wavelength on a
+// query leaves their band out.
 uint64_t swIdentifySet(const swWaveSet* set)
 {
     swHash hash = swBeginHash();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A world's state as bytes, see seaway/save.h. Sets of waves come first, each once: by the def that they are made of, or,
-// of a mix, by its waves, whose first sea may be gone. Then systems, then views. What a step works out is not saved: a step
-// of no time makes it again.
+// A world's state as bytes, see seaway/save.h. Sets of waves come first, each once: by the def that they are made of,
+// or, of a mix, by its waves, whose first sea may be gone. Then systems, then views. What a step works out is not
+// saved: a step of no time makes it again.
 
 #include <math.h>
 #include <string.h>
@@ -538,8 +538,8 @@ static swResult streamViews(swWorld* world, swStream* stream, swPos last[SW_MAX_
 
 // ---- all of it ----
 
-// Work out what the last step left: a step of no time from its viewpoints, to its time. Views that were made since, which
-// come last, have no past: their first step is still to come.
+// Work out what the last step left: a step of no time from its viewpoints, to its time. Views that were made since,
+// which come last, have no past: their first step is still to come.
 static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VIEWS])
 {
     double time = world->time;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The frame's tiles and free waves. The list is made anew, in the order of the systems' slots, by the step that follows a
-// change; weights are brought up to date in each step. Tiles of one set are paired in order of their bands: a tile's bits
-// depend on its partner, so the pairing depends on nothing but the set. Sets without weight are not listed.
+// The frame's tiles and free waves. The list is made anew, in the order of the systems' slots, by the step that follows
+// a change; weights are brought up to date in each step. Tiles of one set are paired in order of their bands: a tile's
+// bits depend on its partner, so the pairing depends on nothing but the set. Sets without weight are not listed.
 
 #include <string.h>
 

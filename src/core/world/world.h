@@ -2,8 +2,8 @@
 #pragma once
 
 // Owns everything and orders it. Memory is allocated when something is created or changed, never in a step: a new wave
-// system brings its tiles, a new view its layers. What a step leaves (the frame) stays valid until the next one, so waves
-// that are replaced or removed stay alive in a list of retired ones until then.
+// system brings its tiles, a new view its layers. What a step leaves (the frame) stays valid until the next one, so
+// waves that are replaced or removed stay alive in a list of retired ones until then.
 
 #include <stdatomic.h>
 
@@ -63,8 +63,8 @@ typedef struct swRamp
     int64_t begin, length; // ticks
 } swRamp;
 
-// A system is a stack of layers: the sea that was asked for on top, below it those that fade out. Waves that share their
-// phases never need a second layer: their set is a mix, whose share runs from 0 to 1.
+// A system is a stack of layers: the sea that was asked for on top, below it those that fade out. Waves that share
+// their phases never need a second layer: their set is a mix, whose share runs from 0 to 1.
 typedef struct swWaveLayer
 {
     swWaveSet* set;
@@ -185,7 +185,8 @@ bool swIsRampOver(const swRamp* ramp, int64_t ticks);
 // tile_list.c
 void swListTiles(swWorld* world); // systems and weights to the frame's tiles and free waves
 
-// What defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise. Implemented beside the calls that take them.
+// What defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise. Implemented beside the calls that take
+// them.
 swResult swCheckWorldDef(const swHost* host, const swWorldDef* def);
 swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def);
 swResult swCheckViewDef(const swWorld* world, const swViewDef* def);

@@ -81,8 +81,9 @@ static void addHorizon(swMeshRings* rings)
     }
 }
 
-// The last slice has no coarser one behind it that could take over when the stack doubles: what it adds must be gone just
-// after a doubling, at fade 0, and complete just before the next. Near the water nothing can halve, so it is always shown.
+// The last slice has no coarser one behind it that could take over when the stack doubles: what it adds must be gone
+// just after a doubling, at fade 0, and complete just before the next. Near the water nothing can halve, so it is
+// always shown.
 static float getLastWeight(const swViewFrame* frame)
 {
     return frame->scaleLevel == 0 ? 1.0f : fminf(4.0f * frame->fade, 1.0f);

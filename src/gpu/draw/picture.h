@@ -21,8 +21,8 @@ typedef struct swPictureFrame
     swUpload wavesUpload;
 } swPictureFrame;
 
-// Fill everything but the uploads. The camera's place is in the host's coordinates, which begin at `origin` in the sea: the
-// same place of the sea gives the same numbers, wherever that is. `detailSide` is the width of the detail layers.
+// Fill everything but the uploads. The camera's place is in the host's coordinates, which begin at `origin` in the sea:
+// the same place of the sea gives the same numbers, wherever that is. `detailSide` is the width of the detail layers.
 void swBuildPicture(const swPicture* picture, swPosXZ origin, const swFrame* frame, const swViewFrame* view,
                     uint32_t detailSide, swPictureFrame* built);
 

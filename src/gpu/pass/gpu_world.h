@@ -31,8 +31,8 @@ typedef struct swFoamMark
     swSlice slices[SW_MAX_SLICES]; // where the foam lies
 } swFoamMark;
 
-// Layers of one view. Array layer = slice; texel centres are the lattice points, so point (column, row) of a slice is at
-// uv = ((column + 0.5) / R, (row + 0.5) / R).
+// Layers of one view. Array layer = slice; texel centres are the lattice points, so point (column, row) of a slice is
+// at uv = ((column + 0.5) / R, (row + 0.5) / R).
 typedef struct swGpuView
 {
     uint32_t viewVersion; // of the view it belongs to
@@ -58,8 +58,8 @@ typedef struct swGpuView
     swUpload layerUploads[SW_LAYER_COUNT];
 } swGpuView;
 
-// What a frame leaves of a query, and the points that it was asked. There is one slot more than frames in flight, so that
-// the newest that has arrived can be read while all others are on their way.
+// What a frame leaves of a query, and the points that it was asked. There is one slot more than frames in flight, so
+// that the newest that has arrived can be read while all others are on their way.
 #define SW_QUERY_SLOTS (SW_MAX_FRAMES_IN_FLIGHT + 1)
 typedef struct swGpuQuerySlot
 {
@@ -88,8 +88,8 @@ struct swGpuQuery
     swGpuQueryDef def;
     int slotCount;
 
-    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own. A slot holds swQueryPoint[]
-    // and, of the water below, the places' heights above `level`; or swQueryRay[].
+    // Places to answer: the host's, in one of the slots of `points`, or in a buffer of its own. A slot holds
+    // swQueryPoint[] and, of the water below, the places' heights above `level`; or swQueryRay[].
     int count;
     uint32_t pointsVersion;
     swPosXZ origin; // of cells, or of the floats, in the host's coordinates
@@ -145,9 +145,9 @@ struct swGpuWorld
     swBuffer texels;      // of each field; see shaders/shared/waves.h
     swBuffer volumeWaves; // of each mode, swVolumeWave; none before a query of the water below
 
-    // RGBA16F 2D array, one layer a tile, SW_DETAIL_MIPS mips: (sx, sz, sx^2, sz^2) with s the slope of the tile's height
-    // by rest position at sample points; mips are averages, so that slopes lost by filtering have variance s2 - s s.
-    // Rest point u of the plane is at uv = u / side + 0.5 / detail.width. Repeats.
+    // RGBA16F 2D array, one layer a tile, SW_DETAIL_MIPS mips: (sx, sz, sx^2, sz^2) with s the slope of the tile's
+    // height by rest position at sample points; mips are averages, so that slopes lost by filtering have variance s2 -
+    // s s. Rest point u of the plane is at uv = u / side + 0.5 / detail.width. Repeats.
     swImage detail;
 
     uint64_t frameIndex; // of the last recorded frame

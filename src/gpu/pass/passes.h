@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One pair of functions a line of core/frame/passes.inl: create the pass's pipeline, and record it. Each records its own
-// label and timestamps; barriers between passes belong to record/.
+// One pair of functions a line of core/frame/passes.inl: create the pass's pipeline, and record it. Each records its
+// own label and timestamps; barriers between passes belong to record/.
 
 #include "gpu/pass/gpu_world.h"
 
-// Pipelines are created by the first frame that needs them, those of the FFT for each resolution of tiles: a second call does
-// nothing.
+// Pipelines are created by the first frame that needs them, those of the FFT for each resolution of tiles: a second
+// call does nothing.
 swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes);
 swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes);
 swResult swCreateDetail(swGpu* gpu, swPasses* passes);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Queries on the GPU, from the host's side: points go in, answers come back some frames later with the stamp of the frame
-// that they belong to. Nothing here waits.
+// Queries on the GPU, from the host's side: points go in, answers come back some frames later with the stamp of the
+// frame that they belong to. Nothing here waits.
 //
 // A frame is known to be done when the host has said so, or when a later one is being recorded that the contract of
-// swGpuDef::framesInFlight puts behind it. Points and copies of answers therefore lie in framesInFlight + 1 slots, used in
-// turn: while the frames in flight have theirs, one more holds the newest answers that have arrived, or takes new points.
+// swGpuDef::framesInFlight puts behind it. Points and copies of answers therefore lie in framesInFlight + 1 slots, used
+// in turn: while the frames in flight have theirs, one more holds the newest answers that have arrived, or takes new
+// points.
 
 #include <math.h>
 #include <string.h>
@@ -185,7 +186,8 @@ static void splitPlace(double metres, float* rest, int32_t* cell)
     *cell = (int32_t)whole;
 }
 
-// Cells are counted in 32 bits: a point must be near the first one, too. Comparisons are written so that NaN fails them.
+// Cells are counted in 32 bits: a point must be near the first one, too. Comparisons are written so that NaN fails
+// them.
 static bool canPlace(const swGpuQuery* query, double x, double z)
 {
     return swIsNear(x) && swIsNear(z) && fabs(x - query->origin.x) <= (double)SW_QUERY_FARTHEST &&

@@ -238,7 +238,8 @@ static void measureWaves(const swGpuQuery* query, const swFrame* frame, float* r
     *reach = 6.0f * sqrtf(variance) + sum;
 }
 
-// Looks of a ray. At two evaluations each that is a tenth of a second where a busy device does a hundred in a millisecond.
+// Looks of a ray. At two evaluations each that is a tenth of a second where a busy device does a hundred in a
+// millisecond.
 #define MOST_LOOKS 4096
 
 static void fillRays(swGpuQuery* query, const swFrame* frame)

@@ -11,8 +11,8 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld);
 // Record all passes of the world's last frame.
 swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex);
 
-// Bring buffers, images and this frame's parameters up to the frame: all that may fail. Records nothing; after a failure the
-// next call makes up for everything.
+// Bring buffers, images and this frame's parameters up to the frame: all that may fail. Records nothing; after a
+// failure the next call makes up for everything.
 swResult swPrepareFrame(swGpuWorld* gpuWorld, const swFrame* frame);
 swResult swPrepareTiles(swGpuWorld* gpuWorld, const swFrame* frame);
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view);

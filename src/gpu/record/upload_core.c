@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Layers that the core has made already, brought to the images that the passes would write. On a device that is a CPU the
-// core's kernels make them many times faster than compute shaders do.
+// Layers that the core has made already, brought to the images that the passes would write. On a device that is a CPU
+// the core's kernels make them many times faster than compute shaders do.
 
 #include <string.h>
 

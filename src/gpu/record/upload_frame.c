@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What a frame brings to the GPU: waves (upload_tiles.c), images when a view is new, and the small parameters of every
-// frame. Where a slice lies on a tile is reduced in double here, so that shaders see small numbers wherever in the world the
-// viewer is.
+// frame. Where a slice lies on a tile is reduced in double here, so that shaders see small numbers wherever in the
+// world the viewer is.
 //
-// All or nothing: first everything is prepared that may fail, and nothing is recorded; then commands are recorded, which
-// cannot fail; then what the device will hold is noted. A host that drops the commands after all says so with
+// All or nothing: first everything is prepared that may fail, and nothing is recorded; then commands are recorded,
+// which cannot fail; then what the device will hold is noted. A host that drops the commands after all says so with
 // swGpuWorld_Discard(), which takes the notes back.
 
 #include <math.h>
@@ -354,8 +354,8 @@ void swCommitFrame(swGpuWorld* gpuWorld, const swFrame* frame)
     }
 }
 
-// Images that each frame writes anew are simply begun again. Foam has a past: it goes back to what the last frame before
-// left, which lies untouched in the other image, or begins again if that frame is too long ago.
+// Images that each frame writes anew are simply begun again. Foam has a past: it goes back to what the last frame
+// before left, which lies untouched in the other image, or begins again if that frame is too long ago.
 static void discardView(swGpuView* view, uint64_t frameIndex)
 {
     view->displacement.isInitialized = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The waves of a frame: modes when a spectrum or the list of tiles changed, the tiles' parameters, and where the core makes
-// the tiles, their texels.
+// The waves of a frame: modes when a spectrum or the list of tiles changed, the tiles' parameters, and where the core
+// makes the tiles, their texels.
 
 #include <math.h>
 #include <string.h>

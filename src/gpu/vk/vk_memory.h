@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Device memory: a few large blocks, cut first-fit. Buffers and images live in separate blocks, so the distance that some
-// devices want between them never matters.
+// Device memory: a few large blocks, cut first-fit. Buffers and images live in separate blocks, so the distance that
+// some devices want between them never matters.
 
 #include "seaway/gpu.h"
 

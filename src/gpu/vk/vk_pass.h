@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A pass is a stretch of commands with a name: a debug label and a pair of timestamps. Barriers are global memory barriers:
-// on every device in use they cost what an image barrier costs, and nothing can be forgotten.
+// A pass is a stretch of commands with a name: a debug label and a pair of timestamps. Barriers are global memory
+// barriers: on every device in use they cost what an image barrier costs, and nothing can be forgotten.
 
 #include "seaway/gpu.h"
 
@@ -24,8 +24,8 @@ typedef struct swPassTimer
 swResult swCreatePassTimer(swGpu* gpu);
 void swDestroyPassTimer(swGpu* gpu);
 
-// Begin frame `frameIndex`, once per index however often it is called: takes the slot's timestamps, makes its upload ring
-// empty, and destroys what was retired long enough ago. All that prepares or records for a frame calls it first.
+// Begin frame `frameIndex`, once per index however often it is called: takes the slot's timestamps, makes its upload
+// ring empty, and destroys what was retired long enough ago. All that prepares or records for a frame calls it first.
 void swBeginGpuFrame(swGpu* gpu, uint64_t frameIndex);
 // Record the reset of the frame's timestamps, once a frame, before its first pass. Outside of rendering.
 void swStartPassTimer(swGpu* gpu, VkCommandBuffer commands);

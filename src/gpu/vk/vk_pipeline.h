@@ -59,7 +59,8 @@ typedef enum swBlend
 } swBlend;
 
 // Vertex-less: vertices come from gl_VertexIndex and storage buffers. Dynamic rendering, one colour target, viewport
-// and scissor dynamic. Front faces are counter-clockwise as seen on the screen (y down: VK_FRONT_FACE_COUNTER_CLOCKWISE).
+// and scissor dynamic. Front faces are counter-clockwise as seen on the screen (y down:
+// VK_FRONT_FACE_COUNTER_CLOCKWISE).
 typedef struct swGraphicsDef
 {
     swShader vertex, fragment; // fragment.words NULL: depth only
