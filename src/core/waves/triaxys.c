@@ -27,7 +27,7 @@ typedef struct Reader
     double seconds;
     double latitude, longitude;
     double frequencyCount, firstFrequency, frequencyStep;
-    double directionCount, firstDirection, directionStep;
+    double directionCount, firstDirection, lastDirection, directionStep;
     double frequencies[SW_SEA_MAX_FREQUENCIES + 1];
     double directions[SW_SEA_MAX_DIRECTIONS];
     double energy[SW_SEA_MAX_FREQUENCIES + 1];
@@ -144,6 +144,15 @@ static bool skipEquals(swSeaText* text)
     return equals != NULL;
 }
 
+// To behind the TO of "COLUMNS = 0.00 TO 360.00 DEG".
+static swResult readLastDirection(Reader* reader)
+{
+    swSeaText* text = &reader->file.text;
+    return swIsSeaToken(swNextSeaToken(text), "TO")
+               ? swReadSeaRange(text, "COLUMNS", -360.0, 720.0, &reader->lastDirection)
+               : SW_SUCCESS;
+}
+
 static swResult readField(Reader* reader)
 {
     const struct
@@ -164,7 +173,9 @@ static swResult readField(Reader* reader)
     {
         if (swHasSeaPrefix(text, fields[i].key) && skipEquals(text))
         {
-            return swReadSeaRange(text, fields[i].key, fields[i].low, fields[i].high, fields[i].value);
+            swResult result = swReadSeaRange(text, fields[i].key, fields[i].low, fields[i].high, fields[i].value);
+            bool hasLast = fields[i].value == &reader->firstDirection;
+            return result == SW_SUCCESS && hasLast ? readLastDirection(reader) : result;
         }
     }
     if (swHasSeaPrefix(text, "DATE") && skipEquals(text))
@@ -214,6 +225,16 @@ static swResult readHead(Reader* reader)
                         "%s:%d: the heading lacks TYPE, NUMBER OF FREQUENCIES, FREQUENCY SPACING, NUMBER OF DIRECTIONS "
                         "or DIRECTION SPACING.",
                         reader->file.text.name, reader->file.text.line);
+    }
+    double span = (reader->directionCount - 1.0) * reader->directionStep;
+    double told = reader->lastDirection - reader->firstDirection; // NAN where COLUMNS does not say
+    if (result == SW_SUCCESS && reader->isDirectional &&
+        (span > 360.5 || fabs(told - span) > 0.5 * reader->directionStep))
+    {
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                        "%s:%d: the heading contradicts itself: %g directions %g degrees apart span %g degrees.",
+                        reader->file.text.name, reader->file.text.line, reader->directionCount, reader->directionStep,
+                        span);
     }
     return result;
 }
@@ -288,7 +309,7 @@ static swResult addSpectrum(Reader* reader)
 static swResult read(void* context)
 {
     Reader* reader = context;
-    reader->seconds = reader->latitude = reader->longitude = (double)NAN;
+    reader->seconds = reader->latitude = reader->longitude = reader->lastDirection = (double)NAN;
     swResult result = readHead(reader);
     size_t size = 0;
     if (result == SW_SUCCESS && reader->isDirectional)
