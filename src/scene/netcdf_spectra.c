@@ -170,13 +170,15 @@ static void findUnit(Reader* reader)
             axes->file.name, unit, reader->format->writer.name, isPerDegree ? "degree" : "radian");
     }
     const char* radian = strstr(unit, "rad");
-    bool isOfFrequency = radian != NULL && (isPerDegree || strstr(radian + 1, "rad") != NULL || (radian[3] == ' ' && radian[4] == '2'));
+    bool isOfFrequency =
+        radian != NULL && (isPerDegree || strstr(radian + 1, "rad") != NULL || (radian[3] == ' ' && radian[4] == '2'));
     if (axes->isAngular && strstr(unit, "hz") == NULL && !isOfFrequency && !reader->format->isAction)
     {
-        swLog(axes->file.host, SW_LOG_WARNING,
-              "%s: its frequencies are in rad/s, and the unit of its densities, '%s', does not tell whether they are per "
-              "rad/s or per Hz. They are taken per rad/s.",
-              axes->file.name, unit);
+        swLog(
+            axes->file.host, SW_LOG_WARNING,
+            "%s: its frequencies are in rad/s, and the unit of its densities, '%s', does not tell whether they are per "
+            "rad/s or per Hz. They are taken per rad/s.",
+            axes->file.name, unit);
     }
     reader->unit = reader->format->isAction ? 1.0 : swFindNetcdfUnit(axes, unit) * (isPerDegree ? 1.0 / DEGREE : 1.0);
 }

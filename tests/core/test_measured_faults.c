@@ -746,7 +746,8 @@ static void DoubtsAreSaid(void** state)
         {false, TRIAXYS_HEAD("(UTC)") ".1 .2 .1 .1\n.1 .2 .1 .1\n.1 .2 .1 .1\n", "more numbers than its heading tells"},
         {false,
          "TRIAXYS BUOY DATA REPORT\nTYPE = DIRECTIONAL SPECTRUM\nNUMBER OF FREQUENCIES = 2\nFREQUENCY SPACING (Hz) = "
-         ".1\nNUMBER OF DIRECTIONS = 5\nDIRECTION SPACING (DEG) = 45\nCOLUMNS = 0.00 TO 360.00 DEG\n1 2 3 4 1\n1 2 3 4 1\n",
+         ".1\nNUMBER OF DIRECTIONS = 5\nDIRECTION SPACING (DEG) = 45\nCOLUMNS = 0.00 TO 360.00 DEG\n1 2 3 4 1\n1 2 3 4 "
+         "1\n",
          "the heading contradicts itself"},
         {false,
          "TRIAXYS BUOY DATA REPORT\nTYPE = DIRECTIONAL SPECTRUM\nNUMBER OF FREQUENCIES = 2\nFREQUENCY SPACING (Hz) = "

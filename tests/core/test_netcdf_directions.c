@@ -68,6 +68,7 @@ typedef struct FileText
     const char *variable, *frequency, *direction; // names; the latter two of dimensions and coordinates
     const char *directionAttribute, *directionText, *directionUnit, *densityUnit, *standardName;
     const char *fileAttribute, *fileText;
+    const char* frequencyUnit;
 } FileText;
 
 #define MEAN 70.0
@@ -98,6 +99,7 @@ static void WriteSpectra(const FileText* text)
     }
     AddText(file, direction, "units", text->directionUnit);
     AddText(file, density, "units", text->densityUnit);
+    AddText(file, frequency, "units", text->frequencyUnit);
     AddText(file, density, "standard_name", text->standardName);
     if (text->fileAttribute != NULL)
     {
@@ -348,6 +350,34 @@ static void UnitsThatAreNotToldAreAssumedAloud(void** state)
     assert_string_equal(s_messages, "");
 }
 
+// Over rad/s a density is per rad/s or per Hz, a factor of 2 pi.
+static void DensitiesOverRadiansASecondAreDoubted(void** state)
+{
+    (void)state;
+    static const struct
+    {
+        const char* unit;
+        bool isDoubted;
+    } cases[] = {{"m2 s rad-1", true},        {"m2 s degree-1", true},  {"m2 s rad-2", false},
+                 {"m2 s rad-1 rad-1", false}, {"m2 Hz-1 rad-1", false}, {"m2 s rad-1 degree-1", false}};
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        FileText text = MakeText();
+        swMeasuredSea* sea = NULL;
+        text.frequencyUnit = "rad s-1";
+        text.densityUnit = cases[i].unit;
+        WriteSpectra(&text);
+        assert_int_equal(Read(s_path, SW_DIRECTIONS_FROM, &sea), SW_SUCCESS);
+        swDestroyMeasuredSea(sea);
+        remove(s_path);
+        bool isDoubted = strstr(s_messages, "whether they are per rad/s or per Hz") != NULL;
+        if (isDoubted != cases[i].isDoubted)
+        {
+            fail_msg("%s: %s", cases[i].unit, s_messages);
+        }
+    }
+}
+
 // efth of one frequency bin is 0.04 m2 s rad-1 in all directions but one, as shorts of log10(efth + 1e-12).
 static void LogarithmsInShortsAreRead(void** state)
 {
@@ -568,6 +598,7 @@ int main(void)
         cmocka_unit_test(TheCallersWordWins),
         cmocka_unit_test(FormatsThatLayItDownTakeNoWord),
         cmocka_unit_test(UnitsThatAreNotToldAreAssumedAloud),
+        cmocka_unit_test(DensitiesOverRadiansASecondAreDoubted),
         cmocka_unit_test(LogarithmsInShortsAreRead),
         cmocka_unit_test(SwansNetcdfIsRead),
         cmocka_unit_test(WwmsActionIsRead),

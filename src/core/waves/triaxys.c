@@ -231,10 +231,10 @@ static swResult readHead(Reader* reader)
     if (result == SW_SUCCESS && reader->isDirectional &&
         (span > 360.5 || fabs(told - span) > 0.5 * reader->directionStep))
     {
-        result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
-                        "%s:%d: the heading contradicts itself: %g directions %g degrees apart span %g degrees.",
-                        reader->file.text.name, reader->file.text.line, reader->directionCount, reader->directionStep,
-                        span);
+        result =
+            swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                   "%s:%d: the heading contradicts itself: %g directions %g degrees apart span %g degrees.",
+                   reader->file.text.name, reader->file.text.line, reader->directionCount, reader->directionStep, span);
     }
     return result;
 }
