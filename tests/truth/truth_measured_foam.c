@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// V11 of measured seas: a buoy off Boston measured the waves, and the wind beside them, for six days. The foam of its seas,
-// by the wind that the waves tell of, against the laws by the wind that was measured, 9 % more at 10 m than at the buoy's
-// 4 m. Real seas lag behind their wind, so some hours lie outside; told of the wind, all lie within whose short waves
-// stand for it at all.
+// V11 of measured seas: a buoy off Boston measured the waves, and the wind beside them, for six days. The foam of its
+// seas, by the wind that the waves tell of, against the laws by the wind that was measured, 9 % more at 10 m than at
+// the buoy's 4 m. Real seas lag behind their wind, so some hours lie outside; told of the wind, all lie within whose
+// short waves stand for it at all.
 
 #include "truth.h"
 
@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <stdio.h>
 #include <string.h>
-
 
 #include "seaway/scene.h"
 
@@ -102,7 +101,8 @@ static void MeasuredSeasHaveTheFoamOfTheirWind(void** state)
     swDestroyMeasuredSea(sea);
     MarkOptional(true);
     assert_true(hours.judged > 50);
-    FindBetween(&(Finding){"V11", "44013.data_spec, hours of 5 to 20 m/s whose foam is within twice the laws, by the waves",
+    FindBetween(&(Finding){"V11",
+                           "44013.data_spec, hours of 5 to 20 m/s whose foam is within twice the laws, by the waves",
                            "winds measured beside", "%", 0},
                 65.0, 100.0, 100.0 * hours.within / hours.judged);
     FindBetween(&(Finding){"V11", "the same, told of the wind", "winds measured beside", "%", 0}, 97.0, 100.0,
