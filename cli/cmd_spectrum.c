@@ -264,6 +264,11 @@ static void PrintRecord(const char* path, const swMeasuredSea* sea, const swMeas
         printf("  %d frequencies had moments that no distribution can have; they were corrected\n",
                record->correctedCount);
     }
+    if (record->missingCount > 0)
+    {
+        printf("  %d densities are missing between others and count as none: the sea was higher\n",
+               record->missingCount);
+    }
     if (record->negativeCount > 0)
     {
         printf("  %d densities were negative, %.2g %% of the energy; each frequency is scaled to keep its own\n",
@@ -317,6 +322,7 @@ static void PrintRecordJson(const char* path, const swMeasuredSea* sea, const sw
     JsonNull(&json, "whitecap_fraction");
     JsonFlag(&json, "has_directions", record->meanDirection != NULL);
     JsonInteger(&json, "corrected_count", record->correctedCount);
+    JsonInteger(&json, "missing_count", record->missingCount);
     JsonInteger(&json, "negative_count", record->negativeCount);
     JsonNumber(&json, "negative_fraction", (double)record->negativePart);
     JsonNumber(&json, "added_fraction", (double)record->addedPart);

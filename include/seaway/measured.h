@@ -47,6 +47,10 @@ typedef struct swMeasuredRecord
     /// How many frequencies had moments that no distribution can have and were corrected.
     int correctedCount;
 
+    /// How many densities the file lacks between others that have energy. They count as none, so that the record is
+    /// lower than the sea was. Where the neighbours have less than a hundredth of the largest density none is counted.
+    int missingCount;
+
     /// How many densities were negative, as noise and smoothing leave them in files. They count as none, and the others
     /// of their frequency are scaled down so that the frequency keeps its energy. A frequency whose sum is negative,
     /// or a negative energy without directions, becomes nothing. A negative number larger than every density of the

@@ -96,7 +96,9 @@ typedef struct swWaveSystemDef
     /// The waves repeat exactly after this time, s. Range [0, 2.7e11]. Default 0: never.
     float loopPeriod;
 
-    /// Another seed is another sea of the same statistics. Default 1.
+    /// Another seed is another sea of the same statistics. Default 1. Give each system of a world a seed of its own: of
+    /// FFT systems with one seed the waves that they have in common run in step, and their heights add up instead of
+    /// their energies. The log warns of it.
     uint32_t seed;
 
     /// Set by swDefaultWaveSystemDef().

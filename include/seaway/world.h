@@ -32,9 +32,9 @@ typedef struct swFoamDef
     /// Factor on the whitecap cover that the waves' wind gives, for an artist. Range [0, 100]. Default 1.
     float coverage;
 
-    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the wind that the waves themselves tell of, by the
-    /// level of the equilibrium range above their peak [Phillips 1985]. Give a wind where it was measured, or where
-    /// waves and weather disagree.
+    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the wind that a spectrum knows (see
+    /// swSpectrumDef::hasWind), or else the one that the waves themselves tell of, by the level of the equilibrium
+    /// range above their peak [Phillips 1985]. Give a wind where it was measured, or where waves and weather disagree.
     float windSpeed;
 
     /// Waves shorter than this make no foam, m: foam then follows long crests. The finest slices know waves of 8 texels
@@ -128,8 +128,9 @@ SW_API swPosXZ swWorld_GetOrigin(const swWorld* world);
 /// What makes foam, as the last step found it.
 typedef struct swFoamState
 {
-    float windSpeed; ///< m/s at 10 m: what the waves tell of, or the def's
-    float cover;     ///< mean foam of the steady state
+    float
+        windSpeed; ///< m/s at 10 m, at most 100: the def's, the strongest that a spectrum knows, or what waves tell of
+    float cover;   ///< mean foam of the steady state
     float threshold; ///< folding (determinant of the Jacobian) below which foam is born
 } swFoamState;
 

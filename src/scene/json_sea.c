@@ -3,7 +3,8 @@
 //
 // Sofar's Spotter buoys: {"data": {"spotterId": ..., "frequencyData": [{"frequency": [], "df": [], "varianceDensity":
 // [], "a1": [], "b1": [], "a2": [], "b2": [], "timestamp": "2018-02-14T01:27:19.000Z", "latitude": , "longitude": },
-// ...]}}. a1 points east and b1 north, where waves go; here north is -z.
+// ...]}}. a1 points east and b1 north, where waves go; here north is -z. "direction" and "directionalSpread", degrees
+// that waves come from, are taken where there are no moments.
 //
 // Spectra by name, as MHKiT keeps CDIP's: {"CDiP1": {"S": {"0.025": 0.0004, ...}, "freqBinWidth": {"0.025": 0.005,
 // ...}}}: m2/Hz by Hz, without directions and time.
@@ -27,6 +28,8 @@ enum
     B1,
     A2,
     B2,
+    DIRECTION,
+    SPREAD,
     COLUMN_COUNT
 };
 
@@ -73,7 +76,8 @@ static swResult readColumn(const Reader* reader, const json_t* record, size_t in
 
 static swResult readColumns(Reader* reader, const json_t* record, size_t index, int counts[COLUMN_COUNT])
 {
-    static const char* const keys[COLUMN_COUNT] = {"frequency", "df", "varianceDensity", "a1", "b1", "a2", "b2"};
+    static const char* const keys[COLUMN_COUNT] = {"frequency", "df",        "varianceDensity",  "a1", "b1", "a2",
+                                                   "b2",        "direction", "directionalSpread"};
     for (int i = 0; i < COLUMN_COUNT; ++i)
     {
         swResult result = readColumn(reader, record, index, keys[i], reader->columns[i], &counts[i]);
@@ -96,6 +100,10 @@ static swResult readColumns(Reader* reader, const json_t* record, size_t index, 
     {
         reader->columns[B1][i] = -reader->columns[B1][i];
         reader->columns[B2][i] = -reader->columns[B2][i];
+        double direction = reader->columns[DIRECTION][i], spread = reader->columns[SPREAD][i] * (SW_PI / 180.0);
+        reader->columns[DIRECTION][i] = fabs(direction) <= 720.0 ? (direction + 90.0) * (SW_PI / 180.0) : (double)NAN;
+        reader->columns[SPREAD][i] =
+            spread >= 0.0 && spread * spread <= 2.0 ? 1.0 - 0.5 * spread * spread : (double)NAN;
     }
     return SW_SUCCESS;
 }
@@ -135,6 +143,8 @@ static swResult addSpotter(Reader* reader, const json_t* record, size_t index)
     def.b1 = counts[B1] > 0 ? reader->columns[B1] : NULL;
     def.a2 = counts[A2] > 0 ? reader->columns[A2] : NULL;
     def.b2 = counts[B2] > 0 ? reader->columns[B2] : NULL;
+    def.meanDirection = counts[DIRECTION] > 0 ? reader->columns[DIRECTION] : NULL; // where there are no moments
+    def.r1 = counts[SPREAD] > 0 ? reader->columns[SPREAD] : NULL;
     return result == SW_SUCCESS ? addSpectrum(reader, &def, index) : result;
 }
 

@@ -287,7 +287,8 @@ static bool arrange(Reader* reader, double factor, double* largest)
         {
             double value = reader->block[isFrequencyFirst ? i * directions + j : j * frequencies + i];
             hasData = hasData || value == value;
-            value = value != value ? 0.0 : reader->isLogarithm ? raiseTen(value) - reader->offset : value;
+            // ERA5 writes no number where a logarithm has none.
+            value = reader->isLogarithm ? (value != value ? 0.0 : raiseTen(value) - reader->offset) : value;
             value = reader->isLogarithm && value < 0.0 ? 0.0 : value * scale;
             reader->density[i * directions + j] = value;
             *largest = value > *largest ? value : *largest;

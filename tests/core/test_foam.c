@@ -495,6 +495,185 @@ static void AChangedLawTakesEffect(void** state)
     swDestroyWorld(world);
 }
 
+// ---- the wind, and the law made of it ----
+
+static void AssertNear(double value, double wanted, double error)
+{
+    if (!(fabs(value - wanted) <= error))
+    {
+        print_message("%.6f where %.6f is right\n", value, wanted);
+        fail();
+    }
+}
+
+static swWaveSystemDef MakeSystemOf(const swSpectrumDef* spectrum)
+{
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.spectrum = *spectrum;
+    def.resolution = 64;
+    def.tileWaves = 16;
+    return def;
+}
+
+static swWaveSystemId AddSystem(swWorld* world, swWaveSystemDef def, float windSpeed)
+{
+    def.spectrum.hasWind = windSpeed > 0.0f;
+    def.spectrum.windSpeed = windSpeed > 0.0f ? windSpeed : 10.0f;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    return id;
+}
+
+static swWorld* MakeDrawnWorld(void)
+{
+    swHost host = swDefaultHost();
+    swWorldDef def = swDefaultWorldDef();
+    def.enableQueries = false;
+    swWorld* world;
+    assert_int_equal(swCreateWorld(&host, &def, &world), SW_SUCCESS);
+    return world;
+}
+
+static double GetWindAfter(swWorld* world, double seconds)
+{
+    assert_int_equal(swWorld_Step(world, seconds), SW_SUCCESS);
+    return (double)swWorld_GetFoamState(world).windSpeed;
+}
+
+static void AKnownWindIsTheWindWhateverTheWaves(void** state)
+{
+    (void)state;
+    // Height, period, wind: a narrow swell under a gale, a steep sea in a breeze, a ripple in a storm, a sea of its
+    // wind.
+    static const float seas[][3] = {
+        {2.0f, 12.0f, 18.0f}, {10.0f, 9.0f, 4.0f}, {0.1f, 2.0f, 40.0f}, {2.0f, 7.0f, 11.0f}};
+    for (int i = 0; i < 4; ++i)
+    {
+        swWorld* world = MakeDrawnWorld();
+        swSpectrumDef spectrum = swMakeSwellSpectrum(seas[i][0], seas[i][1], 0.0f, 0.3f);
+        swWaveSystemId id = AddSystem(world, MakeSystemOf(&spectrum), seas[i][2]);
+        AssertNear(GetWindAfter(world, 0.1), (double)seas[i][2], 1e-4);
+        swWaveSystem_SetWeight(world, id, 0.5f);
+        AssertNear(GetWindAfter(world, 0.1), 0.25 * (double)seas[i][2], 1e-4);
+        swWaveSystem_SetWeight(world, id, 3.0f);
+        AssertNear(GetWindAfter(world, 0.1), (double)seas[i][2], 1e-4);
+        swDestroyWorld(world);
+    }
+}
+
+static void ATableKnowsTheWindThatItIsGiven(void** state)
+{
+    (void)state;
+    const float frequencies[3] = {0.07f, 0.08f, 0.09f}, bandwidths[3] = {0.01f, 0.01f, 0.01f};
+    const float density[12] = {0, 0, 0, 0, 5, 1, 0, 1, 0, 0, 0, 0}; // one bin of swell
+    swSpectrumTable table = {3, 4, frequencies, bandwidths, density, 0.0f};
+    swSpectrumDef spectrum = swDefaultSpectrumDef();
+    spectrum.kind = SW_SPECTRUM_TABLE;
+    spectrum.table = &table;
+    swWorld* world = MakeDrawnWorld();
+    swWaveSystemId id = AddSystem(world, MakeSystemOf(&spectrum), 0.0f);
+    AssertNear(GetWindAfter(world, 0.1), 0.0, 0.5);
+    swDestroyWaveSystem(world, id);
+    AddSystem(world, MakeSystemOf(&spectrum), 14.0f);
+    AssertNear(GetWindAfter(world, 0.1), 14.0, 1e-4);
+    swDestroyWorld(world);
+}
+
+static void KnownWindsOfSeveralSystemsAreOneWind(void** state)
+{
+    (void)state;
+    swWorld* world = MakeDrawnWorld();
+    swSpectrumDef swell = swMakeSwellSpectrum(3.0f, 14.0f, 0.0f, 0.2f);
+    swSpectrumDef sea = swMakeWindSeaSpectrum(12.0f, 200e3f, INFINITY, 1.0f);
+    AddSystem(world, MakeSystemOf(&swell), swell.windSpeed);
+    swWaveSystemId one = AddSystem(world, MakeSystemOf(&sea), 12.0f);
+    AssertNear(GetWindAfter(world, 0.1), 12.0, 1e-4);
+    sea.direction = 2.0f;
+    AddSystem(world, MakeSystemOf(&sea), 12.0f);
+    AssertNear(GetWindAfter(world, 0.1), 12.0, 1e-4);
+    swWaveSystem_FadeWeight(world, one, 0.0f, 1.0);
+    for (int i = 0; i < 4; ++i)
+    {
+        AssertNear(GetWindAfter(world, 0.3), 12.0, 1e-4);
+    }
+    swDestroyWorld(world);
+}
+
+static void TheWindHasNoDipWhileASeaChanges(void** state)
+{
+    (void)state;
+    for (int change = 0; change < 3; ++change)
+    {
+        swWorld* world = MakeDrawnWorld();
+        swSpectrumDef spectrum = swDefaultSpectrumDef();
+        spectrum.significantHeight = 2.5f;
+        spectrum.peakPeriod = 7.0f;
+        swWaveSystemDef def = MakeSystemOf(&spectrum);
+        swWaveSystemId id = AddSystem(world, def, 12.0f);
+        double begin = GetWindAfter(world, 0.1);
+        def.spectrum.hasWind = change != 1; // the waves tell it then
+        def.spectrum.windSpeed = change == 2 ? 15.0f : 12.0f;
+        def.seed = change == 0 ? 7 : def.seed; // a cross-fade
+        assert_int_equal(swWaveSystem_Set(world, id, &def, 2.0), SW_SUCCESS);
+        double winds[24];
+        for (int i = 0; i < 24; ++i)
+        {
+            winds[i] = GetWindAfter(world, 0.1);
+        }
+        for (int i = 0; i < 24; ++i)
+        {
+            double low = fmin(begin, winds[23]), high = fmax(begin, winds[23]);
+            assert_true(winds[i] > 0.99 * low && winds[i] < 1.01 * high);
+            assert_true(i == 0 || fabs(winds[i] - winds[i - 1]) < 0.8);
+        }
+        swDestroyWorld(world);
+    }
+}
+
+static void NoSeaTellsOfMoreThanTheStrongestWind(void** state)
+{
+    (void)state;
+    swWorld* world = MakeDrawnWorld();
+    swSpectrumDef spectrum = swDefaultSpectrumDef();
+    spectrum.significantHeight = 20.0f;
+    spectrum.peakPeriod = 4.0f;
+    AddSystem(world, MakeSystemOf(&spectrum), 0.0f);
+    AssertNear(GetWindAfter(world, 0.1), 100.0, 1e-6);
+    swFoamState foam = swWorld_GetFoamState(world);
+    assert_true(foam.cover > 0.5f && foam.cover < 1.0f);
+    swDestroyWorld(world);
+}
+
+// Chops, spreads and winds of every size: the threshold is that of the cover.
+static void TheThresholdIsFoundForEverySea(void** state)
+{
+    (void)state;
+    static const float chops[] = {0.02f, 0.3f, 1.0f, 2.0f}, exponents[] = {0.0f, 8.0f, 200.0f};
+    for (int i = 0; i < 4 * 3; ++i)
+    {
+        swWorld* world = MakeDrawnWorld();
+        swSpectrumDef spectrum = swDefaultSpectrumDef();
+        spectrum.spreadExponent = exponents[i / 4];
+        swWaveSystemDef def = MakeSystemOf(&spectrum);
+        def.chop = chops[i % 4];
+        AddSystem(world, def, 15.0f);
+        swFoamDef foam = swDefaultFoamDef();
+        float before = 1.0f;
+        for (float wind = 30.0f; wind > 3.72f; wind -= 1.01f)
+        {
+            foam.windSpeed = wind;
+            foam.threshold = -4.0f;
+            swWorld_SetFoam(world, &foam);
+            assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
+            swFoamState found = swWorld_GetFoamState(world);
+            assert_true(found.threshold < before && found.threshold > -4.0f);
+            AssertNear((double)found.cover / (double)swGetWhitecapCover(wind), 1.0, 1e-4);
+            before = found.threshold;
+        }
+        swDestroyWorld(world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -514,6 +693,12 @@ int main(void)
         cmocka_unit_test(CoverGrowsWithWindAsWhitecapsDo),
         cmocka_unit_test(TheSeaBeyondTheSlicesHasAsMuchFoam),
         cmocka_unit_test(AChangedLawTakesEffect),
+        cmocka_unit_test(AKnownWindIsTheWindWhateverTheWaves),
+        cmocka_unit_test(ATableKnowsTheWindThatItIsGiven),
+        cmocka_unit_test(KnownWindsOfSeveralSystemsAreOneWind),
+        cmocka_unit_test(TheWindHasNoDipWhileASeaChanges),
+        cmocka_unit_test(NoSeaTellsOfMoreThanTheStrongestWind),
+        cmocka_unit_test(TheThresholdIsFoundForEverySea),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -718,6 +718,203 @@ static void FaultyFilesAreReadAsTheyShould(void** state)
     }
 }
 
+// ---- what would be wrong without a word ----
+
+#define TRIAXYS_HEAD(zone)                                                                                             \
+    "TRIAXYS BUOY DATA REPORT - TAS1\nTYPE = DIRECTIONAL SPECTRUM\nDATE = 2018-01-31 21:00" zone                       \
+    "\nNUMBER OF FREQUENCIES = 2\nINITIAL FREQUENCY (Hz) = 0.10\nFREQUENCY SPACING (Hz) = 0.01\nNUMBER OF "            \
+    "DIRECTIONS = 4\nDIRECTION SPACING (DEG) = 90.0\nCOLUMNS = 0.0 TO 270.0 DEG\n"
+#define OBSCAPE_HEAD(unit) "# Columns [deg] = 0,90,180,270\n# Rows [Hz] = 0.1,0.2\n" unit "1,2,3,4\n1,2,3,4\n"
+#define METEOROLOGY(unit)                                                                                              \
+    "#YY MM DD hh mm WVHT DPD APD MWD\n#yr mo dy hr mn " unit " sec sec degT\n2020 01 02 03 04 2 9 7 80\n"
+#define PARTITION(column, value) "time,hs_m,tp_s," column "\n2020-01-02 03:04,2,9," value "\n"
+
+static void DoubtsAreSaid(void** state)
+{
+    (void)state;
+    static const struct
+    {
+        bool isRead;
+        const char *text, *words; // no words: none are said
+    } cases[] = {
+        {true, TRIAXYS_HEAD("(UTC)") ".1 .2 .1 .1\n.1 .2 .1 .1\n", NULL},
+        {true, TRIAXYS_HEAD("") ".1 .2 .1 .1\n.1 .2 .1 .1\n", NULL},
+        {true, TRIAXYS_HEAD("(GMT-8)") ".1 .2 .1 .1\n.1 .2 .1 .1\n", "it is taken as UTC"},
+        {true, TRIAXYS_HEAD("(PST)") ".1 .2 .1 .1\n.1 .2 .1 .1\n", "it is taken as UTC"},
+        {false, TRIAXYS_HEAD("(UTC)") ".1 .2 .1 .1 7\n.1 .2 .1 .1\n", "more numbers than its heading tells"},
+        {false, TRIAXYS_HEAD("(UTC)") "0,1 .2 .1 .1\n.1 .2 .1 .1\n", "x:"},
+        {false, TRIAXYS_HEAD("(UTC)") ".1 .2 .1 .1\n.1 .2 .1 .1\n.1 .2 .1 .1\n", "more numbers than its heading tells"},
+        {true, OBSCAPE_HEAD("# Variance-density [m2/Hz/rad]\n"), NULL},
+        {true, OBSCAPE_HEAD("# Variance-density [m^2/Hz/deg]\n"), NULL},
+        {true, OBSCAPE_HEAD(""), "they are taken per radian"},
+        {true, OBSCAPE_HEAD("# Variance-density\n"), "they are taken per radian"},
+        {false, OBSCAPE_HEAD("# Variance-density [cm2/Hz/deg]\n"), "the unit of densities is 'cm2/Hz/deg'"},
+        {true, METEOROLOGY("m"), NULL},
+        {false, METEOROLOGY("ft"), "x:2: WVHT is in 'ft'; heights are read in m."},
+        {true, PARTITION("direction_from_deg", "230"), NULL},
+        {true, PARTITION("remark", "230"), NULL},
+        {true, PARTITION("direction_to_deg", "230"), "x:1: the column 'direction_to_deg' is passed over"},
+        {true, PARTITION("direction_from", "230"), "x:1: the column 'direction_from' is passed over"},
+        {true, PARTITION("spread_deg", "2"), "1 partitions have a spread below 5.7 degrees"},
+        {true, PARTITION("spread_deg", "12"), NULL},
+        {false, OCTOPUS_HEAD "CCYYMM,DDHHmm,LPoint\n201412,'010000,spec\nfreq,0.10,0.11,0.12\n0,1e-3,1e-3,1e-3,7\n",
+         "x:12: the line has more variances than the 3 frequencies"},
+        {false,
+         OCTOPUS_HEAD "CCYYMM,DDHHmm,LPoint\n201412,'010000,spec\nfreq,0.10,0.11,0.12\n0,1e-3,1e-3,1e-3\n0,1e-3,"
+                      "1e-3,1e-3\n",
+         "the direction 0 stands there twice"},
+    };
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        swMeasuredSea* sea = NULL;
+        swResult result = Parse(cases[i].text, strlen(cases[i].text), &sea);
+        bool isSaid = cases[i].words != NULL ? strstr(s_messages, cases[i].words) != NULL : s_messages[0] == '\0';
+        if ((result == SW_SUCCESS) != cases[i].isRead || !isSaid)
+        {
+            fail_msg("%s\nsays \"%s\" and not \"%s\"", cases[i].text, s_messages, cases[i].words);
+        }
+        swDestroyMeasuredSea(sea);
+    }
+}
+
+// A density that is missing between others takes its energy from the record; at the rim, or where the sea has none, it
+// takes nothing.
+static void MissingDensitiesAreCounted(void** state)
+{
+    (void)state;
+#define BUOY_HEAD "#YY  MM DD hh mm Sep_Freq  < spec_1 (freq_1) ... >\n2022 05 12 21 50 0.250 "
+#define WW3_HEAD "'WAVEWATCH III SPECTRA' 2 4 1 'x'\n.1 .2\n0 1.57 3.14 4.71\n20200101 000000\n'a' 5.0 1.0 10\n"
+#define SPOTTER_ROW "5,1632834721,36.7,-121.8,.03,.04,.05,.01,.01,.01,.8,.8,.8,.1,.1,.1,.5,.5,.5,.1,.1,.1,"
+    static const struct
+    {
+        int count;
+        const char* text;
+    } cases[] = {
+        {0, BUOY_HEAD "0.5 (0.100) 1.0 (0.110) 0.4 (0.120)\n"},
+        {1, BUOY_HEAD "0.5 (0.100) 999.0 (0.110) 0.4 (0.120)\n"},
+        {2, BUOY_HEAD "0.5 (0.100) MM (0.110) 999.0 (0.120) 0.4 (0.130)\n"},
+        {0, BUOY_HEAD "999.0 (0.090) 0.0 (0.100) 1.0 (0.110) 0.4 (0.120)\n"},
+        {1, SPOTTER_HEAD SPOTTER_ROW "0.5,,0.4\n"},
+        {0, SPOTTER_HEAD SPOTTER_ROW "0.5,0.9,0.4\n"},
+        {1, "$PNORE,061224,000000,3,0.10,0.01,3,0.500,-9.000,0.500\n"},
+    };
+    for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
+    {
+        swMeasuredSea* sea = NULL;
+        if (Parse(cases[i].text, strlen(cases[i].text), &sea) != SW_SUCCESS)
+        {
+            fail_msg("%s", s_messages);
+        }
+        if (swMeasuredSea_GetRecord(sea, 0).missingCount != cases[i].count ||
+            (strstr(s_messages, "densities are missing between others") != NULL) != (cases[i].count > 0))
+        {
+            fail_msg("%s\n%s", cases[i].text, s_messages);
+        }
+        swDestroyMeasuredSea(sea);
+    }
+    // By direction: one cell beside the peak, a whole frequency, and one far from all waves.
+    float nothing = (float)NAN;
+    for (int i = 0; i < 3; ++i)
+    {
+        double frequencies[3] = {0.1, 0.11, 0.12}, directions[8];
+        double density[3][8];
+        for (int j = 0; j < 8; ++j)
+        {
+            directions[j] = 0.25 * SW_PI * j;
+            density[0][j] = density[1][j] = density[2][j] = j == 4 ? 1.0 : j < 4 && j > 1 ? 0.2 : 0.0;
+            density[1][j] = i == 1 ? (double)nothing : density[1][j];
+        }
+        density[1][3] = i == 0 ? (double)nothing : density[1][3];
+        density[1][7] = i == 2 ? (double)nothing : density[1][7];
+        swHost host = swDefaultHost();
+        host.log = KeepMessages;
+        s_messages[0] = '\0';
+        swMeasuredSea* sea = NULL;
+        assert_int_equal(swCreateMeasuredSea(&host, "x", &sea), SW_SUCCESS);
+        swMeasuredSpectrumDef def = swDefaultMeasuredSpectrumDef();
+        def.frequencyCount = 3;
+        def.frequencies = frequencies;
+        def.directionCount = 8;
+        def.directions = directions;
+        def.density = &density[0][0];
+        assert_int_equal(swMeasuredSea_AddSpectrum(sea, &def), SW_SUCCESS);
+        assert_int_equal(swMeasuredSea_Finish(sea), SW_SUCCESS);
+        assert_int_equal(swMeasuredSea_GetRecord(sea, 0).missingCount, i < 2 ? 1 : 0);
+        swDestroyMeasuredSea(sea);
+    }
+}
+
+// Direction files that are there but of another hour or other frequencies.
+static void DirectionsThatFindNoRecordAreTold(void** state)
+{
+    (void)state;
+    static const char* const alphas[] = {
+        "#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 05 12 21 50 90.0 (0.100) 91.0 (0.110)\n",
+        "#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 05 12 21 40 90.0 (0.100) 91.0 (0.110)\n",
+        "#YY MM DD hh mm alpha1_1 (freq_1) ... >\n2022 05 12 21 50 90.0 (0.200) 91.0 (0.210)\n",
+    };
+    for (int i = 0; i < 3; ++i)
+    {
+        swHost host = swDefaultHost();
+        host.log = KeepMessages;
+        s_messages[0] = '\0';
+        swNdbcTexts texts = {0};
+        texts.energy = BUOY_HEAD "0.5 (0.100) 1.0 (0.110)\n";
+        texts.energySize = strlen(texts.energy);
+        texts.alpha1 = alphas[i];
+        texts.alpha1Size = strlen(texts.alpha1);
+        swMeasuredSea* sea = NULL;
+        assert_int_equal(swParseNdbc(&host, &texts, &sea), SW_SUCCESS);
+        bool isTold = strstr(s_messages, "1 of 1 records find no directions of their time and frequencies") != NULL;
+        assert_true(isTold == (i > 0));
+        swDestroyMeasuredSea(sea);
+    }
+}
+
+// Two bins of the buoys' usual set that are not neighbours in it meet half-way, and keep their energy.
+static void BandsWithGapsMeet(void** state)
+{
+    (void)state;
+    const char* text = BUOY_HEAD "1.0 (0.100) 1.0 (0.120)\n";
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(Parse(text, strlen(text), &sea), SW_SUCCESS);
+    assert_true(fabs(GetHeight(sea, 0) - 4.0 * sqrt(0.04)) < 1e-4);
+    swDestroyMeasuredSea(sea);
+}
+
+// A needle's waves all run one way: what cannot be told so narrow becomes a little wider, not a sea from both sides.
+static void NeedlesStayOnOneSide(void** state)
+{
+    (void)state;
+    for (int i = 0; i < 3; ++i)
+    {
+        double r1 = 0.995 + 0.002 * i, r2 = r1 * r1 * r1 * r1;
+        double frequencies[2] = {0.1, 0.11}, energy[2] = {1.0, 1.0};
+        double a1[2] = {r1, r1}, a2[2] = {r2, r2}, b[2] = {0.0, 0.0};
+        swHost host = swDefaultHost();
+        swMeasuredSea* sea = NULL;
+        assert_int_equal(swCreateMeasuredSea(&host, "x", &sea), SW_SUCCESS);
+        swMeasuredSpectrumDef def = swDefaultMeasuredSpectrumDef();
+        def.frequencyCount = 2;
+        def.frequencies = frequencies;
+        def.energy = energy;
+        def.a1 = a1;
+        def.b1 = def.b2 = b;
+        def.a2 = a2;
+        assert_int_equal(swMeasuredSea_AddSpectrum(sea, &def), SW_SUCCESS);
+        assert_int_equal(swMeasuredSea_Finish(sea), SW_SUCCESS);
+        const swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
+        double cosine = 0.0, sum = 0.0;
+        for (int j = 0; j < record.table.directionCount; ++j)
+        {
+            sum += (double)record.table.density[j];
+            cosine += (double)record.table.density[j] * cos(2.0 * SW_PI * j / record.table.directionCount);
+        }
+        assert_true(cosine / sum > 0.985);
+        swDestroyMeasuredSea(sea);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -738,6 +935,11 @@ int main(void)
         cmocka_unit_test(PlacesOfAGridAreFoundInAnyOrder),
         cmocka_unit_test(PlacesAreFoundByNameInLinearTime),
         cmocka_unit_test(FaultyFilesAreReadAsTheyShould),
+        cmocka_unit_test(DoubtsAreSaid),
+        cmocka_unit_test(MissingDensitiesAreCounted),
+        cmocka_unit_test(DirectionsThatFindNoRecordAreTold),
+        cmocka_unit_test(BandsWithGapsMeet),
+        cmocka_unit_test(NeedlesStayOnOneSide),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

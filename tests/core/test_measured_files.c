@@ -140,6 +140,24 @@ static void OneBrokenRecordOfJsonIsLeftOut(void** state)
     }
 }
 
+// Without moments the directions and spreads tell them.
+static void SpottersDirectionsStandInForMoments(void** state)
+{
+    (void)state;
+    WriteFile(
+        "{\"data\":{\"frequencyData\":[{\"frequency\":[0.1,0.11],\"varianceDensity\":[1,2],\"direction\":[250,250],"
+        "\"directionalSpread\":[20,20],\"timestamp\":\"2020-01-02T03:04:05Z\"}]}}");
+    swMeasuredSea* sea = NULL;
+    assert_int_equal(Read(s_path, &sea), SW_SUCCESS);
+    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
+    assert_non_null(record.meanDirection);
+    double spread = 20.0 * (SW_PI / 180.0),
+           turned = (double)(record.meanDirection[1] - SW_DIRECTION_FROM_BEARING(250.0));
+    assert_true(cos(turned) > 0.999999);
+    assert_true(fabs((double)record.r1[1] - (1.0 - 0.5 * spread * spread)) < 1e-4);
+    swDestroyMeasuredSea(sea);
+}
+
 static void WrongJsonIsNamed(void** state)
 {
     (void)state;
@@ -500,6 +518,7 @@ int main(void)
 #if defined(SW_HAS_JSON)
         cmocka_unit_test(SpottersJsonIsRead),
         cmocka_unit_test(OneBrokenRecordOfJsonIsLeftOut),
+        cmocka_unit_test(SpottersDirectionsStandInForMoments),
         cmocka_unit_test(WrongJsonIsNamed),
         cmocka_unit_test(SouthernOceansSpotterIsReadAsExpected),
         cmocka_unit_test(CdipsSpectraHaveTheirMoments),

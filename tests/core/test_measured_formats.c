@@ -799,7 +799,7 @@ static void FailingMemoryLeavesNothingBehind(void** state)
         TRIAXYS ".1 2\n.2 3\n.3 4\n",
         DATAWELL ".1,.2,3,4,5,6\n.2,.3,4,5,6,7\n",
         "time,hs_m,tp_s\n2020-01-01,1,5\n",
-        "WAVEWATCH III PARTITIONED DATA FILE\n20200101 0 1 2 'a' 0\n0 1 2 3 4 5 6\n",
+        "WAVEWATCH III PARTITIONED DATA FILE\n20200101 0 1 2 'a' 0\n0 1 2 3 4 15 6\n",
     };
     for (size_t k = 0; k < sizeof(texts) / sizeof(texts[0]); ++k)
     {

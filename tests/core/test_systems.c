@@ -707,6 +707,46 @@ static void InstructionSetsAgreeOnFreeWavesAndOneByOneSums(void** state)
     }
 }
 
+static void CountWarnings(void* context, swLogLevel level, const char* message)
+{
+    int* count = context;
+    *count += level == SW_LOG_WARNING && strstr(message, "a seed of its own") != NULL ? 1 : 0;
+}
+
+static void SystemsOfOneSeedAreWarnedOf(void** state)
+{
+    (void)state;
+    int count = 0;
+    swHost host = swDefaultHost();
+    host.log = CountWarnings;
+    host.logContext = &count;
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef sea = swDefaultWaveSystemDef(), swell = sea;
+    sea.resolution = swell.resolution = 32;
+    sea.tileWaves = swell.tileWaves = 8;
+    swell.spectrum = swMakeSwellSpectrum(2.0f, 8.0f, 0.3f, 0.3f);
+    swWaveSystemId first, second;
+    assert_int_equal(swCreateWaveSystem(world, &sea, &first), SW_SUCCESS);
+    assert_int_equal(count, 0);
+    assert_int_equal(swCreateWaveSystem(world, &swell, &second), SW_SUCCESS);
+    assert_int_equal(count, 1); // most of the swell's waves are waves of the sea
+    swell.seed = 2;
+    assert_int_equal(swWaveSystem_Set(world, second, &swell, 1.0), SW_SUCCESS);
+    assert_int_equal(count, 1);
+    swell.seed = 1;
+    assert_int_equal(swWaveSystem_Set(world, second, &swell, 1.0), SW_SUCCESS);
+    assert_int_equal(count, 2);
+    swDestroyWaveSystem(world, second);
+    assert_int_equal(swWorld_Step(world, 0.1), SW_SUCCESS);
+    swell.spectrum = swMakeSwellSpectrum(2.0f, 22.0f, 0.3f, 0.3f); // hardly a wave in common
+    swell.minWavelength = 256.0f;
+    assert_int_equal(swCreateWaveSystem(world, &swell, &second), SW_SUCCESS);
+    assert_int_equal(count, 2);
+    swDestroyWorld(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -726,6 +766,7 @@ int main(void)
         cmocka_unit_test(AGivenWaveIsJustThatWave),
         cmocka_unit_test(GerstnerSeasLoopToTheBit),
         cmocka_unit_test(InstructionSetsAgreeOnFreeWavesAndOneByOneSums),
+        cmocka_unit_test(SystemsOfOneSeedAreWarnedOf),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

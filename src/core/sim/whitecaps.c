@@ -32,9 +32,14 @@
 // No sea is covered more than this, whatever the artist's gain.
 #define MOST_COVER 0.98
 
-// Points over which the strain across the waves and the shear are averaged: every half deviation, up to 4.5.
-#define POINTS 19
-#define POINT_STEP 0.5
+// Points over which the strain across the waves and the shear are averaged: every three quarters of a deviation, up to
+// 4.5.
+#define POINTS 13
+#define POINT_STEP 0.75
+#define POINT_COUNT (POINTS * (POINTS / 2 + 1))
+
+// Three or four are enough for most seas; more only where the sea folds all over.
+#define MOST_SECANTS 24
 
 // J of the least threshold that is looked at: the surface has long passed through itself.
 #define LEAST_THRESHOLD (-4.0)
@@ -154,54 +159,103 @@ static Axes turnStrain(const swStrain* strain)
 
 // ---- folds ----
 
+// J over the strain across the waves and the shear: at each point the strain along them is a normal number.
+typedef struct Points
+{
+    int count;
+    double weights[POINT_COUNT]; // sum 1
+    double scales[POINT_COUNT];  // of J with the strain along the waves
+    double offsets[POINT_COUNT]; // edge = factor threshold + offset, in deviations
+    double factors[POINT_COUNT];
+    double deviation; // of the strain along the waves, given the others
+} Points;
+
 typedef struct Folds
 {
     double rate; // at which J falls below the threshold, 1/s
     double mean; // of max(threshold - J, 0)
 } Folds;
 
-// Averages over the strain across the waves and the shear; the strain along them is done in closed form.
-static Folds findFolds(const Axes* all, double crossing, double threshold)
+static void placePoints(const Axes* all, Points* points)
 {
     double acrossDeviation = sqrt((double)all->across);
-    double shearDeviation = sqrt((double)all->shear);
     double slope = all->across > 0.0f ? (double)all->shear / (double)all->across : 0.0;
-    double deviation = sqrt(fmax((double)all->along - slope * (double)all->shear, 1e-12));
-    Folds folds = {0};
-    double weights = 0.0;
+    double sum = 0.0;
+    points->deviation = sqrt(fmax((double)all->along - slope * (double)all->shear, 1e-12));
+    points->count = 0;
     for (int i = 0; i < POINTS; ++i)
     {
         double z = POINT_STEP * (i - POINTS / 2);
         double across = z * acrossDeviation;
+        double scale = fmax(1.0 + across, 0.05);
         for (int j = 0; j <= POINTS / 2; ++j)
         {
             double y = POINT_STEP * j;
-            double shear = y * shearDeviation;
-            double weight = (j == 0 ? 1.0 : 2.0) * swExp(-0.5 * (z * z + y * y));
-            double scale = fmax(1.0 + across, 0.05);
-            double edge = ((threshold + shear * shear) / scale - 1.0 - slope * across) / deviation;
-            weights += weight;
-            folds.rate += weight * crossing * swExp(-0.5 * edge * edge);
-            folds.mean += weight * scale * deviation * (double)swFoamExcess((float)edge);
+            double square = y * y * (double)all->shear;
+            int n = points->count++;
+            points->weights[n] = (j == 0 ? 1.0 : 2.0) * swExp(-0.5 * (z * z + y * y));
+            points->scales[n] = scale;
+            points->factors[n] = 1.0 / (scale * points->deviation);
+            points->offsets[n] = square * points->factors[n] - (1.0 + slope * across) / points->deviation;
+            sum += points->weights[n];
         }
     }
-    folds.rate /= weights;
-    folds.mean /= weights;
+    for (int n = 0; n < points->count; ++n)
+    {
+        points->weights[n] /= sum;
+    }
+}
+
+// Folds at the rate exp(-margin^2 / 2) of all crossings.
+static double findMargin(const Points* points, double threshold)
+{
+    double part = 0.0;
+    for (int n = 0; n < points->count; ++n)
+    {
+        double edge = points->factors[n] * threshold + points->offsets[n];
+        part += points->weights[n] * swExp(-0.5 * edge * edge);
+    }
+    return sqrt(fmax(-2.0 * swLn(fmin(fmax(part, 1e-300), 1.0)), 0.0));
+}
+
+static Folds findFolds(const Points* points, double crossing, double threshold)
+{
+    Folds folds = {0};
+    for (int n = 0; n < points->count; ++n)
+    {
+        double edge = points->factors[n] * threshold + points->offsets[n];
+        folds.rate += points->weights[n] * crossing * swExp(-0.5 * edge * edge);
+        folds.mean += points->weights[n] * points->scales[n] * points->deviation * (double)swFoamExcess((float)edge);
+    }
     return folds;
 }
 
-// The threshold with that rate of folds, by halves.
-static double findThreshold(const Axes* all, double crossing, double rate)
+// The threshold with that margin, which falls all but linearly: by secants that are kept between two bounds.
+static double findThreshold(const Points* points, double deviation, double margin)
 {
     double low = LEAST_THRESHOLD, high = 1.0;
-    for (int i = 0; i < 24; ++i)
+    double before = high, marginBefore = findMargin(points, high);
+    if (marginBefore >= margin)
     {
-        double middle = 0.5 * (low + high);
-        bool isTooHigh = findFolds(all, crossing, middle).rate > rate;
-        low = isTooHigh ? low : middle;
-        high = isTooHigh ? middle : high;
+        return high;
     }
-    return 0.5 * (low + high);
+    double threshold = fmax(1.0 - margin * deviation, low);
+    for (int i = 0; i < MOST_SECANTS; ++i)
+    {
+        double found = findMargin(points, threshold);
+        if (fabs(found - margin) < 1e-6)
+        {
+            break;
+        }
+        low = found > margin ? threshold : low;
+        high = found > margin ? high : threshold;
+        double step = found != marginBefore ? (margin - found) * (threshold - before) / (found - marginBefore) : 0.0;
+        before = threshold;
+        marginBefore = found;
+        double next = threshold + step;
+        threshold = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return threshold;
 }
 
 // The bend with which swFoamFold() expects the same fold of a place whose waves are all unknown.
@@ -233,13 +287,17 @@ static swFoamLaw makeLaw(const swFoamDef* def, float wind, const swStrain* strai
     double fade = (double)def->fadeRate;
     double gain = (double)def->coverage;
     double cover = fmin(1.0 - swPow(1.0 - (double)swGetWhitecapCover(wind), gain), MOST_COVER);
+    Points points;
+    placePoints(&axes, &points);
     double threshold = LEAST_THRESHOLD;
     if (cover > 0.0)
     {
-        threshold = findThreshold(&axes, crossing, fade * cover / (1.0 - cover) / SHARE);
+        double part = fade * cover / (1.0 - cover) / SHARE / crossing;
+        double margin = sqrt(fmax(-2.0 * swLn(fmin(fmax(part, 1e-300), 1.0)), 0.0));
+        threshold = findThreshold(&points, sqrt(variance), margin);
     }
     threshold = fmax(threshold, (double)def->threshold);
-    Folds folds = findFolds(&axes, crossing, threshold);
+    Folds folds = findFolds(&points, crossing, threshold);
     double ratio = folds.mean > 1e-30 ? folds.rate / folds.mean : 0.0;
     double births = SHARE * folds.rate;
     law.rest = (swFoamRest){.deviation = (float)sqrt(variance)};

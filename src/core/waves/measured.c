@@ -107,6 +107,60 @@ swResult swAddSeaRecord(swMeasuredSea* sea, int frequencyCount, int directionCou
     return SW_SUCCESS;
 }
 
+// A gap matters where its neighbours have more than this part of the largest density on average.
+#define GAP_PART 0.01
+
+void swCloseSeaGaps(swSeaRecord* record)
+{
+    float* energy = swGetSeaRow(record, SW_SEA_ENERGY);
+    int count = record->frequencyCount;
+    float largest = 0.0f, below = 0.0f;
+    for (int i = 0; i < count; ++i)
+    {
+        largest = energy[i] > largest ? energy[i] : largest; // false for NaN
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        if (energy[i] == energy[i])
+        {
+            below = energy[i];
+            continue;
+        }
+        int above = i + 1;
+        while (above < count && energy[above] != energy[above])
+        {
+            ++above;
+        }
+        float mean = 0.5f * (below + (above < count ? energy[above] : 0.0f));
+        record->missingCount += mean > (float)GAP_PART * largest ? above - i : 0;
+        for (; i < above; ++i)
+        {
+            energy[i] = 0.0f;
+        }
+        --i;
+    }
+}
+
+int swCountSeaGaps(const double* row, int count, double largest)
+{
+    int gaps = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        double sides[2] = {0.0, 0.0};
+        for (int side = 0; side < 2 && row[i] != row[i]; ++side)
+        {
+            int at = i;
+            for (int step = 1; step < count && row[at] != row[at]; ++step)
+            {
+                at = (i + (side == 0 ? step : count - step)) % count;
+            }
+            sides[side] = row[at] == row[at] ? row[at] : 0.0;
+        }
+        gaps += 0.5 * (sides[0] + sides[1]) > GAP_PART * largest ? 1 : 0;
+    }
+    return gaps;
+}
+
 void swSumSeaRecord(swSeaRecord* record)
 {
     const float* energy = swGetSeaRow(record, SW_SEA_ENERGY);
@@ -229,6 +283,25 @@ static void warnOfNegatives(const swMeasuredSea* sea)
     }
 }
 
+static void warnOfGaps(const swMeasuredSea* sea)
+{
+    const swSeaRecord* records = sea->records.data;
+    size_t count = 0;
+    int most = 0;
+    for (size_t i = 0; i < sea->records.count; ++i)
+    {
+        count += records[i].missingCount > 0 ? 1 : 0;
+        most = records[i].missingCount > most ? records[i].missingCount : most;
+    }
+    if (count > 0)
+    {
+        swLog(&sea->host, SW_LOG_WARNING,
+              "%s: in %zu of %zu records densities are missing between others that have energy, up to %d in one. They "
+              "count as none: such a record is lower than the sea was.",
+              sea->name, count, sea->records.count, most);
+    }
+}
+
 swResult swMeasuredSea_Finish(swMeasuredSea* sea)
 {
     SW_REQUIRE(sea != NULL, SW_ERROR_INVALID, NULL, "swMeasuredSea_Finish() needs a sea");
@@ -247,6 +320,7 @@ swResult swMeasuredSea_Finish(swMeasuredSea* sea)
     qsort(sea->records.data, sea->records.count, sizeof(swSeaRecord), compareRecords);
     dropSeconds(sea);
     warnOfNegatives(sea);
+    warnOfGaps(sea);
     const swSeaRecord* records = sea->records.data;
     swMeasuredLocation* locations = sea->locations.data;
     for (size_t i = sea->records.count; i > 0; --i)
@@ -294,6 +368,7 @@ swMeasuredRecord swMeasuredSea_GetRecord(const swMeasuredSea* sea, int index)
     result.averagePeriod = record->averagePeriod;
     result.gamma = record->gamma;
     result.tailExponent = record->tailExponent;
+    result.missingCount = record->missingCount;
     result.negativeCount = record->negativeCount;
     result.negativePart = getPart(record->negativeVariance, record->variance);
     result.addedPart = getPart(record->addedVariance, record->variance);

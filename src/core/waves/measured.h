@@ -35,6 +35,7 @@ typedef struct swSeaRecord
     int correctedCount;
     int partitionCount;
     float averagePeriod, gamma, tailExponent; // see swMeasuredRecord
+    int missingCount;                         // see swMeasuredRecord
     int negativeCount;
     double negativeVariance; // taken away by negative densities, m^2
     double addedVariance;    // which the record has more than the file, m^2
@@ -89,6 +90,12 @@ int swFindSeaPlace(const swMeasuredSea* sea, const char* name, double longitude,
 // The place of a point by its name, looked for first where it stands in a block; a new one is added.
 swResult swFindSeaPoint(swMeasuredSea* sea, bool isNew, int index, const char* name, double longitude, double latitude,
                         int* location);
+
+// Energies that are missing (NAN) become none. Those between others that matter are counted in missingCount.
+void swCloseSeaGaps(swSeaRecord* record);
+
+// How many NAN in a row of densities by direction lie between others that matter, beside the record's largest.
+int swCountSeaGaps(const double* row, int count, double largest);
 
 // After the energies: sums the record's variance.
 void swSumSeaRecord(swSeaRecord* record);

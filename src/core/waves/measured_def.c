@@ -309,9 +309,11 @@ static swResult fillFromMoments(const swMeasuredSea* sea, const swMeasuredSpectr
             return failDensity(sea, scratch->order[i].frequency, value, SW_SEA_MAX_ENERGY, "m^2/Hz");
         }
         record->negativeCount += value < 0.0 ? 1 : 0;
+        bool isMissing = !(value >= least);
         swClipSeaRow(record, least, (double)widths[i], 1, &value);
-        energy[i] = (float)value;
+        energy[i] = isMissing ? (float)NAN : (float)value;
     }
+    swCloseSeaGaps(record);
     swSumSeaRecord(record);
     gatherMoments(def, scratch);
     swFillSeaDirections(record, scratch->moments);
@@ -343,10 +345,17 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
     const float* widths = swGetSeaRow(record, SW_SEA_BANDWIDTHS);
     float* table = swGetSeaRow(record, SW_SEA_TABLE);
     double step = 2.0 * SW_PI / record->directionCount;
-    double least = swFindLeastDensity(def->density, (size_t)def->frequencyCount * (size_t)def->directionCount);
+    size_t cells = (size_t)def->frequencyCount * (size_t)def->directionCount;
+    double least = swFindLeastDensity(def->density, cells);
+    double largest = 0.0;
+    for (size_t i = 0; i < cells; ++i)
+    {
+        largest = def->density[i] > largest ? def->density[i] : largest; // false for NaN
+    }
     for (int i = 0; i < scratch->count; ++i, table += record->directionCount)
     {
         const double* density = def->density + (size_t)scratch->order[i].row * (size_t)def->directionCount;
+        int missingCount = 0;
         for (int j = 0; j < def->directionCount; ++j)
         {
             if (density[j] > SW_SEA_MAX_DENSITY)
@@ -356,7 +365,14 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
             // What marks a missing value must not spread to its neighbours on the grid.
             bool isMissing = !(density[j] >= least);
             record->negativeCount += density[j] < 0.0 ? 1 : 0;
-            columns[j] = isMissing ? 0.0 : density[j];
+            missingCount += isMissing ? 1 : 0;
+            columns[j] = isMissing ? (double)NAN : density[j];
+        }
+        bool isWhole = missingCount < def->directionCount;
+        record->missingCount += isWhole ? swCountSeaGaps(columns, def->directionCount, largest) : 0;
+        for (int j = 0; j < def->directionCount; ++j)
+        {
+            columns[j] = columns[j] == columns[j] ? columns[j] : 0.0;
         }
         swSpreadOnGrid(&scratch->grid, columns, scratch->table);
         swClipSeaRow(record, (double)-INFINITY, step * (double)widths[i], record->directionCount, scratch->table);
@@ -366,11 +382,12 @@ static swResult fillFromDensity(const swMeasuredSea* sea, const swMeasuredSpectr
             table[j] = (float)scratch->table[j];
             sum += scratch->table[j] * step;
         }
-        energy[i] = (float)sum;
+        energy[i] = isWhole ? (float)sum : (float)NAN;
         swMoments moments = sumMoments(record, scratch->table, sum);
         swKeepSeaMoments(record, i, &moments, sum > 0.0, sum > 0.0);
     }
     record->hasDirections = true;
+    swCloseSeaGaps(record);
     swSumSeaRecord(record);
     return SW_SUCCESS;
 }

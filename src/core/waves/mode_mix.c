@@ -114,6 +114,40 @@ static void fillPairs(const swBandModes* from, const swBandModes* to, const floa
     }
 }
 
+// Part of a tile's variance that both seas have in common.
+static double findSharedPart(const swBandModes* from, const swBandModes* to, const float* response)
+{
+    BandMix sums = {0};
+    for (int i = 0, j = 0; i < from->modeCount || j < to->modeCount;)
+    {
+        const swMode *a, *b;
+        takeNext(from, to, &i, &j, &a, &b);
+        Pair pair;
+        copyMixed(a, b, pair.from);
+        copyMixed(b, a, pair.to);
+        const swMode* mode = a != NULL ? a : b;
+        double damping = (double)response[mode->qx < 0 ? -mode->qx : mode->qx] * (double)response[mode->qz];
+        addCovariances(&sums, &pair, damping * damping);
+    }
+    double all = sums.variance0 + sums.variance1;
+    return all > 0.0 ? 2.0 * sums.covariance / all : 0.0;
+}
+
+double swFindSharedVariance(const swBandModes* a, const swBandModes* b, const float* response)
+{
+    double all = 0.0, shared = 0.0;
+    for (int tile = 0; tile < SW_SET_TILES; ++tile)
+    {
+        double variance = (double)a[tile].variance + (double)b[tile].variance;
+        all += variance;
+        if (a[tile].modeCount > 0 && b[tile].modeCount > 0 && a[tile].side == b[tile].side)
+        {
+            shared += variance * findSharedPart(&a[tile], &b[tile], response);
+        }
+    }
+    return all > 0.0 ? shared / all : 0.0;
+}
+
 static swResult mixBand(const swHost* host, const swBandModes* from, const swBandModes* to, const float* response,
                         BandMix* band, swBandModes* out)
 {
@@ -241,6 +275,7 @@ static void applyBand(const BandMix* band, double factor, float share, swBandMod
     {
         out->wind[i] = keep * band->from.wind[i] + share * band->to.wind[i];
     }
+    out->knownWind = keep * band->from.knownWind + share * band->to.knownWind;
 }
 
 void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands)
@@ -312,6 +347,7 @@ static void streamBand(swStream* stream, int maxBin, swBandModes* band)
     {
         streamPositive(stream, &band->wind[i]);
     }
+    streamPositive(stream, &band->knownWind);
     swStreamF32(stream, &band->depth);
     stream->isBroken = stream->isBroken || !(band->depth >= 0.0f); // infinite over deep water
 }

@@ -21,6 +21,10 @@ void swFreeModeMix(const swHost* host, swModeMix* mix);
 // its energies in both.
 void swApplyModeMix(const swModeMix* mix, float share, swBandModes* bands);
 
+// Part by which the variance of the two seas' sum is above the sum of their variances: 0 of seas with phases of their
+// own.
+double swFindSharedVariance(const swBandModes* a, const swBandModes* b, const float* response);
+
 // All that a mix is made of; its share is not part of it.
 void swAddHashMix(swHash* hash, const swModeMix* mix);
 

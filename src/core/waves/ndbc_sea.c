@@ -58,7 +58,7 @@ static void getStandardBand(int index, double* frequency, double* width)
 
 static bool takeStandardBands(int count, const float* printed, float* frequencies, float* widths)
 {
-    int index = 0;
+    int index = 0, last = 0;
     for (int i = 0; i < count; ++i)
     {
         double frequency = 0.0;
@@ -71,10 +71,12 @@ static bool takeStandardBands(int count, const float* printed, float* frequencie
                 break;
             }
         }
-        if (index == STANDARD_COUNT)
+        // Bands of a set with gaps would not meet.
+        if (index == STANDARD_COUNT || (i > 0 && index != last + 1))
         {
             return false;
         }
+        last = index;
         frequencies[i] = (float)frequency;
         widths[i] = (float)width;
         ++index;
@@ -165,11 +167,41 @@ static void fillRecord(const Files* files, const swNdbcRow* row, swSeaRecord* re
     record->seconds = 60.0 * (double)row->minutes;
     for (int i = 0; i < record->frequencyCount; ++i)
     {
-        energy[i] = values[i] > 0.0f ? values[i] : 0.0f;
+        energy[i] = values[i] >= 0.0f ? values[i] : (float)NAN;
     }
+    swCloseSeaGaps(record);
     swSumSeaRecord(record);
     gatherMoments(files, row, moments);
     swFillSeaDirections(record, moments);
+}
+
+typedef struct Lack
+{
+    size_t directions, lengths; // records without those of their time and frequencies, of files that are there
+} Lack;
+
+static void countLacks(const Files* files, const swNdbcRow* row, const swSeaRecord* record, Lack* lack)
+{
+    lack->directions += files->alpha1.rows.count > 0 && !record->hasDirections ? 1 : 0;
+    lack->lengths +=
+        files->r1.rows.count > 0 && record->hasDirections && swFindNdbcRow(&files->r1, row->minutes) == NULL ? 1 : 0;
+}
+
+static void warnOfLacks(const swHost* host, const Files* files, const swMeasuredSea* sea, const Lack* lack)
+{
+    if (lack->directions > 0)
+    {
+        swLog(host, SW_LOG_WARNING,
+              "%s: %zu of %zu records find no directions of their time and frequencies in %s; they have none.",
+              files->energy.name, lack->directions, sea->records.count, files->alpha1.name);
+    }
+    if (lack->lengths > 0)
+    {
+        swLog(host, SW_LOG_WARNING,
+              "%s: %zu of %zu records find no line of their time in %s; what it would tell is taken from a cos^2s "
+              "spread around the mean direction.",
+              files->energy.name, lack->lengths, sea->records.count, files->r1.name);
+    }
 }
 
 // A record whose energies are all missing tells nothing.
@@ -189,7 +221,8 @@ static bool hasEnergy(const swNdbcFile* energy, const swNdbcRow* row)
 
 // ---- the sea ----
 
-static swResult addRecord(const Files* files, const swNdbcRow* row, swMeasuredSea* sea, swSeaMoments* moments)
+static swResult addRecord(const Files* files, const swNdbcRow* row, swMeasuredSea* sea, swSeaMoments* moments,
+                          Lack* lack)
 {
     const swNdbcSet* set = (const swNdbcSet*)files->energy.sets.data + row->set;
     const float* printed = (const float*)files->energy.frequencies.data + set->first;
@@ -199,6 +232,7 @@ static swResult addRecord(const Files* files, const swNdbcRow* row, swMeasuredSe
     {
         fillBands(set->count, printed, swGetSeaRow(record, SW_SEA_FREQUENCIES), swGetSeaRow(record, SW_SEA_BANDWIDTHS));
         fillRecord(files, row, record, moments);
+        countLacks(files, row, record, lack);
     }
     return result;
 }
@@ -215,13 +249,15 @@ static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* s
     }
     swResult result = SW_SUCCESS;
     size_t emptyCount = 0;
+    Lack lack = {0};
     for (size_t i = 0; i < energy->rows.count && result == SW_SUCCESS; ++i)
     {
         bool isThere = hasEnergy(energy, &rows[i]);
         emptyCount += isThere ? 0 : 1;
-        result = isThere ? addRecord(files, &rows[i], sea, moments) : SW_SUCCESS;
+        result = isThere ? addRecord(files, &rows[i], sea, moments, &lack) : SW_SUCCESS;
     }
     swFree(host, moments, momentsSize);
+    warnOfLacks(host, files, sea, &lack);
     if (emptyCount > 0 && sea->records.count > 0)
     {
         swLog(host, SW_LOG_WARNING,

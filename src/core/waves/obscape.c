@@ -25,6 +25,7 @@ typedef struct Reader
     char station[64];
     double seconds, latitude, longitude;
     double unit; // of densities, m2/Hz/rad
+    bool hasUnit;
     int frequencyCount, directionCount;
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double directions[SW_SEA_MAX_DIRECTIONS]; // degrees
@@ -131,6 +132,32 @@ static void readStation(Reader* reader)
     reader->station[size] = '\0';
 }
 
+// [m2/Hz/rad] or [m2/Hz/deg], however the square is written.
+static swResult readUnit(Reader* reader)
+{
+    const swSeaText* text = &reader->file.text;
+    char unit[32];
+    size_t size = 0;
+    for (const char* at = text->at + strlen("Variance-density"); at < text->lineEnd && size + 1 < sizeof(unit); ++at)
+    {
+        if (strchr(" \t[]()^*=", *at) == NULL)
+        {
+            unit[size++] = *at;
+        }
+    }
+    unit[size] = '\0';
+    bool isRadian = strcmp(unit, "m2/Hz/rad") == 0, isDegree = strcmp(unit, "m2/Hz/deg") == 0;
+    reader->unit = isDegree ? 1.0 / DEGREE : 1.0;
+    reader->hasUnit = isRadian || isDegree;
+    if (!reader->hasUnit && unit[0] != '\0')
+    {
+        return swFail(text->host, SW_ERROR_FORMAT,
+                      "%s:%d: the unit of densities is '%s'; m2/Hz/rad and m2/Hz/deg are read.", text->name, text->line,
+                      unit);
+    }
+    return SW_SUCCESS;
+}
+
 // One line that begins with '#'.
 static swResult readRemark(Reader* reader)
 {
@@ -166,9 +193,9 @@ static swResult readRemark(Reader* reader)
         skipEquals(text);
         readStation(reader);
     }
-    else if (hasKey(text, "Variance-density [m2/Hz/deg]"))
+    else if (hasKey(text, "Variance-density"))
     {
-        reader->unit = 1.0 / DEGREE;
+        return readUnit(reader);
     }
     else if (hasKey(text, "Directions"))
     {
@@ -199,6 +226,13 @@ static swResult readHead(Reader* reader)
         result = swFail(text->host, SW_ERROR_FORMAT,
                         "%s:%d: the heading must name at least 2 frequencies (Rows) and 4 directions (Columns).",
                         text->name, text->line);
+    }
+    if (result == SW_SUCCESS && !reader->hasUnit)
+    {
+        swLog(text->host, SW_LOG_WARNING,
+              "%s: no unit of its densities (# Variance-density [m2/Hz/rad]) tells whether they are per radian or per "
+              "degree; they are taken per radian.",
+              text->name);
     }
     return result;
 }

@@ -28,6 +28,7 @@ typedef struct Reader
 {
     swSeaReader file;
     int frequencyCount, directionCount, location;
+    int restCount; // columns behind the frequencies
     double frequencies[SW_SEA_MAX_FREQUENCIES];
     double widths[SW_SEA_MAX_FREQUENCIES];
     double directions[SW_SEA_MAX_DIRECTIONS];
@@ -163,6 +164,18 @@ static swResult readTime(Reader* reader, double* seconds)
     return result;
 }
 
+// Fields that are left in the line and not empty.
+static int countFields(swSeaText* text)
+{
+    swSeaToken field;
+    int count = 0;
+    while (swNextSeaField(text, &field))
+    {
+        count += field.size > 0 ? 1 : 0;
+    }
+    return count;
+}
+
 static swResult readFrequencies(Reader* reader)
 {
     swSeaText* text = &reader->file.text;
@@ -178,6 +191,7 @@ static swResult readFrequencies(Reader* reader)
         double least = i > 0 ? reader->frequencies[i - 1] + 1e-6 : 1e-6;
         result = readField(text, "a frequency", least, 100.0, &reader->frequencies[i]);
     }
+    reader->restCount = countFields(text); // anspec, the sum over them
     for (int i = 0; i < reader->frequencyCount; ++i)
     {
         int below = i > 0 ? i - 1 : i, above = i + 1 < reader->frequencyCount ? i + 1 : i;
@@ -200,6 +214,19 @@ static swResult readSector(Reader* reader, int sector)
         double cell = 0.0, most = SW_SEA_MAX_DENSITY * reader->widths[i] * width;
         result = readField(text, "a variance", -most, most, &cell);
         reader->density[i * reader->directionCount + sector] = cell / (reader->widths[i] * width);
+    }
+    if (result == SW_SUCCESS && countFields(text) > reader->restCount)
+    {
+        result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the line has more variances than the %d frequencies.",
+                        text->name, text->line, reader->frequencyCount);
+    }
+    for (int j = 0; j < sector && result == SW_SUCCESS; ++j)
+    {
+        if (fabs(reader->directions[j] - reader->directions[sector]) < 1e-9)
+        {
+            result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: the direction %g stands there twice.", text->name,
+                            text->line, bearing);
+        }
     }
     return result;
 }

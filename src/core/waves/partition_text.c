@@ -26,6 +26,7 @@
 #define MAX_HEIGHT 40.0
 #define MIN_PERIOD 0.5
 #define MAX_PERIOD 60.0
+#define LEAST_SPREAD 5.7 // degrees; cos^2s ends at s = 200
 #define DEGREE (SW_PI / 180.0)
 
 typedef struct Reader
@@ -35,6 +36,7 @@ typedef struct Reader
     bool isHeld;           // the line at hand is still to be read
     int emptyCount;        // partitions of no height or period
     int firstEmpty;        // line of the first
+    int narrowCount;       // spreads that are told and cannot be made
 } Reader;
 
 static swResult keep(Reader* reader, const swSeaPartition* partition)
@@ -69,6 +71,12 @@ static swResult finish(Reader* reader, swResult result)
         swLog(reader->file.text.host, SW_LOG_WARNING,
               "%s:%d: %d partitions have no height or period and are left out; this line is the first.",
               reader->file.text.name, reader->firstEmpty, reader->emptyCount);
+    }
+    if (reader->narrowCount > 0)
+    {
+        swLog(reader->file.text.host, SW_LOG_WARNING,
+              "%s: %d partitions have a spread below %g degrees, the narrowest that is made; they get that.",
+              reader->file.text.name, reader->narrowCount, LEAST_SPREAD);
     }
     if (result == SW_SUCCESS)
     {
@@ -132,6 +140,7 @@ static swResult readSystem(Reader* reader, int expected, swSeaPartition* partiti
         partition->peak = hasWaves ? 1.0 / values[2] : 0.1;
         partition->bearing = hasBearing ? values[4] : (double)NAN;
         partition->spread = values[5] > 0.0 && values[5] <= 90.0 ? values[5] * DEGREE : (double)NAN;
+        reader->narrowCount += values[5] > 0.0 && values[5] < LEAST_SPREAD ? 1 : 0;
         partition->isWindSea = values[6] > 0.5;
     }
     return result;
@@ -353,6 +362,33 @@ bool swIsPartitionTable(const char* text, size_t size)
     return nextRow(&lines) && readAnyHeading(&lines, columns, &count);
 }
 
+// A column of another name is passed over; one that seems to tell what a partition is made of is named.
+static void warnOfStrangers(swSeaText text, const int columns[64])
+{
+    static const char* const words[] = {"dir", "spr", "hs_", "tp_", "gam", "height", "period"};
+    swSeaToken field;
+    text.at = text.lineBegin;
+    for (int i = 0; i < 64 && swNextSeaField(&text, &field); ++i)
+    {
+        bool isStrange = false;
+        for (size_t j = 0; j < sizeof(words) / sizeof(words[0]) && columns[i] == COLUMN_COUNT; ++j)
+        {
+            int size = (int)strlen(words[j]);
+            for (int k = 0; k + size <= field.size; ++k)
+            {
+                isStrange = isStrange || memcmp(field.text + k, words[j], (size_t)size) == 0;
+            }
+        }
+        if (isStrange)
+        {
+            swLog(text.host, SW_LOG_WARNING,
+                  "%s:%d: the column '%.*s' is passed over; those that are read are named time, hs_m, tp_s, "
+                  "direction_from_deg, spread_deg, gamma and location.",
+                  text.name, text.line, field.size, field.text);
+        }
+    }
+}
+
 static swResult failField(const Reader* reader, int column, swSeaToken field, const char* wish)
 {
     return swFail(reader->file.text.host, SW_ERROR_FORMAT, "%s:%d: %s is '%.*s'; it must be %s.",
@@ -402,6 +438,7 @@ static swResult readField(Reader* reader, int column, swSeaToken field, swSeaPar
                       reader->file.text.line, s_columns[column].name, field.size, field.text, s_columns[column].low,
                       s_columns[column].high);
     }
+    reader->narrowCount += column == SPREAD && value < LEAST_SPREAD ? 1 : 0;
     *values[column] = column == PERIOD ? 1.0 / value : column == SPREAD ? value * DEGREE : value;
     return SW_SUCCESS;
 }
@@ -454,6 +491,10 @@ static swResult readTable(void* context)
         result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
                         "%s:%d: the heading must name time, hs_m and tp_s once each.", reader->file.text.name,
                         reader->file.text.line);
+    }
+    if (result == SW_SUCCESS)
+    {
+        warnOfStrangers(reader->file.text, columns);
     }
     while (result == SW_SUCCESS && nextRow(&reader->file.text))
     {

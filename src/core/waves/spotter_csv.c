@@ -183,15 +183,17 @@ static void turnMoments(Reader* reader, int band)
     reader->bands[SPREAD][band] = spread >= 0.0 && spread <= sqrt(2.0) ? 1.0 - 0.5 * spread * spread : (double)NAN;
 }
 
-// Puts the bands that are known in a row, each with its moments. Returns how many there are.
+// Puts the bands whose frequency is known in a row, each with its moments. Returns how many there are, 0 without any
+// density.
 static int gatherBands(Reader* reader, bool* hasWidths)
 {
     int count = 0;
+    bool hasDensity = false;
     *hasWidths = true;
     for (int i = 0; i < reader->bandCount; ++i)
     {
-        bool isKnown = reader->bands[FREQUENCY][i] == reader->bands[FREQUENCY][i] &&
-                       reader->bands[DENSITY][i] == reader->bands[DENSITY][i];
+        bool isKnown = reader->bands[FREQUENCY][i] == reader->bands[FREQUENCY][i];
+        hasDensity = hasDensity || (isKnown && reader->bands[DENSITY][i] == reader->bands[DENSITY][i]);
         for (int j = 0; j < BAND_QUANTITIES && isKnown; ++j)
         {
             reader->bands[j][count] = reader->bands[j][i];
@@ -202,7 +204,7 @@ static int gatherBands(Reader* reader, bool* hasWidths)
             turnMoments(reader, count++);
         }
     }
-    return count;
+    return hasDensity ? count : 0;
 }
 
 static swResult addSpectrum(Reader* reader)

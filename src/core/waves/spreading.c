@@ -92,8 +92,14 @@ bool swCorrectMoments(swMoments* moments)
     if (r1 > MAX_R1)
     {
         impossible = r1 > 1.0;
-        first.re *= MAX_R1 / r1;
-        first.im *= MAX_R1 / r1;
+        // As wide as can be told; a second moment that stayed would then need waves from the other side.
+        double shrink = MAX_R1 / r1, most = squareOf(second);
+        first.re *= shrink;
+        first.im *= shrink;
+        double narrow = MAX_R1 * MAX_R1 * MAX_R1 * MAX_R1;
+        double keep = most > narrow * narrow ? narrow / sqrt(most) : 1.0;
+        second.re *= keep;
+        second.im *= keep;
     }
 
     Complex square = multiply(first, first);

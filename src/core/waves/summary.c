@@ -241,6 +241,33 @@ static swResult readRow(swSeaText* text, const Columns* columns, swSummaryFile* 
     return SW_SUCCESS;
 }
 
+// The line of units below a heading: heights are read in metres only.
+static swResult checkUnits(swSeaText* lines, const Columns* columns)
+{
+    lines->at = lines->lineBegin;
+    lines->at += swPeekSeaChar(lines) == '#' ? 1 : 0;
+    if (!swIsSeaToken(swNextSeaToken(lines), "yr"))
+    {
+        return SW_SUCCESS; // a comment
+    }
+    for (int i = 1; i < (columns->hasMinutes ? 5 : 4); ++i)
+    {
+        swNextSeaToken(lines); // mo dy hr mn
+    }
+    for (int i = 0; i < columns->count && i < MAX_COLUMNS; ++i)
+    {
+        swSeaToken unit = swNextSeaToken(lines);
+        int field = columns->fields[i];
+        if (unit.size > 0 && field < SW_SUMMARY_FIELD_COUNT && s_fields[field].kind == HEIGHT &&
+            !swIsSeaToken(unit, "m"))
+        {
+            return swFail(lines->host, SW_ERROR_FORMAT, "%s:%d: %s is in '%.*s'; heights are read in m.", lines->name,
+                          lines->line, s_fields[field].label, unit.size, unit.text);
+        }
+    }
+    return SW_SUCCESS;
+}
+
 // A heading, a comment, or a record, which is left out if it is broken.
 static swResult readLine(swSeaText* lines, swTrial* trial, Columns* columns, swSummaryFile* file)
 {
@@ -250,7 +277,11 @@ static swResult readLine(swSeaText* lines, swTrial* trial, Columns* columns, swS
         return room == SW_SUCCESS ? swJudgeTrial(trial, readRow(lines, columns, file), "line", lines->line) : room;
     }
     Columns read;
-    *columns = readHeading(lines, &read) ? read : *columns; // or a comment
+    if (!readHeading(lines, &read))
+    {
+        return checkUnits(lines, columns);
+    }
+    *columns = read;
     if (columns->count > MAX_COLUMNS)
     {
         return swFail(lines->host, SW_ERROR_FORMAT, "%s:%d: the heading names %d columns; at most %d are read.",

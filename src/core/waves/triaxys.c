@@ -119,6 +119,19 @@ static swResult readDate(Reader* reader)
                       "%s:%d: DATE should be as 2018-01-31 21:00(UTC) or 2018 Jan 31 21:00(UTC).",
                       reader->file.text.name, reader->file.text.line);
     }
+    // Behind the time its zone.
+    for (; at < reader->file.text.lineEnd && !isLetter(*at); ++at)
+    {
+    }
+    size_t left = (size_t)(reader->file.text.lineEnd - at);
+    bool isUtc =
+        left == 0 || *at == 'Z' || (left >= 3 && memcmp(at, "UTC", 3) == 0) || (left >= 3 && memcmp(at, "GMT", 3) == 0);
+    bool isShifted = left > 3 && (at[3] == '+' || at[3] == '-');
+    if (!isUtc || isShifted)
+    {
+        swLog(reader->file.text.host, SW_LOG_WARNING, "%s:%d: the time is in '%.*s'; it is taken as UTC.",
+              reader->file.text.name, reader->file.text.line, (int)left, at);
+    }
     return SW_SUCCESS;
 }
 
@@ -243,6 +256,12 @@ static swResult readRows(Reader* reader)
         {
             result = readDensity(reader, "an energy", 1.0, SW_SEA_MAX_ENERGY, &reader->energy[i]);
         }
+    }
+    if (result == SW_SUCCESS && (swPeekSeaChar(&reader->file.text) != '\0' || swNextSeaLine(&reader->file.text)))
+    {
+        result = swFail(reader->file.text.host, SW_ERROR_FORMAT,
+                        "%s:%d: the spectrum has more numbers than its heading tells.", reader->file.text.name,
+                        reader->file.text.line);
     }
     return result;
 }

@@ -25,6 +25,7 @@ typedef struct swBandModes
     float variance, slopeVarianceX, slopeVarianceZ; // at weight 1
     swStrain strain;
     float wind[SW_WIND_STEPS]; // of the band, in its first tile; see wind_level.h
+    float knownWind;           // m/s, of the whole sea, in each of its first tiles; 0 where the waves tell it
     float depth;               // m, of the dispersion
     float
         breadth; // the number of waves that would share the energy evenly, (sum E)^2 / sum E^2, over all of the octave

@@ -23,9 +23,6 @@
 #define SMOOTHEST 0.002
 #define ROUGHEST 0.004
 
-// How far a formula's levels may be scaled to its wind.
-#define MOST_SCALE 5.0f
-
 // rad/m of a step's shortest wave.
 static double getStepNumber(int step)
 {
@@ -45,40 +42,23 @@ bool swHasSpectrumWind(const swSpectrumDef* def)
     return def->hasWind || (!isFree && def->significantHeight == 0.0f && def->peakPeriod == 0.0f);
 }
 
-// The factor on all levels that makes them tell of a wind.
-static float findScale(const float* levels, double gravity, float wind)
-{
-    float low = 1.0f / MOST_SCALE, high = MOST_SCALE;
-    for (int i = 0; i < 20; ++i)
-    {
-        float middle = 0.5f * (low + high);
-        float scaled[STEPS];
-        for (int step = 0; step < STEPS; ++step)
-        {
-            scaled[step] = levels[step] * middle;
-        }
-        bool isTooMuch = swFindWind(scaled, gravity) > wind;
-        low = isTooMuch ? low : middle;
-        high = isTooMuch ? middle : high;
-    }
-    return 0.5f * (low + high);
-}
-
 void swFillWindLevels(const swCompiledSpectrum* spectrum, const swSpectrumDef* def, swBandModes* bands)
 {
+    if (swHasSpectrumWind(def))
+    {
+        for (int band = 0; band < SW_MAX_BANDS; ++band)
+        {
+            bands[band].knownWind = def->windSpeed;
+        }
+        return;
+    }
     swDispersion dispersion = swGetCompiledDispersion(spectrum);
-    float levels[STEPS];
     for (int step = 0; step < STEPS; ++step)
     {
         double k1 = getStepNumber(step);
         double k0 = getStepNumber(step + 1);
         double variance = swIntegrateCompiled(spectrum, swGetOmega(&dispersion, k0), swGetOmega(&dispersion, k1));
-        levels[step] = (float)getLevel(variance, dispersion.gravity, k0, k1);
-    }
-    float scale = swHasSpectrumWind(def) ? findScale(levels, dispersion.gravity, def->windSpeed) : 1.0f;
-    for (int step = 0; step < STEPS; ++step)
-    {
-        bands[step / SW_WIND_STEPS].wind[step % SW_WIND_STEPS] = levels[step] * scale;
+        bands[step / SW_WIND_STEPS].wind[step % SW_WIND_STEPS] = (float)getLevel(variance, dispersion.gravity, k0, k1);
     }
 }
 
@@ -111,5 +91,5 @@ float swFindWind(const float* levels, double gravity)
         }
         wind = fmax(wind, held * getRoughness(means[i], gravity, getStepNumber(i + AVERAGE / 2)));
     }
-    return (float)wind;
+    return fminf((float)wind, SW_STRONGEST_WIND);
 }

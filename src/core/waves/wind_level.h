@@ -9,8 +9,9 @@
 // energy and those of several systems add up. The wind of the sea is the highest level that the sea holds over an
 // octave of frequency: a swell is narrower than that and tells of none.
 //
-// Where the wind is known, because a formula was given nothing else or because the def says so, the levels are scaled
-// so that they tell of it: the published formulas for one wind disagree by a third, and real seas by more.
+// Where the wind is known, because a formula was given nothing else or because the def says so, it is taken as it is
+// and the waves have no levels: the published formulas for one wind disagree by a third, and real seas by more. Known
+// winds of several systems are one wind that blows over all of them, so the strongest counts and they do not add up.
 
 #include "core/waves/spectrum.h"
 #include "seaway/waves.h"
@@ -19,7 +20,10 @@
 
 typedef struct swBandModes swBandModes;
 
-// Fills `wind` of bands[SW_MAX_BANDS].
+// No wind is stronger than this, whatever the waves: the range of what may be given, m/s.
+#define SW_STRONGEST_WIND 100.0f
+
+// Fills `wind` and `knownWind` of bands[SW_MAX_BANDS].
 void swFillWindLevels(const swCompiledSpectrum* spectrum, const swSpectrumDef* def, swBandModes* bands);
 
 // levels[SW_MAX_BANDS * SW_WIND_STEPS], shortest waves first. 0 where no wind is to be seen.

@@ -9,6 +9,9 @@
 #include "core/math/scalar.h"
 #include "core/world/world.h"
 
+// Two systems are told of if their variance is more than this part too high.
+#define TWIN_PART 0.05
+
 static swRamp makeConstant(float value)
 {
     return (swRamp){.from = value, .to = value};
@@ -123,6 +126,33 @@ static swResult placeSystem(swWorld* world, int slot, const swWaveSystem* system
 
 // ---- create, remove ----
 
+// Systems of one seed have one phase for each wave: where they overlap, heights add up instead of energies.
+static void warnOfTwins(swWorld* world, int slot, const swWaveSet* set)
+{
+    for (int other = 0; other < SW_MAX_WAVE_SYSTEMS; ++other)
+    {
+        const swWaveSystem* system = &world->systems[other];
+        if (other == slot || system->layerCount == 0)
+        {
+            continue;
+        }
+        const swWaveSet* twin = system->layers[system->layerCount - 1].set;
+        twin = twin->to != NULL ? twin->to : twin;
+        if (twin == set || twin->def.seed != set->def.seed)
+        {
+            continue;
+        }
+        double part = swFindSharedVariance(set->bands, twin->bands, set->response);
+        if (part > TWIN_PART)
+        {
+            swLog(&world->host, SW_LOG_WARNING,
+                  "two wave systems have the seed %u and waves in common, whose heights add up instead of their "
+                  "energies: their variance is %.0f %% too high; give each system a seed of its own.",
+                  (unsigned)set->def.seed, 100.0 * part);
+        }
+    }
+}
+
 swResult swAddSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
 {
     if (world->systemIds.count == SW_MAX_WAVE_SYSTEMS)
@@ -144,7 +174,9 @@ swResult swAddSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
     {
         swReleaseSet(world, set);
         swFreeId(&world->systemIds, *id);
+        return result;
     }
+    warnOfTwins(world, id->index1 - 1, set);
     return result;
 }
 
@@ -286,6 +318,7 @@ swResult swChangeSystem(swWorld* world, swWaveSystem* system, const swWaveSystem
     if (set != newest && set != newest->to)
     {
         result = changeWaves(world, slot, set, seconds);
+        warnOfTwins(world, slot, set);
     }
     else if (seconds == 0.0 && (set != newest || system->layerCount > 1))
     {
@@ -363,7 +396,7 @@ static void advanceSystem(swWorld* world, swWaveSystem* system)
 
 static void weighSystem(swWorld* world, int slot)
 {
-    const swWaveSystem* system = &world->systems[slot];
+    swWaveSystem* system = &world->systems[slot];
     float weight = swGetRamp(&system->weight, world->frame.ticks);
     for (int i = 0; i < system->layerCount; ++i)
     {
@@ -371,6 +404,7 @@ static void weighSystem(swWorld* world, int slot)
         float share = weight * getFade(&system->layers[i].fade, world->frame.ticks);
         set->system = share > 0.0f && set->weight == 0.0f ? slot : set->system;
         set->weight += share;
+        system->layers[i].weight = share;
     }
 }
 

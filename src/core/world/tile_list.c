@@ -3,6 +3,7 @@
 // a change; weights are brought up to date in each step. Tiles of one set are paired in order of their bands: a tile's
 // bits depend on its partner, so the pairing depends on nothing but the set. Sets without weight are not listed.
 
+#include <math.h>
 #include <string.h>
 
 #include "core/base/host.h"
@@ -131,19 +132,20 @@ static void weighWave(swFreeWave* wave, const swWaveSource* source)
     wave->system = source->set->system;
 }
 
+static void addLevels(const swWaveSet* set, float weight, float* levels)
+{
+    for (int step = 0; step < SW_MAX_BANDS * SW_WIND_STEPS; ++step)
+    {
+        levels[step] += weight * weight * set->bands[step / SW_WIND_STEPS].wind[step % SW_WIND_STEPS];
+    }
+}
+
 static void addWindLevels(swWorld* world, swWaveSet* set)
 {
-    if (set->isCounted)
+    if (!set->isCounted)
     {
-        return;
-    }
-    set->isCounted = true;
-    for (int band = 0; band < SW_MAX_BANDS; ++band)
-    {
-        for (int i = 0; i < SW_WIND_STEPS; ++i)
-        {
-            world->windLevels[band * SW_WIND_STEPS + i] += set->weight * set->weight * set->bands[band].wind[i];
-        }
+        set->isCounted = true;
+        addLevels(set, set->weight, world->windLevels);
     }
 }
 
@@ -153,12 +155,44 @@ static void uncountSet(swWorld* world, swWaveSet* set)
     set->isCounted = false;
 }
 
+// The wind that a system knows. It fades with the system's weight and does not grow beyond weight 1. While a known wind
+// gives way to one that the waves tell, or the other way round, what is left of it counts as a level of all waves.
+static float findKnownWind(const swWaveSystem* system, double gravity)
+{
+    float known = 0.0f, all = 0.0f;
+    float levels[SW_MAX_BANDS * SW_WIND_STEPS] = {0};
+    for (int i = 0; i < system->layerCount; ++i)
+    {
+        const swWaveLayer* layer = &system->layers[i];
+        known += layer->weight * layer->weight * layer->set->bands[0].knownWind;
+        all += layer->weight * layer->weight;
+        addLevels(layer->set, layer->weight, levels);
+    }
+    if (!(known > 0.0f))
+    {
+        return 0.0f;
+    }
+    known /= fmaxf(all, 1.0f);
+    for (int step = 0; step < SW_MAX_BANDS * SW_WIND_STEPS; ++step)
+    {
+        levels[step] += known;
+    }
+    return fmaxf(known, swFindWind(levels, gravity));
+}
+
+// The levels of waves that tell their wind add up; of the winds that are known the strongest counts.
 static void findWind(swWorld* world)
 {
     memset(world->windLevels, 0, sizeof world->windLevels);
     forEachSet(world, uncountSet);
     forEachSet(world, addWindLevels);
-    world->frame.wind = swFindWind(world->windLevels, (double)world->def.gravity);
+    double gravity = (double)world->def.gravity;
+    float wind = swFindWind(world->windLevels, gravity);
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        wind = fmaxf(wind, findKnownWind(&world->systems[slot], gravity));
+    }
+    world->frame.wind = fminf(wind, SW_STRONGEST_WIND);
 }
 
 void swListTiles(swWorld* world)

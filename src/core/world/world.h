@@ -72,6 +72,7 @@ typedef struct swWaveLayer
     swRamp share;  // of a mix
     bool isMixing; // the share runs to 1, and then the mix is over
     bool isShared; // the share is set from outside, by a replay
+    float weight;  // the system's times the fade, in this step
 } swWaveLayer;
 
 #define SW_MAX_WAVE_LAYERS 4
