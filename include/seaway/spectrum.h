@@ -11,8 +11,9 @@
 
 typedef enum swSpectrumKind
 {
-    /// [Hasselmann 1973]: a growing wind sea, given wind and fetch, or height and peak period. The published laws know no
-    /// end: beyond some 20,000 U^2 / g of fetch the sea outgrows a fully developed one. swMakeWindSeaSpectrum() does not.
+    /// [Hasselmann 1973]: a growing wind sea, given wind and fetch, or height and peak period. The published laws know
+    /// no end: beyond some 20,000 U^2 / g of fetch the sea outgrows a fully developed one. swMakeWindSeaSpectrum() does
+    /// not.
     SW_SPECTRUM_JONSWAP,
     /// [Pierson 1964]: a fully developed wind sea, given wind, or height and peak period.
     SW_SPECTRUM_PIERSON_MOSKOWITZ,
@@ -35,8 +36,9 @@ typedef enum swGrowthLaw
 {
     /// omega_p = 2 pi 3.5 (g / U) x^-0.33, as it is printed [Hasselmann 1973].
     SW_GROWTH_HASSELMANN,
-    /// omega_p = 22 (g^2 / (U F))^(1/3), that is 22 (g / U) x^(-1/3): a rounding that many programs and textbooks take. Its
-    /// period is 1 to 5 % longer and its sea 3 to 9 % higher, the more the longer the fetch: by 3 and 6 % at x = 10,000.
+    /// omega_p = 22 (g^2 / (U F))^(1/3), that is 22 (g / U) x^(-1/3): a rounding that many programs and textbooks take.
+    /// Its period is 1 to 5 % longer and its sea 3 to 9 % higher, the more the longer the fetch: by 3 and 6 % at x =
+    /// 10,000.
     SW_GROWTH_CUBE_ROOT,
     SW_GROWTH_LAW_COUNT
 } swGrowthLaw;
@@ -54,8 +56,8 @@ typedef enum swSpreadingKind
     SW_SPREADING_DONELAN_BANNER,
     /// All directions alike.
     SW_SPREADING_FLAT,
-    /// (1 + Delta cos 2 theta) / (2 pi), Delta by wave number [Elfouhaily 1997]. It says how slopes lie, with the wind or
-    /// across it, and not which way waves run: as many run against the wind as with it. Not for a sea seen moving.
+    /// (1 + Delta cos 2 theta) / (2 pi), Delta by wave number [Elfouhaily 1997]. It says how slopes lie, with the wind
+    /// or across it, and not which way waves run: as many run against the wind as with it. Not for a sea seen moving.
     SW_SPREADING_ELFOUHAILY,
     SW_SPREADING_KIND_COUNT
 } swSpreadingKind;
@@ -93,8 +95,8 @@ typedef struct swOctaves
     float chop;
     float gravityScale;
 
-    /// Take away the waves that are too long for the wind: times exp(-5/4 (omega_p / omega)^4), with omega_p of the fully
-    /// developed sea under windSpeed, or of peakPeriod if that is given. Default true.
+    /// Take away the waves that are too long for the wind: times exp(-5/4 (omega_p / omega)^4), with omega_p of the
+    /// fully developed sea under windSpeed, or of peakPeriod if that is given. Default true.
     bool limitByWind;
 } swOctaves;
 
@@ -125,9 +127,9 @@ typedef struct swSpectrumTable
     float firstDirection;
 } swSpectrumTable;
 
-/// Where a table's bins begin and end, Hz. Bin i reaches from edges[i] to edges[i + 1] and holds density times bandwidth.
-/// Bandwidths that fit together, around their frequencies or half-way to the neighbours, are kept; of others the nearest
-/// edges are taken that leave each frequency in its own bin.
+/// Where a table's bins begin and end, Hz. Bin i reaches from edges[i] to edges[i + 1] and holds density times
+/// bandwidth. Bandwidths that fit together, around their frequencies or half-way to the neighbours, are kept; of others
+/// the nearest edges are taken that leave each frequency in its own bin.
 /// Misuse, such as NULL or a table without frequencies, leaves edges as they are.
 /// @param edges [frequencyCount + 1]
 SW_API void swSpectrumTable_GetEdges(const swSpectrumTable* table, double* edges);
@@ -141,9 +143,10 @@ typedef struct swSpectrumDef
     /// Wind at 10 m above the water, m/s. Range (0, 100]. Default 10. Tables use it only with hasWind.
     float windSpeed;
 
-    /// Whether windSpeed is known to blow over these waves although their height or period was given, or a table. Whitecaps
-    /// then follow it. Without it a given sea tells of its own wind, and a formula that was given nothing but wind and
-    /// fetch has that wind anyway. The one-knob functions set it, a swell's wind being a breath. Default false.
+    /// Whether windSpeed is known to blow over these waves although their height or period was given, or a table.
+    /// Whitecaps then follow it. Without it a given sea tells of its own wind, and a formula that was given nothing but
+    /// wind and fetch has that wind anyway. The one-knob functions set it, a swell's wind being a breath. Default
+    /// false.
     bool hasWind;
 
     /// Distance over which the wind has blown, m. Range [1e3, 1e7]. Default 300e3. JONSWAP, TMA and Elfouhaily.
@@ -208,22 +211,23 @@ SW_API swSpectrumDef swDefaultSpectrumDef(void);
 SW_API swSpectrumDef swMakeOctaveSpectrum(const swSpectrumDef* source);
 
 /// @name One knob
-/// Seas as people name them. Wind seas spread as SW_SPREADING_HASSELMANN, and none outgrows the fully developed sea of its
-/// wind. Change whatever field you like in what they return.
+/// Seas as people name them. Wind seas spread as SW_SPREADING_HASSELMANN, and none outgrows the fully developed sea of
+/// its wind. Change whatever field you like in what they return.
 /// @{
 
-/// A sea by Beaufort's number, which may lie between two: the wave height that the World Meteorological Organization gives
-/// as probable in the open sea, the wind 0.836 number^1.5 m/s, the period of a sea that has grown to that height under
-/// that wind. Numbers outside [0, 12] are moved to the nearest.
+/// A sea by Beaufort's number, which may lie between two: the wave height that the World Meteorological Organization
+/// gives as probable in the open sea, the wind 0.836 number^1.5 m/s, the period of a sea that has grown to that height
+/// under that wind. Numbers outside [0, 12] are moved to the nearest.
 SW_API swSpectrumDef swMakeBeaufortSpectrum(float number, float direction);
 
-/// A sea by the World Meteorological Organization's (Douglas's) state of the sea, code table 3700: the middle of its range
-/// of heights, 0.05, 0.3, 0.875, 1.875, 3.25, 5, 7.5, 11.5 and 16 m for 1 to 9. States outside [0, 9] are moved to the
-/// nearest, between two the height is between theirs.
+/// A sea by the World Meteorological Organization's (Douglas's) state of the sea, code table 3700: the middle of its
+/// range of heights, 0.05, 0.3, 0.875, 1.875, 3.25, 5, 7.5, 11.5 and 16 m for 1 to 9. States outside [0, 9] are moved
+/// to the nearest, between two the height is between theirs.
 SW_API swSpectrumDef swMakeSeaStateSpectrum(float state, float direction);
 
 /// A wind sea by wind (m/s at 10 m), the distance over which it blows (m) and for how long (s); the smaller of both
-/// effects counts [Carter 1982], and growth ends at the fully developed sea. INFINITY is allowed for fetch and duration.
+/// effects counts [Carter 1982], and growth ends at the fully developed sea. INFINITY is allowed for fetch and
+/// duration.
 SW_API swSpectrumDef swMakeWindSeaSpectrum(float windSpeed, float fetch, float duration, float direction);
 
 /// A swell: height (m), peak period (s), and the standard deviation of its directions (radians, range [0.1, 1.41]; 0.15
@@ -246,8 +250,8 @@ typedef struct swSeaState
     float meanSquareSlope;   ///< integral of k^2 S of the frequencies integrated, k by depth and surface tension
 } swSeaState;
 
-/// One-dimensional density at f, m^2/Hz. Returns 0 outside the spectrum. Any thread. Like the next one, each call prepares the
-/// spectrum anew, about 0.2 ms.
+/// One-dimensional density at f, m^2/Hz. Returns 0 outside the spectrum. Any thread. Like the next one, each call
+/// prepares the spectrum anew, about 0.2 ms.
 SW_API float swSpectrum_GetDensity(const swSpectrumDef* def, float frequency);
 
 /// The same at many frequencies, preparing the spectrum once.
@@ -256,8 +260,8 @@ SW_API void swSpectrum_GetDensities(const swSpectrumDef* def, int count, const f
 /// Density of direction at f, 1/rad; integrates to 1 over the circle. Any thread.
 SW_API float swSpectrum_GetSpreading(const swSpectrumDef* def, float frequency, float direction);
 
-/// Integrate the spectrum over [minFrequency, maxFrequency] Hz, a table with its tail; or, with 0 and 0, over all of it:
-/// a formula up to 5 Hz (waves of 6 cm), a table by its own bins and widths, without the tail.
+/// Integrate the spectrum over [minFrequency, maxFrequency] Hz, a table with its tail; or, with 0 and 0, over all of
+/// it: a formula up to 5 Hz (waves of 6 cm), a table by its own bins and widths, without the tail.
 /// @return SW_ERROR_INVALID if the def is outside its ranges or has no energy
 SW_API swResult swSpectrum_GetSeaState(const swSpectrumDef* def, float minFrequency, float maxFrequency,
                                        swSeaState* seaState);

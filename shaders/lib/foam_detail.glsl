@@ -25,8 +25,9 @@ vec2 foamJump(float seed)
     return fract(vec2(0.7548777, 0.5698403) * seed);
 }
 
-// What a level of the pattern's pyramid keeps of the values' spread, fitted to the two laces' levels within 0.03. Without it
-// far foam, whose values lie closer to their mean, would pass the edge too seldom and cover less than its amount.
+// What a level of the pattern's pyramid keeps of the values' spread, fitted to the two laces' levels within 0.03.
+// Without it far foam, whose values lie closer to their mean, would pass the edge too seldom and cover less than its
+// amount.
 float foamSpread(float lod, float middle, float power)
 {
     return 1.0 / (1.0 + pow(exp2(max(lod, 0.0)) / middle, power));

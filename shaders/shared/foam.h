@@ -121,8 +121,9 @@ SW_FORMULA float swFoamStep(float foam, float birth, float fadeRate, float dt)
     return foam + (steady - foam) * (1.0f - SW_FOAM_EXP(-(birth + fadeRate) * dt)); // exactly `foam` at dt = 0
 }
 
-// What a texel without a past begins with: the foam that fresh folds make here, over the mean of the sea's. The mean is
-// right from the first frame on; patches take the place of the even part within 1 / fadeRate.
+// What a texel without a past begins with: the foam that fresh folds make here, over the mean of the sea's. The mean
+// is that of the sea or up to twice as much at first: it settles, and patches take the place of the even part, within
+// 1 / fadeRate.
 SW_FORMULA float swFoamStart(float birth, float fadeRate, float start)
 {
     float steady = swFoamSteady(birth, fadeRate);

@@ -9,7 +9,7 @@
 // Level of the equilibrium range over g U. With 4 beta I = 0.12 [Thomson 2013] it stands for u* = U / 32. Seas after
 // [Pierson 1964] have 0.0045, after [Hasselmann 1973] 0.0035 (10 km) to 0.0055 (300 km); winds at a buoy off Boston
 // over six days fit 0.0037 best.
-#define LEVEL 0.0039
+#define LEVEL 0.0037
 
 // A level is a mean over AVERAGE steps. It must be held over HELD means, each a step further: an octave of frequency.
 #define AVERAGE 4
