@@ -165,7 +165,7 @@ static swMeasuredSea* CreatePlaces(void)
     for (int i = 0; i < (int)(sizeof(places) / sizeof(places[0])); ++i)
     {
         int location = -1;
-        char name[8];
+        char name[16];
         snprintf(name, sizeof(name), "P%d", i + 1);
         assert_int_equal(swMeasuredSea_AddLocation(sea, name, places[i].longitude, places[i].latitude, &location),
                          SW_SUCCESS);

@@ -244,7 +244,7 @@ static void EveryWriterTellsTheSameSea(void** state)
         for (int k = 0; k < TIMES; ++k)
         {
             swMeasuredRecord record = swMeasuredSea_GetRecord(sea, k);
-            char time[20];
+            char time[32];
             snprintf(time, sizeof(time), "2020-01-01 %02d:00", k);
             assert_string_equal(record.time, time);
             assert_non_null(record.meanDirection);
