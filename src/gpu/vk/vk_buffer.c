@@ -61,8 +61,10 @@ swResult swGrowBuffer(swGpu* gpu, VkDeviceSize size, VkBufferUsageFlags usage, s
     {
         return SW_SUCCESS;
     }
+    // What this frame has put into the old buffer is not recorded yet: it must outlive this call.
+    swResult result = buffer->handle != VK_NULL_HANDLE ? swMakeRoomToRetire(gpu) : SW_SUCCESS;
     swBuffer grown;
-    swResult result = swCreateBuffer(gpu, size, usage, use, name, &grown);
+    result = result == SW_SUCCESS ? swCreateBuffer(gpu, size, usage, use, name, &grown) : result;
     if (result == SW_SUCCESS)
     {
         swRetireBuffer(gpu, buffer);

@@ -658,6 +658,15 @@ static bool growRetired(swGpu* gpu)
     return true;
 }
 
+swResult swMakeRoomToRetire(swGpu* gpu)
+{
+    if (gpu->retiredCount == gpu->retiredCapacity && !growRetired(gpu))
+    {
+        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for the list of what the GPU still uses.");
+    }
+    return SW_SUCCESS;
+}
+
 void swRetire(swGpu* gpu, const swRetired* retired)
 {
     swRetired entry = *retired;

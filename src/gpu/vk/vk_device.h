@@ -98,5 +98,8 @@ void swNameObject(const swGpu* gpu, VkObjectType type, uint64_t handle, const ch
 // Takes the record's handles over; they are destroyed once frames in flight are done.
 // Without memory for the list it waits for the device and destroys at once.
 void swRetire(swGpu* gpu, const swRetired* retired);
+
+// Room for one more, so that the next swRetire() keeps it alive and does not have to wait and destroy.
+swResult swMakeRoomToRetire(swGpu* gpu);
 // Destroy what was retired at least framesInFlight frames before `frameIndex`; UINT64_MAX destroys all.
 void swDestroyRetired(swGpu* gpu, uint64_t frameIndex);
