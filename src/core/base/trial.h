@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "core/base/host.h"
+#include "core/base/seam.h"
 
 #define SW_TRIAL_MESSAGE 1024
 
@@ -19,6 +20,8 @@ typedef struct swTrial
     char first[SW_TRIAL_MESSAGE];   // that of what was left out first
 } swTrial;
 
+SW_SEAM_BEGIN
+
 // The trial must stay where it is as long as its host is in use.
 void swBeginTrial(swTrial* trial, const swHost* outer);
 
@@ -30,3 +33,5 @@ swResult swJudgeTrial(swTrial* trial, swResult result, const char* place, int nu
 // After all records: tells the error that is kept, or how many records were left out in silence. The result is passed
 // on.
 swResult swEndTrial(swTrial* trial, swResult result);
+
+SW_SEAM_END
