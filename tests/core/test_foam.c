@@ -475,6 +475,36 @@ static void TheSeaBeyondTheSlicesHasAsMuchFoam(void** state)
     swDestroyWorld(world);
 }
 
+// Where every wave that counts is known, folds at random times bear the foam that the law's mean fold bears elsewhere.
+static void AFoldThatIsSeenWholeBearsAsMuch(void** state)
+{
+    (void)state;
+    swView* view;
+    swWorld* world = MakeWindySea(15.0f, 1.0f, &view);
+    swFoamDef def = swDefaultFoamDef();
+    def.minWavelength = 8.0f;
+    swWorld_SetFoam(world, &def);
+    const swFrame* frame = swGetWorldFrame(world);
+    double folds = 0.0, foam = 0.0;
+    for (int i = 0; i < 300; ++i)
+    {
+        swWorld_Step(world, 0.1);
+        const swFoamBirth* birth = &frame->views[0].foamBirth[0];
+        for (int t = 0; t < 128 * 128 && i >= 100; ++t)
+        {
+            float jacobian = frame->views[0].derivatives[4 * t + 2];
+            folds += (double)swFoamFold(jacobian, frame->foamLaw.threshold, birth->rest);
+            foam += (double)swView_GetFoam(view, 0)[t];
+        }
+    }
+    double count = 200.0 * 128.0 * 128.0;
+    double birth = (double)frame->foamLaw.unknownGrowth * folds / count;
+    double wanted = birth / (birth + (double)def.fadeRate);
+    print_message("mean foam: %.4f where waves are known, %.4f by the mean fold there\n", foam / count, wanted);
+    assert_true(foam / count > 0.6 * wanted && foam / count < 1.7 * wanted);
+    swDestroyWorld(world);
+}
+
 static void AChangedLawTakesEffect(void** state)
 {
     (void)state;
@@ -692,6 +722,7 @@ int main(void)
         cmocka_unit_test(SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea),
         cmocka_unit_test(CoverGrowsWithWindAsWhitecapsDo),
         cmocka_unit_test(TheSeaBeyondTheSlicesHasAsMuchFoam),
+        cmocka_unit_test(AFoldThatIsSeenWholeBearsAsMuch),
         cmocka_unit_test(AChangedLawTakesEffect),
         cmocka_unit_test(AKnownWindIsTheWindWhateverTheWaves),
         cmocka_unit_test(ATableKnowsTheWindThatItIsGiven),
