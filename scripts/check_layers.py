@@ -21,9 +21,10 @@ import re
 import subprocess
 import sys
 
-CORE = {"base": 0, "math": 1, "frame": 2, "lod": 3, "waves": 4, "input": 4, "sim": 4, "query": 5, "physics": 6,
-        "world": 7, "api": 8}
+CORE = {"base": 0, "math": 1, "frame": 2, "lod": 3, "spectra": 4, "records": 5, "formats": 6,
+        "waves": 7, "input": 7, "fields": 7, "sim": 7, "surface": 8, "query": 9, "physics": 10, "world": 11, "api": 12}
 GPU = {"vk": 0, "pass": 1, "draw": 2, "record": 3, "api": 4}
+COMPANIONS = {"files": 0, "measure": 0, "stage": 0, "share": 0, "scene": 1}
 SEAM = {"core/frame", "core/math", "core/base"}
 CORE_SYSTEM = set("""assert.h errno.h float.h inttypes.h limits.h math.h pthread.h sched.h stdalign.h stdarg.h stdatomic.h
     stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h threads.h time.h unistd.h
@@ -93,8 +94,9 @@ def may_include(root, path, target):
             return target.startswith("core/") and check_core(path, target)
         if path.startswith("src/gpu/"):
             return target.startswith(("core/", "gpu/")) and check_gpu(path, target)
-        half = path.split("/")[1]
-        return target.startswith((half + "/", "core/base/"))
+        mine, theirs = path.split("/")[1], target.split("/")[0]
+        return theirs == mine or target.startswith("core/base/") or \
+            theirs in COMPANIONS and COMPANIONS[theirs] < COMPANIONS.get(mine, 0)
     folder = path.split("/")[0]
     if target.startswith(folder + "/"):
         return True

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/scene_file.h"
+#include "files/file_text.h"
 #include "core/base/misuse.h"
 
 #define MAX_FILES 1024

@@ -8,7 +8,7 @@
 
 #include "core/base/misuse.h"
 #include "scene/scene_components.h"
-#include "scene/scene_file.h"
+#include "files/file_text.h"
 #include "scene/scene_measured.h"
 #include "scene/scene_octaves.h"
 #include "scene/yaml_read.h"
@@ -933,7 +933,7 @@ swResult swReadScene(const swHost* host, const char* path, swScene** scene)
         // The root folder keeps its slash.
         snprintf(folder, sizeof(folder), "%.*s", slash > path ? (int)(slash - path) : 1, path);
     }
-    swText text;
+    swFileText text;
     swResult result = swReadText(host, path, MAX_SCENE_SIZE, &text);
     if (result == SW_SUCCESS)
     {

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "core/base/number.h"
-#include "scene/scene_file.h"
+#include "files/file_text.h"
 #include "seaway/math.h"
 
 static const char* const mistakeCodes[] = {

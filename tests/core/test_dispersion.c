@@ -3,7 +3,7 @@
 
 #include "support/cmocka_setup.h"
 
-#include "core/waves/dispersion.h"
+#include "core/spectra/dispersion.h"
 
 #include <math.h>
 #include <stdio.h>

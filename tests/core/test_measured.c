@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/waves/spectrum.h"
+#include "core/spectra/spectrum.h"
 #include "seaway/math.h"
 #include "seaway/measured.h"
 

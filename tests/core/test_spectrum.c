@@ -3,7 +3,7 @@
 
 #include "support/cmocka_setup.h"
 
-#include "core/waves/spectrum.h"
+#include "core/spectra/spectrum.h"
 
 #include <math.h>
 #include <stdio.h>

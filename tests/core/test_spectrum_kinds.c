@@ -4,7 +4,7 @@
 
 #include "support/cmocka_setup.h"
 
-#include "core/waves/compiled.h"
+#include "core/spectra/compiled.h"
 
 #include <math.h>
 #include <stdio.h>

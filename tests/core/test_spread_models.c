@@ -4,8 +4,8 @@
 
 #include "support/cmocka_setup.h"
 
-#include "core/waves/compiled.h"
-#include "core/waves/spreading.h"
+#include "core/spectra/compiled.h"
+#include "core/spectra/spreading.h"
 
 #include <math.h>
 #include <stdio.h>

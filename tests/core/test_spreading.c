@@ -3,7 +3,7 @@
 
 #include "support/cmocka_setup.h"
 
-#include "core/waves/spreading.h"
+#include "core/spectra/spreading.h"
 
 #include <math.h>
 #include <stdio.h>

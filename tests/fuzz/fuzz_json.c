@@ -2,7 +2,7 @@
 // Measured seas in JSON from anywhere. What is read must be spectra.
 
 #include "fuzz_sea.h"
-#include "scene/measured_formats.h"
+#include "files/measured_formats.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

@@ -6,7 +6,7 @@
 #include "core/base/misuse.h"
 #include "core/frame/asked.h"
 #include "core/query/raycast.h"
-#include "core/query/sample.h"
+#include "core/surface/sample.h"
 #include "core/query/volume.h"
 #include "core/world/world.h"
 

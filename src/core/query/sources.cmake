@@ -1,6 +1,4 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
-    
     ${CMAKE_CURRENT_LIST_DIR}/raycast.c
-    ${CMAKE_CURRENT_LIST_DIR}/sample.c
     ${CMAKE_CURRENT_LIST_DIR}/volume.c)

@@ -3,7 +3,7 @@
 
 // How the waves of a band share out the energy of a spectrum's bins.
 
-#include "core/waves/spectrum.h"
+#include "core/spectra/spectrum.h"
 #include "seaway/waves.h"
 
 // The waves of a band on their lattice, [2 maxBin + 1][2 maxBin + 1] by qz, qx.

@@ -5,7 +5,7 @@
 // what modes and tiles are.
 
 #include "core/frame/frame.h"
-#include "core/waves/spectrum.h"
+#include "core/spectra/spectrum.h"
 #include "core/waves/wind_level.h"
 
 // A band has one tile, or up to three parallel ones. Tile i is of band i % SW_MAX_BANDS; the first SW_MAX_BANDS are

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/waves/compiled.h"
+#include "core/spectra/compiled.h"
 #include "core/waves/waves_fft.h"
 
 // Level of the equilibrium range over g U. With 4 beta I = 0.12 [Thomson 2013] it stands for u* = U / 32. Seas after

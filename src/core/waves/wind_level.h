@@ -13,7 +13,7 @@
 // and the waves have no levels: the published formulas for one wind disagree by a third, and real seas by more. Known
 // winds of several systems are one wind that blows over all of them, so the strongest counts and they do not add up.
 
-#include "core/waves/spectrum.h"
+#include "core/spectra/spectrum.h"
 #include "seaway/waves.h"
 
 #define SW_WIND_STEPS 4 // a band

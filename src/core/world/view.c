@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/waves/slices.h"
+#include "core/surface/slices.h"
 
 static size_t countTexels(const swViewDef* def)
 {

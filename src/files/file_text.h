@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Whole files into the host's memory.
+
+#include <stddef.h>
+
+#include "seaway/base.h"
+
+#define SW_MAX_PATH 4096 // bytes, with its zero
+
+typedef struct swFileText
+{
+    char* data;
+    size_t size;
+    size_t capacity;
+} swFileText;
+
+// Read a file, unpacking it if it is gzip, whatever its name. More than `limit` bytes are refused.
+// SW_ERROR_FILE and a sentence in the log if it cannot be read.
+swResult swReadText(const swHost* host, const char* path, size_t limit, swFileText* text);
+void swFreeText(const swHost* host, swFileText* text);
+
+// Whether there is a file that can be opened for reading.
+bool swHasFile(const char* path);
