@@ -23,7 +23,7 @@ import sys
 
 CORE = {"base": 0, "math": 1, "frame": 2, "lod": 3, "spectra": 4, "records": 5, "formats": 6,
         "waves": 7, "input": 7, "fields": 7, "sim": 7, "surface": 8, "query": 9, "physics": 10, "world": 11, "api": 12}
-GPU = {"vk": 0, "pass": 1, "draw": 2, "record": 3, "api": 4}
+GPU = {"vk": 0, "layer": 1, "pass": 2, "query": 3, "draw": 4, "record": 5, "api": 6}
 COMPANIONS = {"files": 0, "measure": 0, "stage": 0, "share": 0, "scene": 1}
 SEAM = {"core/frame", "core/math", "core/base"}
 CORE_SYSTEM = set("""assert.h errno.h float.h inttypes.h limits.h math.h pthread.h sched.h stdalign.h stdarg.h stdatomic.h
