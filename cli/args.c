@@ -9,7 +9,7 @@
 #include "seaway/stage.h"
 
 #include "output.h"
-#include "verbs.h"
+#include "common.h"
 
 #define MAX_OPTIONS 32
 #define MAX_NAME 64

@@ -5,7 +5,7 @@
 
 #include "seaway/stage.h"
 
-#include "verbs.h"
+#include "common.h"
 
 struct GpuAnswers
 {

@@ -7,7 +7,7 @@
 
 #include "seaway/stage.h"
 
-#include "verbs.h"
+#include "common.h"
 
 struct PictureMaker
 {

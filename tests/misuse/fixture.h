@@ -18,6 +18,7 @@
 #include "seaway/stage.h"
 #endif
 #if MISUSE_SCENE
+#include "seaway/files.h"
 #include "seaway/scene.h"
 #endif
 
