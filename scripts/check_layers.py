@@ -168,7 +168,7 @@ def check_passes(root, files):
 def check_sources(root, files):
     listings = set(re.findall(r"\w+\.c\b", "".join(read(root, f) for f in files if f.endswith("sources.cmake"))))
     for path in files:
-        if not re.match(r"src/(core|gpu)/\w+/\w+\.c$", path):
+        if not re.match(r"src/(?:(?:core|gpu)/\w+|scene|files)/\w+\.c$", path):
             continue
         if os.path.basename(path) not in listings:
             report("sources", path, "is listed in no sources.cmake")
