@@ -266,13 +266,13 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swWaveSystemId", "swPicture", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets"}
 # Of those, what is copied and spoilt field by field although there is no default.
-COPIED = {"swPicture", "swHeightMapDef"}
+COPIED = {"swShot", "swHeightMapDef"}
 # Made with a host, which is told.
-OBJECTS = {"swWorld", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay", "swScene",
+OBJECTS = {"swWorld", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swPicture", "swMeasuredSea", "swSeaReplay", "swScene",
            "swStage"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.
