@@ -286,7 +286,7 @@ static bool FillRecords(swWorld* world, const SeaGauges* gauges, Records* record
     {
         swWorld_SetTime(world, gauges->begin + records->dt * j);
         isFine = swWorld_Step(world, 0.0) == SW_SUCCESS;
-        swWorld_QueryParticles(world, &def, records->gaugeCount, points, &samples, slopes, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, records->gaugeCount, points, &samples, slopes, NULL);
         for (size_t i = 0; i < count; ++i)
         {
             size_t at = i * (size_t)records->sampleCount + (size_t)j;
@@ -505,8 +505,8 @@ bool LookAtSurface(const swWorld* world, double area, int count, SurfaceSums* su
         {
             points[i] = PlaceGauge(area, i);
         }
-        swWorld_QuerySurface(world, &def, count, points, &samples, NULL);
-        swWorld_QueryParticles(world, &def, count, points, &(swSurfaceSamples){0}, slopes, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &def, count, points, &samples, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, count, points, &(swSurfaceSamples){0}, slopes, NULL);
     }
     for (int i = 0; i < count && isFine; ++i)
     {

@@ -83,8 +83,8 @@ static bool FillSpectra(swWorld* world, double begin, double dt, double shortest
         {
             return false;
         }
-        swWorld_QueryParticles(world, &query, PATCH_POINTS, space->points,
-                               &(swSurfaceSamples){.displacement = space->displacement}, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, PATCH_POINTS, space->points,
+                                &(swSurfaceSamples){.displacement = space->displacement}, NULL, NULL);
         for (int i = 0; i < PATCH_POINTS; ++i)
         {
             double window = space->window[i % PATCH_SIDE] * space->window[i / PATCH_SIDE];

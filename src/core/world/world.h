@@ -12,6 +12,7 @@
 #include "core/sim/foam.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/waves.h"
+#include "core/world/moment.h"
 
 // Farthest that a viewpoint may be from the host's origin, and the host's origin from the sea's, m.
 #define SW_FARTHEST_VIEWPOINT 1e12
@@ -51,6 +52,7 @@ struct swWorld
     swViewFrame viewFrames[SW_MAX_VIEWS];
 
     swFrame frame;
+    swMoment moment; // of the frame
 };
 
 // world.c
