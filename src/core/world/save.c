@@ -420,13 +420,12 @@ static void streamPlace(swStream* stream, swPos* place)
     stream->isBroken = stream->isBroken || !isNear;
 }
 
-// What a view has beside its def and its foam.
+// What a view has beside its def and its layers.
 typedef struct ViewState
 {
     swPos viewpoint, last; // of the next step, of the last one
     bool isPlaced;
     int scaleLevel;
-    swFoamClock foam;
 } ViewState;
 
 static void streamViewState(swStream* stream, int maxScaleLevel, ViewState* state)
@@ -435,34 +434,6 @@ static void streamViewState(swStream* stream, int maxScaleLevel, ViewState* stat
     streamPlace(stream, &state->last);
     swStreamBool(stream, &state->isPlaced);
     swStreamRange(stream, &state->scaleLevel, 0, maxScaleLevel);
-    swFoamClock* foam = &state->foam;
-    swStreamBool(stream, &foam->isRunning);
-    swStreamI64(stream, &foam->remainder);
-    swStreamI64(stream, &foam->clock);
-    swStreamU32(stream, &foam->resetCount);
-    bool isClock = foam->remainder >= 0 && foam->remainder < (int64_t)SW_TICKS_PER_SECOND && foam->clock >= 0 &&
-                   foam->clock <= LARGEST_TICKS;
-    stream->isBroken = stream->isBroken || !isClock;
-}
-
-static size_t countTexels(const swViewDef* def)
-{
-    return def->enableCpuLayers ? (size_t)def->sliceCount * (size_t)def->resolution * (size_t)def->resolution : 0;
-}
-
-// Into `foam`, or only looked at where that is NULL.
-static void streamFoam(swStream* stream, size_t texels, float* foam)
-{
-    for (size_t i = 0; i < texels && !stream->isBroken; ++i)
-    {
-        float value = foam != NULL ? foam[i] : 0.0f;
-        swStreamF32(stream, &value);
-        stream->isBroken = stream->isBroken || !(value >= 0.0f && value <= 1.0f); // NaN as well
-        if (foam != NULL && swIsReading(stream))
-        {
-            foam[i] = value;
-        }
-    }
 }
 
 static ViewState getViewState(const swView* view)
@@ -471,22 +442,21 @@ static ViewState getViewState(const swView* view)
     return (ViewState){
         .viewpoint = view->viewpoint,
         .last = frame != NULL ? frame->viewpoint : view->viewpoint,
-        .isPlaced = view->stack.isPlaced,
-        .scaleLevel = view->stack.scaleLevel,
-        .foam = view->foamState,
+        .isPlaced = view->layers.stack.isPlaced,
+        .scaleLevel = view->layers.stack.scaleLevel,
     };
 }
 
-// Slices are those of the last step, where the next one finds its foam.
+// Slices are those of the last step, where the next one finds the past of layers.
 static void setViewState(swView* view, const ViewState* state)
 {
+    swStack* stack = &view->layers.stack;
     view->viewpoint = state->viewpoint;
-    view->stack.isPlaced = state->isPlaced;
-    view->stack.scaleLevel = state->scaleLevel;
-    view->foamState = state->foam;
+    stack->isPlaced = state->isPlaced;
+    stack->scaleLevel = state->scaleLevel;
     if (state->isPlaced)
     {
-        swPlaceStack(&view->stack, state->last, view->world->def.seaLevel);
+        swPlaceStack(stack, state->last, view->world->def.seaLevel);
     }
 }
 
@@ -498,9 +468,10 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
     streamViewDef(stream, &def);
     if (swIsReading(stream))
     {
-        // Before memory for layers is asked for: their foam must be there.
-        bool isFine = !stream->isBroken && swCheckViewDef(world, &def) == SW_SUCCESS &&
-                      (countTexels(&def) == 0 || swStreamHasLeft(stream, countTexels(&def), sizeof(float)));
+        // Before memory for layers is asked for: what is saved of them must be there.
+        bool isFine = !stream->isBroken && swCheckViewDef(world, &def) == SW_SUCCESS;
+        const swLayerStack layers = isFine ? swDescribeViewLayers(&def) : (swLayerStack){.hasTexels = false};
+        isFine = isFine && swStreamHasLeft(stream, swCountSavedFloats(&layers), sizeof(float));
         swResult result = isFine ? swAddView(world, &def, &view) : SW_ERROR_FORMAT;
         if (result != SW_SUCCESS)
         {
@@ -508,7 +479,7 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
         }
     }
     streamViewState(stream, def.maxScaleLevel, &state);
-    streamFoam(stream, countTexels(&def), view->foam[view->foamIndex]);
+    swStreamLayers(stream, &view->layers);
     if (stream->isBroken)
     {
         return SW_ERROR_FORMAT;
@@ -550,7 +521,7 @@ static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VI
         world->views[i]->viewpoint = last[i];
     }
     int viewCount = world->viewCount;
-    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->stack.isPlaced)
+    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->layers.stack.isPlaced)
     {
         world->viewCount -= 1;
     }
@@ -650,7 +621,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
 
 // ---- back to a state of this world ----
 
-// All of a state but waves and foam, read before anything is changed.
+// All of a state but waves and layers, read before anything is changed.
 typedef struct Rewind
 {
     Clocks clocks;
@@ -658,7 +629,7 @@ typedef struct Rewind
     swIdPool ids;
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     ViewState views[SW_MAX_VIEWS];
-    size_t foam[SW_MAX_VIEWS]; // where it is in the stream
+    size_t layers[SW_MAX_VIEWS]; // where they are in the stream
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -715,8 +686,8 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
             return failRewind(world, "a view had another def then");
         }
         streamViewState(stream, def.maxScaleLevel, &rewind->views[i]);
-        rewind->foam[i] = stream->at;
-        streamFoam(stream, countTexels(&def), NULL);
+        rewind->layers[i] = stream->at;
+        swCheckLayers(stream, &world->views[i]->layers);
     }
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
@@ -731,9 +702,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
     for (int i = 0; i < world->viewCount; ++i)
     {
         swView* view = world->views[i];
-        swStream foam = *stream;
-        foam.at = rewind->foam[i];
-        streamFoam(&foam, countTexels(&view->def), view->foam[view->foamIndex]);
+        swStream layers = *stream;
+        layers.at = rewind->layers[i];
+        swStreamLayers(&layers, &view->layers);
         setViewState(view, &rewind->views[i]);
         last[i] = rewind->views[i].last;
     }

@@ -59,7 +59,7 @@ void swStepWorldTo(swWorld* world, double time)
 {
     beginFrame(world, time); // time, tiles, slices snapped to texels
     stepSystems(world);      // spectra to tiles
-    swStepLayers(world);     // tiles to slices, then foam
+    swStepViews(world);      // tiles to slices, then foam
     world->isChanged = false;
 }
 
