@@ -15,7 +15,7 @@
 
 #include "seaway/math.h"
 #include "seaway/measured.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define DATA SW_SOURCE_DIR "/../shared/data/spectra"
 #define DEGREE (SW_PI / 180.0)

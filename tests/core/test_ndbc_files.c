@@ -12,7 +12,7 @@
 #include <zlib.h>
 
 #include "seaway/math.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 static char s_messages[4096];
 static char s_folder[] = "/tmp/seaway_ndbc_XXXXXX";

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 #include "support/netcdf_maker.h"
 
 #define DATA SW_SOURCE_DIR "/../shared/data/spectra"

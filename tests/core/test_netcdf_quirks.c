@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define FREQUENCIES 20
 #define DIRECTIONS 24

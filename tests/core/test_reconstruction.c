@@ -19,7 +19,7 @@
 #include "seaway/measured.h"
 #include "seaway/waves.h"
 #include "seaway/world.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define TURN (2.0 * SW_PI)
 #define DEGREE (SW_PI / 180.0)

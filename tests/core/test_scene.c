@@ -11,6 +11,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "seaway/files.h"
 #include "seaway/scene.h"
 
 #define SCENES SW_SOURCE_DIR "/scenes"
