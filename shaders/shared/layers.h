@@ -7,10 +7,10 @@
 #include "types.h"
 
 // Sources that a slice may have in the previous stack, in the order to try.
-#define SW_LAYER_SOURCES 3
+#define SW_PAST_SOURCES 3
 
 // Where a slice's texels were in one slice of the previous stack.
-SW_PARAMS(swLayerSource)
+SW_PARAMS(swPastSource)
 {
     sw_int slice; // of the previous stack; -1: none
     sw_int shift; // level of the slice minus level of the source: 0 same lattice, < 0 the source is coarser, > 0 finer
@@ -21,7 +21,7 @@ SW_PARAMS(swLayerSource)
     sw_int unused0;
     sw_int unused1;
 };
-SW_PARAMS_SIZE(swLayerSource, 32);
+SW_PARAMS_SIZE(swPastSource, 32);
 
 // Source index at or below column (or row) `index`.
 SW_FORMULA sw_int swLayerTap(sw_int shift, sw_int base, sw_int rest, sw_int index)

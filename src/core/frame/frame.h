@@ -106,7 +106,7 @@ typedef struct swSlice
 // itself or a coarser one that leaves out short waves.
 typedef struct swFoamBirth
 {
-    swLayerSource fold;
+    swPastSource fold;
     swFoamRest rest; // waves that are not known
     float growth;    // per second and unit of fold
 } swFoamBirth;
@@ -136,7 +136,7 @@ typedef struct swStackFrame
     int resolution;
     swSlice slices[SW_MAX_SLICES];
     swSlice previousSlices[SW_MAX_SLICES];                  // of the step before
-    swLayerSource sources[SW_MAX_SLICES][SW_LAYER_SOURCES]; // from previousSlices to slices
+    swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES]; // from previousSlices to slices
     swLayerFrame layers[SW_LAYERS];
 } swStackFrame;
 

@@ -79,7 +79,7 @@ void swPlaceLayers(swLayerStack* layers, swPos place, double seaLevel, int64_t e
     }
     for (int i = 0; i < frame->sliceCount; ++i)
     {
-        swFindLayerSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->previousSlices,
+        swFindPastSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->previousSlices,
                            frame->sources[i]);
     }
     for (int i = 0; i < SW_LAYERS; ++i)

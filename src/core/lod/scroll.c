@@ -14,7 +14,7 @@ static int64_t mapIndex(int64_t n, int shift)
 }
 
 // False if no texel of the slice can lie within the source, or the indices would not fit.
-static bool makeSource(const swSlice* slice, const swSlice* source, int index, int resolution, swLayerSource* out)
+static bool makeSource(const swSlice* slice, const swSlice* source, int index, int resolution, swPastSource* out)
 {
     int shift = slice->level - source->level;
     if (shift > SW_MAX_SLICES || shift < -SW_MAX_SLICES)
@@ -31,7 +31,7 @@ static bool makeSource(const swSlice* slice, const swSlice* source, int index, i
     {
         return false;
     }
-    *out = (swLayerSource){.slice = index, .shift = shift, .baseX = (sw_int)firstX, .baseZ = (sw_int)firstZ};
+    *out = (swPastSource){.slice = index, .shift = shift, .baseX = (sw_int)firstX, .baseZ = (sw_int)firstZ};
     if (shift < 0)
     {
         out->restX = (sw_int)(slice->firstX - baseX * ((int64_t)1 << -shift));
@@ -40,8 +40,8 @@ static bool makeSource(const swSlice* slice, const swSlice* source, int index, i
     return true;
 }
 
-void swFindLayerSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
-                       swLayerSource* sources)
+void swFindPastSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
+                       swPastSource* sources)
 {
     int same = -1, coarser = -1, finer = -1;
     for (int i = 0; i < previousCount; ++i) // levels ascend
@@ -51,9 +51,9 @@ void swFindLayerSources(const swSlice* slice, int resolution, int previousCount,
         coarser = level > slice->level && coarser < 0 ? i : coarser;
         finer = level < slice->level ? i : finer;
     }
-    const int candidates[SW_LAYER_SOURCES] = {same, coarser, finer};
+    const int candidates[SW_PAST_SOURCES] = {same, coarser, finer};
     int count = 0;
-    for (int i = 0; i < SW_LAYER_SOURCES; ++i)
+    for (int i = 0; i < SW_PAST_SOURCES; ++i)
     {
         int c = candidates[i];
         if (c >= 0 && makeSource(slice, &previous[c], c, resolution, &sources[count]))
@@ -61,9 +61,9 @@ void swFindLayerSources(const swSlice* slice, int resolution, int previousCount,
             count += 1;
         }
     }
-    for (; count < SW_LAYER_SOURCES; ++count)
+    for (; count < SW_PAST_SOURCES; ++count)
     {
-        sources[count] = (swLayerSource){.slice = -1};
+        sources[count] = (swPastSource){.slice = -1};
     }
 }
 

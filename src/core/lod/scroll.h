@@ -8,10 +8,10 @@
 
 SW_SEAM_BEGIN
 
-// Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_LAYER_SOURCES
+// Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_PAST_SOURCES
 // sources.
-void swFindLayerSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
-                        swLayerSource* sources);
+void swFindPastSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
+                        swPastSource* sources);
 
 // Whether any slice lies elsewhere than in `previous`.
 bool swHasStackMoved(const swStackFrame* frame, const swSlice* previous);
@@ -31,7 +31,7 @@ static inline float swBlendTexels(const float* texels, int stride, int resolutio
 }
 
 // A texel's value in another slice; false if that does not hold it.
-static inline bool swReadSource(const swLayerSource* source, const float* slices, int stride, int resolution,
+static inline bool swReadSource(const swPastSource* source, const float* slices, int stride, int resolution,
                                 int column, int row, float* value)
 {
     int x = swLayerTap(source->shift, source->baseX, source->restX, column);
@@ -51,10 +51,10 @@ static inline bool swReadSource(const swLayerSource* source, const float* slices
 }
 
 // A texel's value of the step before; false if no slice of the previous stack held it.
-static inline bool swReadPast(const swLayerSource* sources, const float* previous, int stride, int resolution,
+static inline bool swReadPast(const swPastSource* sources, const float* previous, int stride, int resolution,
                               int column, int row, float* value)
 {
-    for (int i = 0; i < SW_LAYER_SOURCES && sources[i].slice >= 0; ++i)
+    for (int i = 0; i < SW_PAST_SOURCES && sources[i].slice >= 0; ++i)
     {
         if (swReadSource(&sources[i], previous, stride, resolution, column, row, value))
         {

@@ -7,8 +7,8 @@
 
 typedef struct swFoamJob
 {
-    const swLayerSource* sources;
-    const swLayerSource* fold;
+    const swPastSource* sources;
+    const swPastSource* fold;
     int resolution;
     swFoamSliceParams params;
     const float* derivatives; // all slices

@@ -349,8 +349,8 @@ void swPlanFoam(const swLayerPlan* plan)
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         int source = findFoldSlice(frame, stack, i);
-        swLayerSource fold[SW_LAYER_SOURCES];
-        swFindLayerSources(&stack->slices[i], stack->resolution, 1, &stack->slices[source], fold);
+        swPastSource fold[SW_PAST_SOURCES];
+        swFindPastSources(&stack->slices[i], stack->resolution, 1, &stack->slices[source], fold);
         fold[0].slice = source;
         float shortest = stack->slices[source].minWavelength;
         swStrain strain = sumStrain(frame, frame->foam.minWavelength, shortest, NULL);

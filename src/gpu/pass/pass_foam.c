@@ -31,16 +31,16 @@ void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!view->isUsed || view->isCore || !view->foamMoves)
+        if (!view->isUsed || !view->layers[SW_LAYER_FOAM].due.isDue)
         {
             continue;
         }
         const swBinding bindings[] = {
             swBindUpload(&view->foamParams),
             swBindUpload(&view->foamSources),
-            swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->foam[view->mark.index], SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->foam[view->mark.index ^ 1], SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, swGetNextLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
         };
         int32_t resolution = view->resolution;
         uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;

@@ -39,8 +39,8 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
             swBindUpload(&view->sliceLists),
             swBindUpload(&view->sliceTiles),
             swBindBuffer(&gpuWorld->texels),
-            swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->derivatives, SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+            swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DERIVATIVES), SW_SAMPLER_NEAREST_CLAMP),
             swBindUpload(&view->sliceWaves),
         };
         uint32_t resolution = (uint32_t)view->resolution;
