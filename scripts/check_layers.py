@@ -88,8 +88,8 @@ def may_include(root, path, target):
     if path.startswith("src/"):
         if target.startswith("shared/"):
             return True
-        if target.endswith(".inc") and "/" not in target:
-            return path.startswith("src/gpu/")  # SPIR-V of the build
+        if target.endswith((".inc", "_shader.h")) and "/" not in target:
+            return path.startswith("src/gpu/")  # made by the build: SPIR-V and its bindings
         if path.startswith("src/core/"):
             return target.startswith("core/") and check_core(path, target)
         if path.startswith("src/gpu/"):

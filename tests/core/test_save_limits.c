@@ -3,13 +3,13 @@
 // for much memory, and a world goes back only to waves that are the same in all that they answer.
 
 #include "support/cmocka_setup.h"
+#include "support/saved.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/base/hash.h"
 #include "core/world/world.h"
 #include "seaway/seaway.h"
 
@@ -60,40 +60,6 @@ static swHost MakeHost(Keeper* keeper)
 }
 
 // ---- bytes ----
-
-typedef struct Saved
-{
-    size_t size;
-    uint8_t* data;
-} Saved;
-
-static Saved Save(const swWorld* world)
-{
-    Saved saved = {0};
-    assert_int_equal(swWorld_Save(world, NULL, &saved.size), SW_SUCCESS);
-    saved.data = malloc(saved.size);
-    assert_non_null(saved.data);
-    assert_int_equal(swWorld_Save(world, saved.data, &saved.size), SW_SUCCESS);
-    return saved;
-}
-
-static void Sign(Saved* saved)
-{
-    swHash hash = swBeginHash();
-    size_t size = saved->size - 8;
-    for (size_t i = 0; i < size; i += 8)
-    {
-        uint64_t word = 0;
-        for (size_t k = 0; k < 8 && i + k < size; ++k)
-        {
-            word |= (uint64_t)saved->data[i + k] << (8 * k);
-        }
-        swAddHash(&hash, word);
-    }
-    swAddHash(&hash, size);
-    uint64_t value = swEndHash(&hash);
-    memcpy(saved->data + size, &value, 8); // tests of this kind run on little-endian machines
-}
 
 static swWorld* Restore(const swHost* host, const Saved* saved, size_t budget, swResult wanted)
 {

@@ -135,7 +135,7 @@ typedef struct swStackFrame
     int sliceCount;
     int resolution;
     swSlice slices[SW_MAX_SLICES];
-    swSlice previousSlices[SW_MAX_SLICES];                  // of the step before
+    swSlice previousSlices[SW_MAX_SLICES];                // of the step before
     swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES]; // from previousSlices to slices
     swLayerFrame layers[SW_LAYERS];
 } swStackFrame;

@@ -32,8 +32,7 @@ swLayerCatchUp swFindCatchUp(const swLayerMark* mark, int layer, const swStackFr
 {
     const swLayerFrame* frame = &stack->layers[layer];
     int64_t passed = frame->clock - mark->clock;
-    bool isReset =
-        !mark->hasPast || mark->resetCount != frame->resetCount || passed < -swGetLayerInfo(layer)->rate;
+    bool isReset = !mark->hasPast || mark->resetCount != frame->resetCount || passed < -swGetLayerInfo(layer)->rate;
     int64_t steps = isReset || passed < 0 ? 0 : passed; // a world that went back a little meets its past again
     return (swLayerCatchUp){
         .isReset = isReset,

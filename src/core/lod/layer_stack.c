@@ -80,7 +80,7 @@ void swPlaceLayers(swLayerStack* layers, swPos place, double seaLevel, int64_t e
     for (int i = 0; i < frame->sliceCount; ++i)
     {
         swFindPastSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->previousSlices,
-                           frame->sources[i]);
+                          frame->sources[i]);
     }
     for (int i = 0; i < SW_LAYERS; ++i)
     {

@@ -11,7 +11,7 @@ SW_SEAM_BEGIN
 // Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_PAST_SOURCES
 // sources.
 void swFindPastSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
-                        swPastSource* sources);
+                       swPastSource* sources);
 
 // Whether any slice lies elsewhere than in `previous`.
 bool swHasStackMoved(const swStackFrame* frame, const swSlice* previous);
@@ -31,8 +31,8 @@ static inline float swBlendTexels(const float* texels, int stride, int resolutio
 }
 
 // A texel's value in another slice; false if that does not hold it.
-static inline bool swReadSource(const swPastSource* source, const float* slices, int stride, int resolution,
-                                int column, int row, float* value)
+static inline bool swReadSource(const swPastSource* source, const float* slices, int stride, int resolution, int column,
+                                int row, float* value)
 {
     int x = swLayerTap(source->shift, source->baseX, source->restX, column);
     int z = swLayerTap(source->shift, source->baseZ, source->restZ, row);

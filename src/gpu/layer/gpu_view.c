@@ -134,8 +134,8 @@ void swCommitGpuView(uint64_t frameIndex, swGpuView* view)
     }
 }
 
-// Images that each frame writes anew are simply begun again. A layer with a past goes back to what the last frame before
-// left, which lies untouched in the other image, or begins again if that frame is too long ago.
+// Images that each frame writes anew are simply begun again. A layer with a past goes back to what the last frame
+// before left, which lies untouched in the other image, or begins again if that frame is too long ago.
 static void discardLayer(swGpuLayer* layer, uint64_t frameIndex)
 {
     if (!layer->mark.at.hasPast || layer->mark.frameIndex < frameIndex)

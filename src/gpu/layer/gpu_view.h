@@ -37,7 +37,7 @@ typedef struct swGpuView
     bool isUsed;
     const swView* view; // identity only
     int sliceCount, resolution;
-    bool hasBegun;       // a recorded frame, firstFrame, begins the images
+    bool hasBegun; // a recorded frame, firstFrame, begins the images
     uint64_t firstFrame;
     swGpuLayer layers[SW_LAYERS];
 

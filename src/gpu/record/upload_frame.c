@@ -182,7 +182,7 @@ static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swS
     {
         params[i] = swGetFoamParams(frame, stack, i, seconds, foam->due.isReset);
         swFindPastSources(&stack->slices[i], stack->resolution, foam->due.isReset ? 0 : stack->sliceCount,
-                           foam->mark.at.slices, sources[i]);
+                          foam->mark.at.slices, sources[i]);
         sources[i][SW_PAST_SOURCES] = swGetFoamBirth(stack, i).fold;
     }
     swResult result = swUploadData(gpuWorld->gpu, params, sizeof(params), &view->foamParams);
