@@ -53,6 +53,11 @@ if(TARGET seaway_gpu)
         LIBRARIES -ldl -lm)
     list(APPEND SW_COMPONENTS gpu)
 endif()
+if(TARGET seaway_stage)
+    sw_install_library(stage DESCRIPTION "A device without a window, for tools and tests of Seaway" REQUIRES seaway-gpu
+        LIBRARIES -ldl)
+    list(APPEND SW_COMPONENTS stage)
+endif()
 if(TARGET seaway_scene)
     sw_install_library(scene DESCRIPTION "Scene files and measured spectra for Seaway" REQUIRES seaway-gpu
         PACKAGES yaml-0.1 zlib ${SW_SCENE_PACKAGES} LIBRARIES -lm)

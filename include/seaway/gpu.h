@@ -99,6 +99,7 @@ SW_API const VkPhysicalDeviceFeatures2* swGpu_GetFeatures(swGpuFeatures* storage
 SW_API const char* const* swGpu_GetDeviceExtensions(uint32_t* count);
 
 /// What is in use, also when Seaway created it.
+SW_API PFN_vkGetInstanceProcAddr swGpu_GetInstanceProcAddr(const swGpu* gpu);
 SW_API VkInstance swGpu_GetInstance(const swGpu* gpu);
 SW_API VkPhysicalDevice swGpu_GetPhysicalDevice(const swGpu* gpu);
 SW_API VkDevice swGpu_GetDevice(const swGpu* gpu);

@@ -16,22 +16,22 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     {
         return swFail(&world->host, SW_ERROR_LIMIT, "the world has %d views, which is the most", SW_MAX_VIEWS);
     }
-    swView* view = swAllocateZero(&world->countedHost, sizeof *view);
+    swView* view = swAllocateZero(&world->memory.host, sizeof *view);
     if (view == NULL)
     {
-        return swFailMemory(world, "a view");
+        return swFailMemory(&world->memory, "a view");
     }
     view->world = world;
     view->def = *def;
     view->viewpoint = (swPos){0.0, world->def.seaLevel, 0.0};
     view->layers = swDescribeViewLayers(def);
-    if (!swMakeLayers(&world->countedHost, &view->layers))
+    if (!swMakeLayers(&world->memory.host, &view->layers))
     {
-        swFree(&world->countedHost, view, sizeof *view);
-        return swFailMemory(world, "the layers of a view's slices");
+        swFree(&world->memory.host, view, sizeof *view);
+        return swFailMemory(&world->memory, "the layers of a view's slices");
     }
-    world->version += 1;
-    view->version = world->version;
+    world->viewVersion += 1;
+    view->version = world->viewVersion;
     world->views[world->viewCount] = view;
     world->viewCount += 1;
     *viewOut = view;
@@ -57,8 +57,8 @@ void swRemoveView(swView* view)
                 (size_t)framesAfter * sizeof world->viewFrames[0]);
         world->frame.viewCount -= 1;
     }
-    swFreeLayers(&world->countedHost, &view->layers);
-    swFree(&world->countedHost, view, sizeof *view);
+    swFreeLayers(&world->memory.host, &view->layers);
+    swFree(&world->memory.host, view, sizeof *view);
 }
 
 swViewFrame* swFindViewFrame(const swView* view)
