@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "query", "replay", "save"]
+HEADERS = ["base", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "query", "replay", "save", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -56,6 +56,12 @@ ALLOWED = {
     ("swWorld_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
     ("swCreateSceneSea", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("*", "spectrum.depth", "infinite"): "deep water",
+    ("swLookAtPatches", "depth", "infinite"): "deep water",
+    ("swLookAtPatches", "index", "-1"): "any place",
+    ("swEstimatePatchDensity", "frequency", "*"): "what cannot be answered is NaN",
+    ("swEstimatePatchDensity", "theta", "*"): "what cannot be answered is NaN",
+    ("swEstimatePatchDensity", "depth", "*"): "what cannot be answered is NaN; infinity is deep water",
+    ("swEstimatePatchDensity", "gravity", "*"): "what cannot be answered is NaN",
     ("*", "def.minWavelength", "infinite"): "leaves all waves out",
     ("*", "spectrum.octaves", "zeroed"): "counts with SW_SPECTRUM_OCTAVES only",
     ("*", "octaves.multiplier", "*"): "counts with SW_SPECTRUM_OCTAVES only",
@@ -268,12 +274,12 @@ class Writer:
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
 FIXED = {"swHost", "swWaveSystemId", "swPicture", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
-         "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets"}
+         "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.
-COPIED = {"swPicture", "swHeightMapDef"}
+COPIED = {"swPicture", "swHeightMapDef", "swSeaGauges"}
 # Made with a host, which is told.
 OBJECTS = {"swWorld", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay", "swScene",
-           "swStage"}
+           "swStage", "swSeaPatches"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.
 FREES = set()

@@ -255,8 +255,6 @@ SW_SEAM_BEGIN
 // The frame of the last step. Implemented by world/.
 const swFrame* swGetWorldFrame(const swWorld* world);
 const swHost* swGetWorldHost(const swWorld* world);
-// NULL of no world.
-const swHost* swFindHost(const swWorld* world);
 // Of the host's coordinates, in the sea.
 swPosXZ swGetWorldOrigin(const swWorld* world);
 
