@@ -47,7 +47,8 @@ function(sw_install_library component)
 endfunction()
 
 sw_install_library(core DESCRIPTION "Ocean waves on the CPU: the surface, and queries of it" LIBRARIES -pthread -lm)
-set(SW_COMPONENTS core)
+sw_install_library(measure DESCRIPTION "Sea states and spectra measured on a sea" REQUIRES seaway-core LIBRARIES -lm)
+set(SW_COMPONENTS core measure)
 if(TARGET seaway_gpu)
     sw_install_library(gpu DESCRIPTION "The same waves on Vulkan 1.3, and the picture" REQUIRES seaway-core
         LIBRARIES -ldl -lm)

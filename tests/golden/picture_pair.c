@@ -277,7 +277,7 @@ static void WithoutMemoryThereIsNoRendererAndNoPicture(void** state)
         swDestroyPicture(picture);
         swDestroyRenderer(renderer);
     }
-    assert_true(failed > 3); // the renderer, its pipelines' list, the picture
+    assert_true(failed > 3);                      // the renderer, its pipelines' list, the picture
     assert_true(s_memory.bytes - before < 65536); // but for lists of the device that have grown
 }
 
@@ -303,9 +303,9 @@ static int OpenSet(void** state)
                    swWorld_Step(s_set.world, 10.0) == SW_SUCCESS;
     for (int i = 0; i < HALVES && isReady; ++i)
     {
-        isReady = swStage_CreateTargets(s_set.stage, WIDTH, HEIGHT, 0, 0, &s_set.targets[i]) == SW_SUCCESS &&
-                  swStage_CreateBuffer(s_set.stage, BYTES, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &s_set.bytes[i]) ==
-                      SW_SUCCESS;
+        isReady =
+            swStage_CreateTargets(s_set.stage, WIDTH, HEIGHT, 0, 0, &s_set.targets[i]) == SW_SUCCESS &&
+            swStage_CreateBuffer(s_set.stage, BYTES, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &s_set.bytes[i]) == SW_SUCCESS;
     }
     return isReady ? 0 : -1;
 }

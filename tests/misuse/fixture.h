@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "seaway/measure.h"
 #include "seaway/seaway.h"
 #if MISUSE_GPU
 #include "gpu/record/record.h"
@@ -30,6 +31,7 @@ typedef struct Fixture
     bool isTold; // messages that are no misuse go elsewhere
 
     swWorld* world;
+    const swMoment* moment;
     swView* view;
     swWaveSystemId id, staleId;
     swTaskPool* taskPool;
@@ -43,6 +45,9 @@ typedef struct Fixture
     swSurfaceSamples samples;
     swVolumeSamples volume;
     swHeightMapDef map;
+    swSeaPatches* seaPatches;
+    swSeaBins bins;
+    swSeaGauges gauges;
 #if MISUSE_GPU
     swStage* stage;
     swStageTargets targets;
@@ -84,6 +89,8 @@ typedef struct Fixture
 #define FIX_swSurfaceSamples (&f->samples)
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
+#define FIX_swSeaBins (&f->bins)
+#define FIX_swSeaGauges (&f->gauges)
 #define FIX_swShot (&f->shot)
 #define FIX_swStageImage (&f->image)
 #define FIX_swStageBuffer (&f->buffer)
@@ -184,6 +191,7 @@ static inline void MakeWorld(Fixture* f)
     f->wavesDef.tileWaves = 8;
     f->wavesDef.minWavelength = 4.0f;
     Need(swCreateWorld(&f->host, &worldDef, &f->world), "world");
+    f->moment = swWorld_GetMoment(f->world);
     Need(swCreateView(f->world, &viewDef, &f->view), "view");
     Need(swCreateWaveSystem(f->world, &f->wavesDef, &f->staleId), "waves");
     swDestroyWaveSystem(f->world, f->staleId);
@@ -194,6 +202,9 @@ static inline void MakeWorld(Fixture* f)
     Need(swCreateSeaReplay(f->world, &f->replayDef, &f->seaReplay), "replay");
     Need(swWorld_Step(f->world, 0.0), "step");
     f->map = (swHeightMapDef){.spacing = 1.0, .width = 4, .height = 4};
+    swMakeEqualBins(0.05, 0.3, 10, &f->bins);
+    f->gauges = (swSeaGauges){.area = 100.0, .gaugeCount = 4, .duration = 10.0};
+    Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }
 

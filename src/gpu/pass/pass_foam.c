@@ -20,16 +20,16 @@ void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!view->isUsed || view->isCore || !view->foamMoves)
+        if (!view->isUsed || !view->layers[SW_LAYER_FOAM].due.isDue)
         {
             continue;
         }
         const swFoamBindings bindings = {
             .slices = swBindUpload(&view->foamParams),
             .sources = swBindUpload(&view->foamSources),
-            .displacement = swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            .previous = swBindImage(gpu, &view->foam[view->mark.index], SW_SAMPLER_NEAREST_CLAMP),
-            .nextFoam = swBindImage(gpu, &view->foam[view->mark.index ^ 1], SW_SAMPLER_NEAREST_CLAMP),
+            .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+            .previous = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
+            .nextFoam = swBindImage(gpu, swGetNextLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
         };
         static_assert(sizeof(int32_t) == SW_FOAM_PUSH_SIZE, "what foam.comp is given");
         int32_t resolution = view->resolution;

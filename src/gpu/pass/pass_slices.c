@@ -28,8 +28,8 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
             .lists = swBindUpload(&view->sliceLists),
             .tiles = swBindUpload(&view->sliceTiles),
             .texels = swBindBuffer(&gpuWorld->texels),
-            .displacement = swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            .derivatives = swBindImage(gpu, &view->derivatives, SW_SAMPLER_NEAREST_CLAMP),
+            .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+            .derivatives = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DERIVATIVES), SW_SAMPLER_NEAREST_CLAMP),
             .waves = swBindUpload(&view->sliceWaves),
         };
         uint32_t resolution = (uint32_t)view->resolution;
