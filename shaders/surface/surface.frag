@@ -208,7 +208,7 @@ vec3 surroundings(vec3 direction, float blur, vec3 leaving)
     vec3 up = vec3(direction.x, abs(direction.y), direction.z);
     vec3 sky = textureLod(skyMap, skyViewUv(up, 0.0), blur).rgb;
     float open = smoothstep(-0.10, 0.06, direction.y);
-    float mirror = swFresnel(up.y + 0.12, picture.absorption.w);
+    float mirror = swFresnel(up.y + 0.12, picture.index);
     return mix(mix(leaving, sky, mirror), sky, open);
 }
 
@@ -233,7 +233,7 @@ vec4 skyOfFacets(vec3 view, Slopes slopes, vec2 direction, vec3 leaving)
         vec3 normal = facetNormal(slopes.mean + direction * (x * deviation));
         float cosine = dot(view, normal);
         float weight = exp(-0.5 * x * x) * max(cosine, 1e-4) / normal.y;
-        float f = swFresnel(cosine, picture.absorption.w);
+        float f = swFresnel(cosine, picture.index);
         sum += weight * f * vec4(surroundings(reflect(-view, normal), max(blur, 0.0), leaving), 1.0);
         total += weight;
     }
@@ -261,28 +261,28 @@ vec3 reflectedSky(vec3 view, Slopes slopes, vec3 leaving, out float reflectance)
 // backward [Petzold 1972]; bubbles scatter back white.
 vec3 leavingWater(vec3 illuminance, float bubbles)
 {
-    vec3 back = 0.0183 * picture.scattering.rgb + vec3(0.0006, 0.0009, 0.0019) + vec3(0.08 * bubbles);
-    vec3 reflectance = 0.33 * back / (picture.absorption.rgb + back);
+    vec3 back = 0.0183 * picture.scattering + vec3(0.0006, 0.0009, 0.0019) + vec3(0.08 * bubbles);
+    vec3 reflectance = 0.33 * back / (picture.absorption + back);
     return illuminance * reflectance * (0.54 / pi);
 }
 
 // Sunlight that comes through a crest: once scattered, strongly forward, on a path as long as the crest is thick.
 vec3 throughCrest(vec3 view, vec3 normal, float illuminated)
 {
-    vec3 sun = picture.sun.xyz;
-    float deviation = max(picture.scattering.w, 0.01);
+    vec3 sun = picture.sun;
+    float deviation = max(picture.deviation, 0.01);
     float crest = height / deviation;
     float thickness = 2.5 * deviation * exp2(-max(crest, 0.0));
-    vec3 inward = refract(-view, normal, 1.0 / picture.absorption.w);
+    vec3 inward = refract(-view, normal, 1.0 / picture.index);
     // The crest's far side leans towards the sun.
     vec3 back = normalize(vec3(0.4 * sun.x, 1.0, 0.4 * sun.z));
-    vec3 travel = refract(-sun, back, 1.0 / picture.absorption.w);
+    vec3 travel = refract(-sun, back, 1.0 / picture.index);
     float cosine = dot(travel, -inward);
     float phase = 0.0151 / pow(max(1.81 - 1.8 * cosine, 1e-3), 1.5) + 0.006;
-    vec3 lost = picture.absorption.rgb + 0.1 * picture.scattering.rgb;
-    float entering = max(dot(back, sun), 0.0) * (1.0 - swFresnel(dot(back, sun), picture.absorption.w));
-    return light.sun.rgb * picture.scattering.rgb * phase * thickness * exp(-2.0 * lost * thickness) *
-           (entering * illuminated * smoothstep(-0.2, 1.6, crest) / (picture.absorption.w * picture.absorption.w));
+    vec3 lost = picture.absorption + 0.1 * picture.scattering;
+    float entering = max(dot(back, sun), 0.0) * (1.0 - swFresnel(dot(back, sun), picture.index));
+    return light.sun.rgb * picture.scattering * phase * thickness * exp(-2.0 * lost * thickness) *
+           (entering * illuminated * smoothstep(-0.2, 1.6, crest) / (picture.index * picture.index));
 }
 
 vec3 debugColor(Slopes slopes, float foam)
@@ -300,7 +300,7 @@ vec3 debugColor(Slopes slopes, float foam)
     case 3: // normals
         return 0.5 + 0.5 * facetNormal(slopes.mean).xzy;
     case 4: // height: two deviations from black to white
-        return vec3(0.5 + 0.25 * height / max(picture.scattering.w, 0.01));
+        return vec3(0.5 + 0.25 * height / max(picture.deviation, 0.01));
     case 5: // Jacobian: grey 1, red below 0
         return slopes.jacobian < 0.0 ? vec3(1.0, 0.1, 0.0) : vec3(0.5 * slopes.jacobian);
     case 6: // foam
@@ -316,7 +316,7 @@ void main()
     float range = length(position);
     vec3 view = -position / range;
     float facing = facingArea(view, vec2(0.0), vec2(picture.slopeVariance));
-    Footprint footprint = footprintAt(view, range, picture.forward.w, facing);
+    Footprint footprint = footprintAt(view, range, picture.pixel, facing);
     SlicePair pair;
     Slopes slopes = slopesAt(rest, footprint, pair);
     float amount = foamAmount(pair);
@@ -326,9 +326,9 @@ void main()
         return;
     }
 
-    vec3 sun = picture.sun.xyz;
+    vec3 sun = picture.sun;
     vec3 normal = facetNormal(slopes.mean);
-    float index = picture.absorption.w;
+    float index = picture.index;
 
     float sunOnWater = max(sun.y, 0.0) * (1.0 - swFresnel(sun.y, index));
     vec3 entering = light.sun.rgb * sunOnWater + light.sky.rgb * 0.934;
@@ -344,7 +344,7 @@ void main()
                                    picture.foamPhase, picture.foamSeed);
     float lambert = max(0.85 * dot(normal, sun) + 0.15, 0.0);
     vec3 foamLight = (light.sun.rgb * lambert * smoothstep(-0.02, 0.05, sun.y) + light.sky.rgb) / pi;
-    radiance = mix(radiance, foamLight * picture.foamAlbedo.rgb, foam.cover * foam.thickness);
+    radiance = mix(radiance, foamLight * picture.foamAlbedo, foam.cover * foam.thickness);
 
     vec2 airAt = airUv(-view, sun, range * 1e-3, picture.cameraHeight * 1e-3);
     vec3 added =
