@@ -74,14 +74,20 @@ if(BUILD_SHARED_LIBS)
 else()
     set(SW_IS_SHARED OFF)
 endif()
+set(SW_SHADERS_DIR ${CMAKE_INSTALL_DATADIR}/seaway/shaders)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/seaway-config.cmake.in
-    ${PROJECT_BINARY_DIR}/seaway-config.cmake INSTALL_DESTINATION ${SW_PACKAGE_DIR})
+    ${PROJECT_BINARY_DIR}/seaway-config.cmake INSTALL_DESTINATION ${SW_PACKAGE_DIR} PATH_VARS SW_SHADERS_DIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/seaway-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/seaway-config.cmake ${PROJECT_BINARY_DIR}/seaway-config-version.cmake
     DESTINATION ${SW_PACKAGE_DIR})
 if(TARGET seaway)
     set_target_properties(seaway PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
     install(TARGETS seaway RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+# GLSL for hosts: what the water's own shaders are put together from.
+if(TARGET seaway_gpu)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/lib ${PROJECT_SOURCE_DIR}/shaders/shared
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/seaway/shaders)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/seaway)
 

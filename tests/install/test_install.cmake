@@ -83,6 +83,10 @@ foreach(pair IN ITEMS "docs/*.md:${doc}/docs" "docs/images/*:${doc}/docs/images"
         endif()
     endforeach()
 endforeach()
+if(HAS_GPU)
+    run(COMMAND ${GLSLC} --target-env=vulkan1.3 -I ${prefix}/${DATA_DIR}/seaway/shaders -o ${WORK_DIR}/water.spv
+        ${CONSUMER_DIR}/water.frag)
+endif()
 run(COMMAND ${C_COMPILER} ${flags} ${doc}/examples/01_heights.c -o ${WORK_DIR}/example ${found} -lm)
 run(COMMAND ${WORK_DIR}/example OUTPUT said)
 message("an installed example: ${said}")
