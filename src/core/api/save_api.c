@@ -167,7 +167,7 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     swWorldDef def = swDefaultWorldDef();
     streamHead(&stream, &mark, &version, &def);
     def.isa = restoreDef->isa;
-    if (stream.isBroken || swCheckWorldDef(host, &def) != SW_SUCCESS)
+    if (stream.isBroken || swCheckDef(host, &swWorldFields, &def) != SW_SUCCESS)
     {
         return failFormat(host, "hold a world that cannot be");
     }
@@ -208,7 +208,7 @@ swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
     uint32_t version;
     swWorldDef def = world->def;
     streamHead(&stream, &mark, &version, &def);
-    if (stream.isBroken || swCheckWorldDef(&world->host, &def) != SW_SUCCESS)
+    if (stream.isBroken || swCheckDef(&world->host, &swWorldFields, &def) != SW_SUCCESS)
     {
         return failFormat(&world->host, "hold a world that cannot be");
     }

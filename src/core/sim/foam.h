@@ -4,7 +4,10 @@
 // Foam on a view's slices: shared/foam.h has the law and the rule for scrolling. The GPU's twin is
 // shaders/sim/foam.comp.
 
+#include "core/base/field.h"
 #include "core/frame/frame.h"
+
+extern const swFields swFoamFields;
 
 // What one view's foam keeps between steps.
 typedef struct swFoamClock

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/wave_system_fields.c
     ${CMAKE_CURRENT_LIST_DIR}/wind_level.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.

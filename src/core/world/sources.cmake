@@ -8,4 +8,5 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/tile_list.c
     ${CMAKE_CURRENT_LIST_DIR}/view.c
     ${CMAKE_CURRENT_LIST_DIR}/wave_set.c
-    ${CMAKE_CURRENT_LIST_DIR}/world.c)
+    ${CMAKE_CURRENT_LIST_DIR}/world.c
+    ${CMAKE_CURRENT_LIST_DIR}/world_fields.c)

@@ -14,6 +14,7 @@
 #include "core/sim/foam.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/mode_mix.h"
+#include "core/waves/wave_system_fields.h"
 #include "core/waves/waves_fft.h"
 #include "shared/limits.h"
 
@@ -188,8 +189,7 @@ void swListTiles(swWorld* world); // systems and weights to the frame's tiles an
 
 // What defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise. Implemented beside the calls that take
 // them.
-swResult swCheckWorldDef(const swHost* host, const swWorldDef* def);
-swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def);
+extern const swFields swWorldFields;
 swResult swCheckViewDef(const swWorld* world, const swViewDef* def);
 
 // view.c
