@@ -16,10 +16,7 @@
 
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
-
-static const uint32_t touchCode[] =
-#include "touch.comp.inc"
-    ;
+#include "touch_shader.h"
 
 #define SLOTS 4
 #define MAX_PASSES 16
@@ -309,13 +306,7 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
 
 static void CreateTouch(Bench* bench, VkDeviceSize bytes, swPipeline* pipeline, swBuffer* words)
 {
-    const swComputeDef def = {
-        .shader = SW_SHADER(touchCode),
-        .bindingCount = 1,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .name = "touch",
-    };
-    Check(swCreateComputePipeline(bench->gpu, &def, pipeline), "no pipeline");
+    Check(swCreateComputePipeline(bench->gpu, &swTouchShader, NULL, pipeline), "no pipeline");
     Check(swCreateBuffer(bench->gpu, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE, "words", words),
           "no buffer");
 }
@@ -332,12 +323,12 @@ static double MeasureBandwidth(Bench* bench)
     swPipeline pipeline;
     swBuffer words;
     CreateTouch(bench, bytes, &pipeline, &words);
-    const swBinding binding = swBindBuffer(&words);
+    const swTouchBindings bindings = {.words = swBindBuffer(&words)};
     Series times = {0};
     for (int i = 0; i < 10; ++i)
     {
         VkCommandBuffer commands = BeginSlot(bench, 0);
-        swBindPipeline(gpu, commands, &pipeline, &binding, NULL);
+        swBindTouch(gpu, commands, &pipeline, &bindings);
         gpu->vk.CmdDispatch(commands, columns, rows, 1);
         SubmitSlot(bench, 0);
         CollectSlot(bench, 0, &times);
@@ -357,12 +348,12 @@ static double MeasureBarrier(Bench* bench)
     swPipeline pipeline;
     swBuffer words;
     CreateTouch(bench, 16 * TOUCH_BYTES, &pipeline, &words);
-    const swBinding binding = swBindBuffer(&words);
+    const swTouchBindings bindings = {.words = swBindBuffer(&words)};
     Series times = {0};
     for (int i = 0; i < 20; ++i)
     {
         VkCommandBuffer commands = BeginSlot(bench, 0);
-        swBindPipeline(gpu, commands, &pipeline, &binding, NULL);
+        swBindTouch(gpu, commands, &pipeline, &bindings);
         for (int link = 0; link < CHAIN; ++link)
         {
             gpu->vk.CmdDispatch(commands, 16, 1, 1);

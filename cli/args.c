@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "output.h"
-#include "verbs.h"
+#include "common.h"
 
 #define MAX_OPTIONS 32
 #define MAX_NAME 64

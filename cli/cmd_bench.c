@@ -7,6 +7,7 @@
 #include "args.h"
 #include "picture.h"
 #include "progress.h"
+#include "seconds.h"
 #include "verbs.h"
 
 #define STEP_COUNT 60

@@ -7,6 +7,7 @@
 
 #include "args.h"
 #include "output.h"
+#include "seaway/files.h"
 #include "spectrum_plot.h"
 #include "text.h"
 #include "verbs.h"

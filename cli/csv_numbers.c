@@ -8,7 +8,7 @@
 #include <strings.h>
 
 #include "args.h"
-#include "verbs.h"
+#include "common.h"
 
 // Where a file is read and what its columns hold.
 typedef struct Reader

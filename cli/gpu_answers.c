@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "verbs.h"
+#include "common.h"
 #include "vulkan_calls.h"
 
 struct GpuAnswers

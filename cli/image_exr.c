@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "output.h"
-#include "verbs.h"
+#include "common.h"
 
 static void OnExrError(exr_const_context_t context, exr_result_t code, const char* message)
 {

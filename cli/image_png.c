@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "output.h"
-#include "verbs.h"
+#include "common.h"
 
 static void OnPngError(png_structp png, png_const_charp message)
 {

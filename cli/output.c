@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "verbs.h"
+#include "common.h"
 
 #define MOST_LINKS 40 // as many as the kernel follows
 

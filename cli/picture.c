@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "verbs.h"
+#include "common.h"
 #include "vulkan_calls.h"
 
 typedef struct Target

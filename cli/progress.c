@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "verbs.h"
+#include "seconds.h"
 
 #define BAR_WIDTH 32
 #define REDRAW_SECONDS 0.1

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "decimal.h"
-#include "verbs.h"
+#include "common.h"
 
 #define BLOCK 65536    // points asked at once
 #define GPU_REACH 5e10 // no two points are farther apart than swGpuQuery_SetPoints() allows

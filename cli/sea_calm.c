@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "verbs.h"
+#include "common.h"
 
 #define SIDE 64            // points along each side of a square
 #define SPACING 3.7        // m

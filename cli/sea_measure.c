@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "progress.h"
-#include "verbs.h"
+#include "common.h"
 
 #define GAUGE_COUNT 512
 #define SURFACE_POINTS 16384

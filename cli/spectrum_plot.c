@@ -13,7 +13,7 @@
 
 #include "output.h"
 #include "svg.h"
-#include "verbs.h"
+#include "common.h"
 
 #define WIDTH 800
 #define HEIGHT 872

@@ -1,55 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the verbs of the command line share: exit codes, messages, the host that they give to the library, and the
-// sea-state keys that are the same in every verb.
+// The verbs of the command line, each in its cmd_x.c. Each is listed in main.c.
 
-#include <stdbool.h>
-#include <stdio.h>
-
-#include "seaway/scene.h"
-
-#include "json.h"
-
-// Exit codes of every verb.
-#define EXIT_FINE 0
-#define EXIT_PROBLEM 1 // ran and found problems
-#define EXIT_USAGE 2   // asked for something that cannot be asked
-
-// What --debug shows instead of the picture, by the names of swDebugMode_GetName().
-#define DEBUG_MODE_HELP "slices, wireframe, normals, height, jacobian, foam or roughness instead of the picture"
-
-// Of a sea, s: swWorld_SetTime() goes no farther. Unix times are well within, and exact to 0.3 microseconds.
-#define LARGEST_TIME 2.7e11
+#include "common.h"
 
 // A verb gets its own arguments: arguments[0] is its name.
 typedef int VerbFcn(int argumentCount, char** arguments);
 
 VerbFcn RunView, RunRender, RunQuery, RunStats, RunSpectrum, RunCheck, RunBench, RunDevices;
-
-// One sentence on stderr, with the program's name before it.
-void Complain(const char* format, ...) __attribute__((format(printf, 1, 2)));
-
-// The C library's memory, and messages by way of Complain(). Warnings and errors are counted.
-swHost MakeHost(void);
-
-// After a library call failed: the library's log has named the reason; if it has not, this does.
-void ComplainAboutResult(swResult result, const char* what);
-
-// Let the host run on `threadCount` threads (0: as many as the machine has). NULL if one is enough or no more start.
-swTaskPool* AttachThreads(swHost* host, int threadCount);
-
-// A machine's name: its processor, as the system tells it.
-void GetMachineName(char* name, size_t size);
-
-// Seconds of a clock that only goes forward.
-double GetSeconds(void);
-
-// Standard output has been written, all of it. Complains if not (a full disk, a closed pipe).
-bool FinishOutput(void);
-
-// Degrees clockwise from north that waves come from, of a direction where they go (see math.h). In [0, 360).
-double BearingFrom(double direction);
-
-// The keys of a sea state that the spectrum alone decides, into the open JSON object.
-void WriteSeaState(Json* json, const swSeaState* state);

@@ -12,7 +12,7 @@
 
 #include "mp4_check.h"
 #include "output.h"
-#include "verbs.h"
+#include "common.h"
 
 #define EXIT_NO_PROGRAM 127
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "verbs.h"
+#include "common.h"
 
 PFN_vkGetInstanceProcAddr FindVulkanLoader(void)
 {

@@ -23,7 +23,7 @@ import sys
 
 CORE = {"base": 0, "math": 1, "frame": 2, "lod": 3, "spectra": 4, "records": 5, "formats": 6,
         "waves": 7, "input": 7, "fields": 7, "sim": 7, "surface": 8, "query": 9, "physics": 10, "world": 11, "api": 12}
-GPU = {"vk": 0, "pass": 1, "draw": 2, "record": 3, "api": 4}
+GPU = {"vk": 0, "layer": 1, "pass": 2, "query": 3, "draw": 4, "record": 5, "api": 6}
 COMPANIONS = {"files": 0, "measure": 0, "stage": 0, "share": 0, "scene": 1}
 SEAM = {"core/frame", "core/math", "core/base"}
 CORE_SYSTEM = set("""assert.h errno.h float.h inttypes.h limits.h math.h pthread.h sched.h stdalign.h stdarg.h stdatomic.h
@@ -88,8 +88,8 @@ def may_include(root, path, target):
     if path.startswith("src/"):
         if target.startswith("shared/"):
             return True
-        if target.endswith(".inc") and "/" not in target:
-            return path.startswith("src/gpu/")  # SPIR-V of the build
+        if target.endswith((".inc", "_shader.h")) and "/" not in target:
+            return path.startswith("src/gpu/")  # made by the build: SPIR-V and its bindings
         if path.startswith("src/core/"):
             return target.startswith("core/") and check_core(path, target)
         if path.startswith("src/gpu/"):
@@ -168,7 +168,7 @@ def check_passes(root, files):
 def check_sources(root, files):
     listings = set(re.findall(r"\w+\.c\b", "".join(read(root, f) for f in files if f.endswith("sources.cmake"))))
     for path in files:
-        if not re.match(r"src/(core|gpu)/\w+/\w+\.c$", path):
+        if not re.match(r"src/(?:(?:core|gpu)/\w+|scene|files)/\w+\.c$", path):
             continue
         if os.path.basename(path) not in listings:
             report("sources", path, "is listed in no sources.cmake")

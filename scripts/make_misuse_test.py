@@ -277,9 +277,9 @@ FREES = set()
 def main():
     folder, output = sys.argv[1:3]
     is_gpu, is_scene = "--gpu" in sys.argv, "--scene" in sys.argv
-    names = HEADERS + (["gpu", "draw"] if is_gpu else []) + (["scene"] if is_scene else [])
+    names = HEADERS + (["gpu", "draw"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
     known = {name[:-2] for name in os.listdir(folder) if name.endswith(".h")} - {"seaway"}
-    for name in known - set(HEADERS + ["gpu", "draw", "scene"]):
+    for name in known - set(HEADERS + ["gpu", "draw", "files", "scene"]):
         sys.exit(f"make_misuse_test.py: {name}.h is in no list of headers here")
     Writer(*parse(folder, names)).write(output, is_gpu, is_scene)
 

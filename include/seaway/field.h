@@ -124,6 +124,7 @@ SW_API const swFields* swGetOctavesFields(void);
 SW_API const swFields* swGetOctaveFields(void);
 SW_API const swFields* swGetWaveSystemFields(void);
 SW_API const swFields* swGetWaveComponentFields(void);
+SW_API const swFields* swGetViewFields(void);
 /// @}
 
 /// The field of a member, or of a member's member as in "foam.windSpeed"; NULL if there is none.

@@ -8,7 +8,7 @@
 /// @file
 /// Measured and computed seas: what a wave buoy reported or a wave model wrote, as records of directional spectra by
 /// place and time. docs/spectra.md says which formats are read and what is assumed where a file is silent.
-/// swReadMeasuredSea() in scene.h reads files; here are the texts, and a way to bring data of one's own.
+/// swReadMeasuredSea() in files.h reads files; here are the texts, and a way to bring data of one's own.
 
 typedef struct swMeasuredSea swMeasuredSea;
 

@@ -5,7 +5,7 @@
 #include "seaway.h"
 
 /// @file
-/// Scene files (YAML, see docs/scenes.md) and spectrum files. A companion library: links libyaml and zlib.
+/// Scene files (YAML, see docs/scenes.md). A companion library: links libyaml and zlib.
 
 #define SW_MAX_SCENE_VIEWS 32
 
@@ -97,31 +97,3 @@ SW_API swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** 
 
 /// The same without what drives replays: they stand still at the scene's time.
 SW_API swResult swCreateSceneWorld(const swHost* host, const swScene* scene, swWorld** world);
-
-/// Read a measured sea: any text that swParseMeasuredSea() reads; an NDBC energy file, the direction files beside it
-/// being found by their names; and, where their libraries were there when this was built, JSON and netCDF. The format
-/// is known by the contents, plain or gzip (netCDF: plain).
-/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_NO_MEMORY
-SW_API swResult swReadMeasuredSea(const swHost* host, const char* path, swMeasuredSea** sea);
-
-/// How a file of measured seas is read. Must be initialized with swDefaultMeasuredFileDef().
-typedef struct swMeasuredFileDef
-{
-    /// What the directions in a netCDF file mean, whatever it says itself: SW_DIRECTIONS_FROM or SW_DIRECTIONS_TO.
-    /// Formats that lay down what directions mean are refused with it. Default SW_DIRECTIONS_BY_FORMAT: what the file
-    /// says and, where it says nothing, what others who write such files mean, with a warning.
-    swDirectionMeaning directions;
-
-    /// Set by swDefaultMeasuredFileDef().
-    int internalValue;
-} swMeasuredFileDef;
-
-SW_API swMeasuredFileDef swDefaultMeasuredFileDef(void);
-
-/// swReadMeasuredSea() with a def.
-/// @return as swReadMeasuredSea(); SW_ERROR_INVALID if the def was not initialized
-SW_API swResult swReadMeasuredFile(const swHost* host, const char* path, const swMeasuredFileDef* def,
-                                   swMeasuredSea** sea);
-
-/// Index of a place by its name or, if none has it, by its number from 1 on; -1 if there is none.
-SW_API int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text);

@@ -2,7 +2,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-// The surface above points of the plane: the GPU's twin of core/surface/sample.c. The search is in surface_search.glsl.
+// The surface above points of the plane: the GPU's twin of core/query/query_surface.c. The search is in
+// surface_search.glsl.
 //
 // Velocity and acceleration are looked up once, where the search ended, in texels of their own. A query that wants
 // neither has a pipeline without them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surface above a place: the GPU's twin of swFindParticles() in core/surface/sample.c. The particle that is above q
+// The surface above a place: the GPU's twin of swFindParticles() in core/surface/search.c. The particle that is above q
 // rests at q + d with r(d) = d + D(q + d) = 0. The core avoids gradients, which cost it as much as displacement; here
 // texels cost, and gradients come from the same window of texels for a few multiply-adds. So this is Newton's
 // iteration, which needs two evaluations fewer, and the last one has the normal. A step that made the residual worse is

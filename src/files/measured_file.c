@@ -7,13 +7,14 @@
 // is no sea: it is refused, and the file of energies that belongs to it is named.
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/base/misuse.h"
 #include "core/base/text.h"
-#include "files/measured_formats.h"
 #include "files/file_text.h"
-#include "seaway/scene.h"
+#include "files/measured_formats.h"
+#include "seaway/files.h"
 
 #define START_SIZE 8                      // of a netCDF file, enough to know it
 #define MAX_FILE_SIZE ((size_t)512 << 20) // a year of hourly records has 5 MB as moments, 180 MB by direction
@@ -418,4 +419,18 @@ swResult swReadMeasuredFile(const swHost* host, const char* path, const swMeasur
         swFreeText(host, &set.texts[i]);
     }
     return result;
+}
+
+int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text)
+{
+    SW_REQUIRE(sea != NULL, -1, NULL, "swFindMeasuredPlace() needs a sea");
+    if (text == NULL)
+    {
+        return -1;
+    }
+    int location = swMeasuredSea_FindLocation(sea, text);
+    char* end = NULL;
+    long number = strtol(text, &end, 10);
+    bool isNumber = end != text && *end == '\0' && number >= 1 && number <= swMeasuredSea_GetLocationCount(sea);
+    return location >= 0 ? location : isNumber ? (int)number - 1 : -1;
 }

@@ -6,11 +6,11 @@
 #include "scene/scene_measured.h"
 
 #include <math.h>
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "files/file_text.h"
-#include "core/base/misuse.h"
+#include "seaway/files.h"
 
 #define MAX_FILES 1024
 
@@ -44,20 +44,6 @@ swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text)
     swResult result = swReadYamlMapping(yaml, node, "replay", replayFields, SW_YAML_COUNT(replayFields), text, &nodes);
     text->fromNode = nodes.nodes[FROM];
     return result;
-}
-
-int swFindMeasuredPlace(const swMeasuredSea* sea, const char* text)
-{
-    SW_REQUIRE(sea != NULL, -1, NULL, "swFindMeasuredPlace() needs a sea");
-    if (text == NULL)
-    {
-        return -1;
-    }
-    int location = swMeasuredSea_FindLocation(sea, text);
-    char* end = NULL;
-    long number = strtol(text, &end, 10);
-    bool isNumber = end != text && *end == '\0' && number >= 1 && number <= swMeasuredSea_GetLocationCount(sea);
-    return location >= 0 ? location : isNumber ? (int)number - 1 : -1;
 }
 
 // ---- one file ----

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "progress.h"
+#include "seconds.h"
 #include "text.h"
 #include "verbs.h"
 

@@ -3,6 +3,7 @@
 // without it. Tried with every query, also of another time and of waves that are in no tile.
 
 #include "support/cmocka_setup.h"
+#include "support/scatter.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,12 +34,6 @@ static const Bad bads[] = {
 
 #define BADS (int)(sizeof bads / sizeof bads[0])
 #define FLAT_BADS 8 // the others are bad in height only
-
-static double NextPart(uint32_t* seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) * 0x1p-24;
-}
 
 static swWorld* OpenSea(bool isGerstner, float depth)
 {

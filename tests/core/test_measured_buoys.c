@@ -4,6 +4,9 @@
 // they tell themselves.
 
 #include "support/cmocka_setup.h"
+#include "support/text_file.h"
+#include "support/sea_states.h"
+#include "support/messages.h"
 #include "support/counting_host.h"
 
 #include <math.h>
@@ -16,16 +19,6 @@
 
 #define DATA SW_SOURCE_DIR "/../shared/data/spectra"
 #define DEGREE (SW_PI / 180.0)
-
-static char s_messages[8192];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
 
 static swResult Parse(const char* text, swMeasuredSea** sea)
 {
@@ -44,40 +37,6 @@ static swMeasuredSea* ParseFine(const char* text, int count)
     }
     assert_int_equal(swMeasuredSea_GetCount(sea), count);
     return sea;
-}
-
-// NULL, which it says, if there is no such file.
-static char* ReadText(const char* path)
-{
-    FILE* file = fopen(path, "rb");
-    if (file == NULL)
-    {
-        print_message("skipped: %s is absent\n", path);
-        return NULL;
-    }
-    char* text = calloc(1, 1 << 20);
-    assert_true(fread(text, 1, (1 << 20) - 1, file) > 0);
-    fclose(file);
-    return text;
-}
-
-static swSeaState GetSeaState(const swMeasuredSea* sea, int index)
-{
-    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
-    swSpectrumDef def = swDefaultSpectrumDef();
-    def.kind = SW_SPECTRUM_TABLE;
-    def.table = &record.table;
-    def.extendTail = false;
-    swSeaState state;
-    assert_int_equal(swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &state), SW_SUCCESS);
-    return state;
-}
-
-// Degrees clockwise from north, from where waves come.
-static double GetBearing(float direction)
-{
-    double degrees = (double)direction / DEGREE - 90.0;
-    return degrees - 360.0 * floor(degrees / 360.0);
 }
 
 static bool IsBearing(float direction, double bearing, double tolerance)
@@ -181,7 +140,7 @@ static double GetField(const char* text, int row, const char* name)
 static void MontereysSpotterIsReadAsItTells(void** state)
 {
     (void)state;
-    char* text = ReadText(DATA "/spotter_csv_2021-09/spotter_20210929.csv");
+    char* text = ReadTextFile(DATA "/spotter_csv_2021-09/spotter_20210929.csv", &(size_t){0});
     if (text == NULL)
     {
         return;
@@ -192,7 +151,7 @@ static void MontereysSpotterIsReadAsItTells(void** state)
     {
         int row = 13 - i; // the newest comes first
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
-        swSeaState seaState = GetSeaState(sea, i);
+        swSeaState seaState = GetSeaState(sea, i, false);
         int peak = FindPeak(&record);
         assert_true(fabs(record.seconds - GetField(text, row, "Epoch Time")) < 0.5);
         double errors[5] = {
@@ -264,7 +223,7 @@ static void AwacsSentencesAreRead(void** state)
     assert_true(isnan(record.measuredDirection[2]) && isnan(record.measuredR1[3]));
     assert_true(IsBearing(record.meanDirection[2], 250.0, 0.01)); // filled in
     assert_true(fabsf(record.r2[0] - 0.5f) < 1e-3f);
-    assert_true(IsBearing(GetSeaState(sea, 0).meanDirection, 250.0, 0.1));
+    assert_true(IsBearing(GetSeaState(sea, 0, false).meanDirection, 250.0, 0.1));
     swDestroyMeasuredSea(sea);
 }
 
@@ -331,7 +290,7 @@ static void WrongSumsAreLeftOut(void** state)
 static void AwacsSampleIsReadAsItTells(void** state)
 {
     (void)state;
-    char* text = ReadText(DATA "/awac_nmea_ours/awac.nmea");
+    char* text = ReadTextFile(DATA "/awac_nmea_ours/awac.nmea", &(size_t){0});
     if (text == NULL)
     {
         return;
@@ -345,7 +304,7 @@ static void AwacsSampleIsReadAsItTells(void** state)
                                 &told[1], &told[2], &told[3], &told[4], &told[5]),
                          6);
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
-        swSeaState seaState = GetSeaState(sea, index);
+        swSeaState seaState = GetSeaState(sea, index, false);
         int peak = FindPeak(&record);
         print_message("%s: Hs %.3f of %.2f m, Tm02 %.2f of %.2f s, Tp %.2f of %.2f s, from %.1f of %.0f degrees\n",
                       record.time, GetHeight(&record), told[0], (double)seaState.periodTm02, told[1],
@@ -368,7 +327,7 @@ static void AwacsSampleIsReadAsItTells(void** state)
 static void OctopusIsReadAsItTells(void** state)
 {
     (void)state;
-    char* text = ReadText(DATA "/octopus_2014-12/octopusfile.oct");
+    char* text = ReadTextFile(DATA "/octopus_2014-12/octopusfile.oct", &(size_t){0});
     if (text == NULL)
     {
         return;
@@ -408,7 +367,7 @@ static void OctopusIsReadAsItTells(void** state)
         double tail = (double)record.energy[last] * (double)record.table.frequencies[last] / 4.0;
         double ours = 4.0 * sqrt(pow(GetHeight(&record) / 4.0, 2.0) + tail);
         worst[1] = fmax(worst[1], fabs(ours / height - 1.0));
-        swSeaState seaState = GetSeaState(sea, found);
+        swSeaState seaState = GetSeaState(sea, found, false);
         worst[2] = fmax(worst[2], fabs(remainder(GetBearing(seaState.peakDirection) - dominant, 360.0)));
         worst[3] = fmax(worst[3], fabs((double)seaState.spread / DEGREE - spread));
         ++index;
@@ -459,7 +418,7 @@ static void ObscapesSpectrumIsRead(void** state)
                      variant == 2 ? "m2/Hz/deg" : "m2/Hz/rad");
         swMeasuredSea* sea = ParseFine(text, 1);
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-        swSeaState seaState = GetSeaState(sea, 0);
+        swSeaState seaState = GetSeaState(sea, 0, false);
         assert_string_equal(record.time, "2024-04-03 09:30");
         assert_string_equal(swMeasuredSea_GetLocation(sea, 0).name, "North Bank");
         assert_true(swMeasuredSea_GetLocation(sea, 0).longitude == 3.25);

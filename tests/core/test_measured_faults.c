@@ -4,6 +4,8 @@
 // alike.
 
 #include "support/cmocka_setup.h"
+#include "support/text_file.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -16,16 +18,6 @@
 
 #define FAULTS SW_SOURCE_DIR "/../shared/data/faults"
 #define MAX_TEXT 16384
-
-static char s_messages[16384];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s%s\n", level == SW_LOG_WARNING ? "warning: " : "",
-             message);
-}
 
 static swResult Parse(const char* text, size_t size, swMeasuredSea** sea)
 {
@@ -668,20 +660,6 @@ static void PlacesAreFoundByNameInLinearTime(void** state)
 
 // ---- the files that showed these faults ----
 
-static char* ReadText(const char* path, size_t* size)
-{
-    FILE* file = fopen(path, "rb");
-    if (file == NULL)
-    {
-        print_message("skipped: %s is absent\n", path);
-        return NULL;
-    }
-    char* text = malloc(MAX_TEXT);
-    *size = fread(text, 1, MAX_TEXT, file);
-    fclose(file);
-    return text;
-}
-
 static void FaultyFilesAreReadAsTheyShould(void** state)
 {
     (void)state;
@@ -701,7 +679,7 @@ static void FaultyFilesAreReadAsTheyShould(void** state)
         char path[512];
         size_t size = 0;
         snprintf(path, sizeof(path), "%s/%s", FAULTS, files[i].name);
-        char* text = ReadText(path, &size);
+        char* text = ReadTextFile(path, &size);
         if (text == NULL)
         {
             continue;

@@ -3,6 +3,9 @@
 // which these tests write themselves in the orders and units that their makers may choose.
 
 #include "support/cmocka_setup.h"
+#include "support/netcdf_maker.h"
+#include "support/sea_states.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,21 +18,12 @@
 
 #include "seaway/math.h"
 #include "seaway/measured.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define DATA SW_SOURCE_DIR "/../shared/data/spectra"
 #define DEGREE (SW_PI / 180.0)
 
-static char s_messages[4096];
 static char s_path[256];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
 
 static swResult Read(const char* path, swMeasuredSea** sea)
 {
@@ -51,28 +45,6 @@ static swMeasuredSea* ReadFine(const char* path)
     }
     assert_int_equal(result, SW_SUCCESS);
     return sea;
-}
-
-static swSeaState GetSeaState(const swMeasuredSea* sea, int index)
-{
-    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
-    swSpectrumDef def = swDefaultSpectrumDef();
-    def.kind = SW_SPECTRUM_TABLE;
-    def.table = &record.table;
-    swSeaState state;
-    assert_int_equal(swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &state), SW_SUCCESS);
-    return state;
-}
-
-static double GetBearing(float direction)
-{
-    double degrees = (double)direction / DEGREE - 90.0;
-    return degrees - 360.0 * floor(degrees / 360.0);
-}
-
-static double GetAngleBetween(double a, double b)
-{
-    return fabs(remainder(a - b, 360.0));
 }
 
 static void SkipWithout(const char* path)
@@ -201,7 +173,7 @@ static void SouthernOceansSpotterIsReadAsExpected(void** state)
     double worst[6] = {0};
     for (int i = 0; i < 8; ++i)
     {
-        swSeaState seaState = GetSeaState(sea, i);
+        swSeaState seaState = GetSeaState(sea, i, true);
         worst[0] = fmax(worst[0], fabs((double)seaState.significantHeight - expected[i][0]));
         worst[1] = fmax(worst[1], fabs((double)seaState.peakPeriod - expected[i][1]));
         worst[2] = fmax(worst[2], fabs((double)seaState.periodTm01 / expected[i][2] - 1.0));
@@ -228,7 +200,7 @@ static void CdipsSpectraHaveTheirMoments(void** state)
     assert_int_equal(swMeasuredSea_FindLocation(sea, "CDiP6"), 1);
     for (int i = 0; i < 2; ++i)
     {
-        swSeaState seaState = GetSeaState(sea, i);
+        swSeaState seaState = GetSeaState(sea, i, true);
         const double values[5] = {(double)seaState.significantHeight, (double)seaState.energyPeriod,
                                   (double)seaState.periodTm01, (double)seaState.periodTm02,
                                   (double)seaState.peakPeriod};
@@ -257,34 +229,6 @@ static double Density(double frequency, double bearing)
     return 3.0 * exp(-0.5 * x * x) * pow(cos(half) * cos(half), 12.0);
 }
 
-static void Check(int code)
-{
-    if (code != NC_NOERR)
-    {
-        print_message("%s\n", nc_strerror(code));
-    }
-    assert_int_equal(code, NC_NOERR);
-}
-
-static int AddDimension(int file, const char* name, size_t length)
-{
-    int id = 0;
-    Check(nc_def_dim(file, name, length, &id));
-    return id;
-}
-
-static int AddVariable(int file, const char* name, nc_type type, int count, const int* dimensions)
-{
-    int id = 0;
-    Check(nc_def_var(file, name, type, count, dimensions, &id));
-    return id;
-}
-
-static void AddText(int file, int variable, const char* name, const char* text)
-{
-    Check(nc_put_att_text(file, variable, name, strlen(text), text));
-}
-
 static double GetFrequency(int i)
 {
     return 0.03453 * pow(1.1, i);
@@ -302,7 +246,7 @@ static void CheckSwell(const swMeasuredSea* sea, int index, double scale)
             m0 += Density(GetFrequency(i), 0.5 * j) * width * 0.5 * DEGREE;
         }
     }
-    swSeaState seaState = GetSeaState(sea, index);
+    swSeaState seaState = GetSeaState(sea, index, true);
     double height = (double)seaState.significantHeight / (4.0 * sqrt(scale * m0)) - 1.0;
     double direction = GetAngleBetween(GetBearing(seaState.meanDirection), 250.0);
     print_message("Hs off by %.4f %%, direction by %.4f degrees\n", 100.0 * height, direction);
@@ -314,7 +258,7 @@ static void CheckSwell(const swMeasuredSea* sea, int index, double scale)
 static void WriteWavewatch(int mode, bool isFrom)
 {
     int file = 0;
-    Check(nc_create(s_path, mode | NC_CLOBBER, &file));
+    CheckNetcdf(nc_create(s_path, mode | NC_CLOBBER, &file));
     int dimensions[5] = {AddDimension(file, "time", NC_UNLIMITED), AddDimension(file, "station", 2),
                          AddDimension(file, "frequency", FREQUENCIES), AddDimension(file, "direction", DIRECTIONS),
                          AddDimension(file, "string40", 40)};
@@ -332,13 +276,13 @@ static void WriteWavewatch(int mode, bool isFrom)
     AddText(file, direction, "units", "degree");
     int efth = AddVariable(file, "efth", NC_FLOAT, 4, dimensions);
     float fill = 9.96921e36f;
-    Check(nc_put_att_float(file, efth, "_FillValue", NC_FLOAT, 1, &fill));
+    CheckNetcdf(nc_put_att_float(file, efth, "_FillValue", NC_FLOAT, 1, &fill));
     AddText(file, efth, "units", "m2 s rad-1");
-    Check(nc_enddef(file));
+    CheckNetcdf(nc_enddef(file));
     for (size_t t = 0; t < 2; ++t)
     {
         double days = 10957.0 + 0.25 * (double)t; // 2020-01-01
-        Check(nc_put_var1_double(file, time, &t, &days));
+        CheckNetcdf(nc_put_var1_double(file, time, &t, &days));
         for (size_t s = 0; s < 2; ++s)
         {
             const size_t at[4] = {t, s, 0, 0}, count[4] = {1, 1, FREQUENCIES, DIRECTIONS};
@@ -351,28 +295,28 @@ static void WriteWavewatch(int mode, bool isFrom)
                                ? fill
                                : (float)(Density(GetFrequency(i / DIRECTIONS), bearing) * (s == 0 ? 1.0 : 4.0));
             }
-            Check(nc_put_vara_float(file, efth, at, count, block));
-            Check(nc_put_var1_double(file, longitude, at, &place[0]));
-            Check(nc_put_var1_double(file, latitude, at, &place[1]));
+            CheckNetcdf(nc_put_vara_float(file, efth, at, count, block));
+            CheckNetcdf(nc_put_var1_double(file, longitude, at, &place[0]));
+            CheckNetcdf(nc_put_var1_double(file, latitude, at, &place[1]));
         }
     }
     for (size_t s = 0; s < 2; ++s)
     {
         const size_t at[2] = {s, 0}, count[2] = {1, 6};
-        Check(nc_put_vara_text(file, name, at, count, s == 0 ? "44097 " : "44098 "));
+        CheckNetcdf(nc_put_vara_text(file, name, at, count, s == 0 ? "44097 " : "44098 "));
     }
     for (size_t i = 0; i < FREQUENCIES; ++i)
     {
         double value = GetFrequency((int)i);
-        Check(nc_put_var1_double(file, frequency, &i, &value));
+        CheckNetcdf(nc_put_var1_double(file, frequency, &i, &value));
     }
     for (size_t i = 0; i < DIRECTIONS; ++i)
     {
         double value = 90.0 - 15.0 * (double)i;
         value += value < 0.0 ? 360.0 : 0.0;
-        Check(nc_put_var1_double(file, direction, &i, &value));
+        CheckNetcdf(nc_put_var1_double(file, direction, &i, &value));
     }
-    Check(nc_close(file));
+    CheckNetcdf(nc_close(file));
 }
 
 static void CheckWavewatch(int mode, bool isFrom)
@@ -402,7 +346,7 @@ static void WavewatchsNetcdfIsRead(void** state)
 static void WriteEra5(bool areNumbers, bool isNew)
 {
     int file = 0;
-    Check(nc_create(s_path, NC_CLOBBER, &file));
+    CheckNetcdf(nc_create(s_path, NC_CLOBBER, &file));
     int longitudes = AddDimension(file, "longitude", 2), latitudes = AddDimension(file, "latitude", 1);
     int frequencies = AddDimension(file, isNew ? "frequencyNumber" : "frequency", FREQUENCIES);
     int directions = AddDimension(file, isNew ? "directionNumber" : "direction", DIRECTIONS);
@@ -422,33 +366,33 @@ static void WriteEra5(bool areNumbers, bool isNew)
     int d2fd = AddVariable(file, "d2fd", NC_SHORT, 5, shape);
     const double scale = 2.5e-4, offset = -4.0;
     short fill = -32767;
-    Check(nc_put_att_double(file, d2fd, "scale_factor", NC_DOUBLE, 1, &scale));
-    Check(nc_put_att_double(file, d2fd, "add_offset", NC_DOUBLE, 1, &offset));
-    Check(nc_put_att_short(file, d2fd, "_FillValue", NC_SHORT, 1, &fill));
-    Check(nc_put_att_short(file, d2fd, "missing_value", NC_SHORT, 1, &fill));
-    Check(nc_enddef(file));
+    CheckNetcdf(nc_put_att_double(file, d2fd, "scale_factor", NC_DOUBLE, 1, &scale));
+    CheckNetcdf(nc_put_att_double(file, d2fd, "add_offset", NC_DOUBLE, 1, &offset));
+    CheckNetcdf(nc_put_att_short(file, d2fd, "_FillValue", NC_SHORT, 1, &fill));
+    CheckNetcdf(nc_put_att_short(file, d2fd, "missing_value", NC_SHORT, 1, &fill));
+    CheckNetcdf(nc_enddef(file));
     const double places[2] = {170.0, 171.0}, south = -45.0, when = isNew ? 1577880000.0 : 1051908.0; // 2020-01-01 12:00
     const size_t first = 0;
-    Check(nc_put_var_double(file, longitude, places));
-    Check(nc_put_var1_double(file, latitude, &first, &south));
-    Check(nc_put_var1_double(file, time, &first, &when));
+    CheckNetcdf(nc_put_var_double(file, longitude, places));
+    CheckNetcdf(nc_put_var1_double(file, latitude, &first, &south));
+    CheckNetcdf(nc_put_var1_double(file, time, &first, &when));
     for (size_t i = 0; i < FREQUENCIES; ++i)
     {
         double value = areNumbers ? (double)i + 1.0 : GetFrequency((int)i);
-        Check(nc_put_var1_double(file, frequency, &i, &value));
+        CheckNetcdf(nc_put_var1_double(file, frequency, &i, &value));
         for (size_t j = 0; j < DIRECTIONS; ++j)
         {
             double bearing = 7.5 + 15.0 * (double)j;
             value = areNumbers ? (double)j + 1.0 : bearing;
-            Check(nc_put_var1_double(file, direction, &j, &value));
+            CheckNetcdf(nc_put_var1_double(file, direction, &j, &value));
             double level = (log10(Density(GetFrequency((int)i), bearing + 180.0)) - offset) / scale;
             const short packed = level < -32000.0 ? fill : (short)lround(level);
             const size_t at[5] = {0, isNew ? i : j, isNew ? j : i, 0, 0}, land[5] = {0, at[1], at[2], 0, 1};
-            Check(nc_put_var1_short(file, d2fd, at, &packed));
-            Check(nc_put_var1_short(file, d2fd, land, &fill));
+            CheckNetcdf(nc_put_var1_short(file, d2fd, at, &packed));
+            CheckNetcdf(nc_put_var1_short(file, d2fd, land, &fill));
         }
     }
-    Check(nc_close(file));
+    CheckNetcdf(nc_close(file));
 }
 
 static void Era5sNetcdfIsRead(void** state)
@@ -472,9 +416,9 @@ static void NetcdfOfOtherThingsIsRefused(void** state)
 {
     (void)state;
     int file = 0;
-    Check(nc_create(s_path, NC_CLOBBER, &file));
+    CheckNetcdf(nc_create(s_path, NC_CLOBBER, &file));
     AddDimension(file, "x", 3);
-    Check(nc_close(file));
+    CheckNetcdf(nc_close(file));
     swMeasuredSea* sea = NULL;
     assert_int_equal(Read(s_path, &sea), SW_ERROR_FORMAT);
     assert_non_null(strstr(s_messages, "no variable of spectra"));

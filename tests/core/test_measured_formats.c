@@ -3,6 +3,9 @@
 // and units that its writers may choose, files of others where they lie beside the sources, and texts that are wrong.
 
 #include "support/cmocka_setup.h"
+#include "support/text_file.h"
+#include "support/sea_states.h"
+#include "support/messages.h"
 #include "support/counting_host.h"
 
 #include <math.h>
@@ -16,47 +19,6 @@
 
 #define DATA SW_SOURCE_DIR "/../shared/data/spectra"
 #define DEGREE (SW_PI / 180.0)
-
-static char s_messages[4096];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
-
-static swHost MakeHost(void)
-{
-    swHost host = swDefaultHost();
-    host.log = KeepMessages;
-    s_messages[0] = '\0';
-    return host;
-}
-
-static swSeaState GetSeaState(const swMeasuredSea* sea, int index)
-{
-    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
-    swSpectrumDef def = swDefaultSpectrumDef();
-    def.kind = SW_SPECTRUM_TABLE;
-    def.table = &record.table;
-    swSeaState state;
-    assert_int_equal(swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &state), SW_SUCCESS);
-    return state;
-}
-
-// Degrees clockwise from north, from where waves come.
-static double GetBearing(float direction)
-{
-    double degrees = (double)direction / DEGREE - 90.0;
-    return degrees - 360.0 * floor(degrees / 360.0);
-}
-
-static double GetAngleBetween(double a, double b)
-{
-    return fabs(remainder(a - b, 360.0));
-}
 
 // ---- a text that grows ----
 
@@ -156,7 +118,7 @@ static void CheckSea(const char* what, const swMeasuredSea* sea, int index, doub
     double frequencies[FREQUENCIES], widths[FREQUENCIES];
     FillFrequencies(frequencies, widths);
     Truth truth = SumGrid(frequencies, widths, FREQUENCIES, 720);
-    swSeaState state = GetSeaState(sea, index);
+    swSeaState state = GetSeaState(sea, index, true);
     double height = (double)state.significantHeight / truth.height - 1.0;
     double direction = GetAngleBetween(GetBearing(state.meanDirection), truth.direction);
     print_message("%s: Hs %.4f m, off by %.4f %%, Tm01 %.3f %%, Tm02 %.3f %%, direction %.3f degrees\n", what,
@@ -222,7 +184,7 @@ static void CheckDirections(const char* what, const double* bearings, int count,
     assert_int_equal(swMeasuredSea_Finish(sea), SW_SUCCESS);
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
     double energy = fabs((double)record.energy[0] / fine - 1.0);
-    double angle = GetAngleBetween((double)GetSeaState(sea, 0).meanDirection / DEGREE, atan2(y, x) / DEGREE);
+    double angle = GetAngleBetween((double)GetSeaState(sea, 0, true).meanDirection / DEGREE, atan2(y, x) / DEGREE);
     print_message("%s: %d directions become %d, energy off by %.1e, direction by %.4f degrees\n", what, count,
                   record.table.directionCount, energy, angle);
     assert_int_equal(record.table.directionCount, expectedCount);
@@ -466,8 +428,9 @@ static void WavewatchIsReadWithSeveralPointsAndTimes(void** state)
     assert_string_equal(swMeasuredSea_GetRecord(sea, 3).time, "2020-01-01 06:30");
     assert_int_equal(swMeasuredSea_GetRecord(sea, 0).table.directionCount, 24);
     CheckSea("WAVEWATCH III", sea, 0, 1e-3);
-    assert_true(fabs((double)GetSeaState(sea, 2).significantHeight / (double)GetSeaState(sea, 0).significantHeight -
-                     sqrt(2.0)) < 1e-4);
+    assert_true(
+        fabs((double)GetSeaState(sea, 2, true).significantHeight / (double)GetSeaState(sea, 0, true).significantHeight -
+             sqrt(2.0)) < 1e-4);
 
     int before = -1, after = -1;
     double fraction = -1.0, first = swMeasuredSea_GetRecord(sea, 2).seconds;
@@ -513,7 +476,7 @@ static void TriaxysIsReadOnOtherGrids(void** state)
     assert_true(fabs(swMeasuredSea_GetLocation(sea, 0).latitude - 48.5) < 1e-9);
     assert_true(fabs(swMeasuredSea_GetLocation(sea, 0).longitude + 123.5) < 1e-9);
     assert_int_equal(swMeasuredSea_GetRecord(sea, 0).table.frequencyCount, 119);
-    assert_true(fabs((double)GetSeaState(sea, 0).significantHeight / (4.0 * sqrt(m0)) - 1.0) < 1e-3);
+    assert_true(fabs((double)GetSeaState(sea, 0, true).significantHeight / (4.0 * sqrt(m0)) - 1.0) < 1e-3);
     swDestroyMeasuredSea(sea);
     free(text);
 }
@@ -559,7 +522,7 @@ static void PartitionsOfATableHaveWhatItSays(void** state)
     swMeasuredSea* sea = Parse(text, "p.csv");
     assert_int_equal(swMeasuredSea_GetCount(sea), 4);
     swMeasuredRecord alone = swMeasuredSea_GetRecord(sea, 0);
-    swSeaState seaState = GetSeaState(sea, 0);
+    swSeaState seaState = GetSeaState(sea, 0, true);
     assert_int_equal(alone.partitionCount, 1);
     assert_true(fabs((double)seaState.significantHeight - 1.5) < 1e-3);
     assert_true(fabs((double)seaState.peakPeriod - 15.2) < 0.01);
@@ -567,7 +530,7 @@ static void PartitionsOfATableHaveWhatItSays(void** state)
     print_message("spread %.2f degrees of 15\n", (double)seaState.spread / DEGREE);
     assert_true(fabs((double)seaState.spread / DEGREE - 15.0) < 0.3);
     swMeasuredRecord both = swMeasuredSea_GetRecord(sea, 1);
-    seaState = GetSeaState(sea, 1);
+    seaState = GetSeaState(sea, 1, true);
     assert_int_equal(both.partitionCount, 2);
     assert_true(fabs((double)seaState.significantHeight - 5.0) < 2e-3);
     assert_true(fabs((double)seaState.spread / DEGREE - 20.0) < 0.5);
@@ -595,38 +558,21 @@ static void WavewatchsPartitionsAreRead(void** state)
     assert_true(swMeasuredSea_GetLocation(sea, 1).latitude == 58.75);
     assert_string_equal(swMeasuredSea_GetRecord(sea, 0).time, "2008-05-22 00:30");
     assert_int_equal(swMeasuredSea_GetRecord(sea, 0).partitionCount, 2);
-    swSeaState seaState = GetSeaState(sea, 0);
+    swSeaState seaState = GetSeaState(sea, 0, true);
     assert_true(fabs((double)seaState.significantHeight - 2.5) < 1e-3);
     assert_true(fabs((double)seaState.peakPeriod - 10.0) < 0.01);
     assert_true(GetAngleBetween(GetBearing(seaState.peakDirection), 210.0) < 1.0);
-    assert_true(fabs((double)GetSeaState(sea, 1).significantHeight - 0.4) < 1e-3);
+    assert_true(fabs((double)GetSeaState(sea, 1, true).significantHeight - 0.4) < 1e-3);
     swDestroyMeasuredSea(sea);
     free(text);
 }
 
 // ---- files of others ----
 
-static char* ReadText(const char* path, size_t* size)
-{
-    FILE* file = fopen(path, "rb");
-    if (file == NULL)
-    {
-        return NULL;
-    }
-    fseek(file, 0, SEEK_END);
-    *size = (size_t)ftell(file);
-    rewind(file);
-    char* text = malloc(*size + 1);
-    assert_int_equal(fread(text, 1, *size, file), *size);
-    text[*size] = '\0';
-    fclose(file);
-    return text;
-}
-
 static swMeasuredSea* ReadSea(const char* path)
 {
     size_t size = 0;
-    char* text = ReadText(path, &size);
+    char* text = ReadTextFile(path, &size);
     if (text == NULL)
     {
         print_message("skipped: %s is absent\n", path);
@@ -674,7 +620,7 @@ static void RaglansSwanFileHasItsStatistics(void** state)
     for (int i = 0; i < 5; ++i)
     {
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
-        swSeaState seaState = GetSeaState(sea, i);
+        swSeaState seaState = GetSeaState(sea, i, true);
         worst[0] = fmax(worst[0], fabs((double)seaState.significantHeight / control[i][0] - 1.0));
         worst[1] = fmax(worst[1], fabs((double)seaState.periodTm01 / control[i][1] - 1.0));
         worst[2] = fmax(worst[2], fabs((double)seaState.periodTm02 / control[i][2] - 1.0));
@@ -702,7 +648,7 @@ static void BlockIslandsWavewatchFileIsReadAsExpected(void** state)
     for (int i = 0; i < 4; ++i)
     {
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
-        swSeaState seaState = GetSeaState(sea, i);
+        swSeaState seaState = GetSeaState(sea, i, true);
         assert_true(fabs((double)seaState.significantHeight / expected[i][0] - 1.0) < 0.02);
         assert_true(IsWithinABin(&record, (double)seaState.peakPeriod, expected[i][1]));
         assert_true(fabs((double)seaState.periodTm01 / expected[i][2] - 1.0) < 0.01);
@@ -717,12 +663,12 @@ static void BothTriaxysFilesAreReadAsExpected(void** state)
     (void)state;
     swMeasuredSea* whole = ReadSea(DATA "/triaxys_2018-01/triaxys.DIRSPEC");
     swMeasuredSea* flat = ReadSea(DATA "/triaxys_2018-01/triaxys.NONDIRSPEC");
-    double heights[2] = {(double)GetSeaState(whole, 0).significantHeight,
-                         (double)GetSeaState(flat, 0).significantHeight};
+    double heights[2] = {(double)GetSeaState(whole, 0, true).significantHeight,
+                         (double)GetSeaState(flat, 0, true).significantHeight};
     assert_true(fabs(heights[0] - 3.413) < 0.01 && fabs(heights[1] - 3.435) < 0.01);
-    assert_true(fabs((double)GetSeaState(whole, 0).peakPeriod - 11.11) < 0.01);
-    assert_true(fabs((double)GetSeaState(flat, 0).peakPeriod - 11.11) < 0.01);
-    assert_true(fabs((double)GetSeaState(flat, 0).periodTm02 - 6.92) < 0.02);
+    assert_true(fabs((double)GetSeaState(whole, 0, true).peakPeriod - 11.11) < 0.01);
+    assert_true(fabs((double)GetSeaState(flat, 0, true).peakPeriod - 11.11) < 0.01);
+    assert_true(fabs((double)GetSeaState(flat, 0, true).periodTm02 - 6.92) < 0.02);
     assert_int_equal(swMeasuredSea_GetRecord(whole, 0).table.directionCount, 120);
     assert_null(swMeasuredSea_GetRecord(flat, 0).meanDirection);
     swDestroyMeasuredSea(whole);

@@ -3,22 +3,13 @@
 // of grids that are no globe, months by name, numbers that no wave has. Each is read, or refused with its line.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "seaway/measured.h"
-
-static char s_messages[4096];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
 
 static swResult Parse(const char* text, swMeasuredSea** sea)
 {

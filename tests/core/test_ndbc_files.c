@@ -3,6 +3,7 @@
 // gzip, and a file of directions alone is refused with the name of the file that is wanted.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,18 +13,9 @@
 #include <zlib.h>
 
 #include "seaway/math.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
-static char s_messages[4096];
 static char s_folder[] = "/tmp/seaway_ndbc_XXXXXX";
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s%s\n", level == SW_LOG_WARNING ? "warning: " : "",
-             message);
-}
 
 // ---- files ----
 

@@ -3,6 +3,7 @@
 // kept is told, and numbers that only mark what is missing take nothing away.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,24 +16,6 @@
 #define DIRECTIONS 8
 
 static const double s_frequencies[FREQUENCIES] = {0.06, 0.08, 0.10, 0.12, 0.14};
-static char s_messages[2048];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
-
-static swHost MakeHost(void)
-{
-    swHost host = swDefaultHost();
-    host.log = KeepMessages;
-    s_messages[0] = '\0';
-    return host;
-}
-
 static swMeasuredSea* Store(swMeasuredSpectrumDef* def)
 {
     swHost host = MakeHost();

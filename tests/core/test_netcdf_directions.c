@@ -4,12 +4,14 @@
 // from the right side, and what was assumed must be said.
 
 #include "support/cmocka_setup.h"
+#include "support/sea_states.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 #include "support/netcdf_maker.h"
 
 #define DATA SW_SOURCE_DIR "/../shared/data"
@@ -18,16 +20,7 @@
 #define DEGREE (SW_PI / 180.0)
 #define PEAK 0.1 // Hz
 
-static char s_messages[8192];
 static char s_path[128];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s%s\n", level == SW_LOG_WARNING ? "warning: " : "",
-             message);
-}
 
 static swResult Read(const char* path, swDirectionMeaning directions, swMeasuredSea** sea)
 {
@@ -41,25 +34,9 @@ static swResult Read(const char* path, swDirectionMeaning directions, swMeasured
     return result;
 }
 
-static swSeaState GetSeaState(const swMeasuredSea* sea, int index)
-{
-    swMeasuredRecord record = swMeasuredSea_GetRecord(sea, index);
-    swSpectrumDef def = swDefaultSpectrumDef();
-    def.kind = SW_SPECTRUM_TABLE;
-    def.table = &record.table;
-    swSeaState state;
-    assert_int_equal(swSpectrum_GetSeaState(&def, 0.0f, 0.0f, &state), SW_SUCCESS);
-    return state;
-}
-
-static double GetAngleBetween(double a, double b)
-{
-    return fabs(remainder(a - b, 360.0));
-}
-
 static double GetBearingFrom(const swMeasuredSea* sea, int index)
 {
-    return (double)GetSeaState(sea, index).meanDirection / DEGREE - 90.0;
+    return (double)GetSeaState(sea, index, true).meanDirection / DEGREE - 90.0;
 }
 
 // A file of one spectrum around 70 degrees of whatever its directions mean.
@@ -137,7 +114,7 @@ static double ReadBearing(const FileText* text, swDirectionMeaning asked, swMeas
     }
     assert_int_equal(result, SW_SUCCESS);
     *directions = swMeasuredSea_GetDirections(sea);
-    swSeaState state = GetSeaState(sea, 0);
+    swSeaState state = GetSeaState(sea, 0, true);
     assert_true(fabs((double)state.significantHeight / 2.0 - 1.0) < 1e-3);
     assert_true(fabs((double)state.peakPeriod * PEAK - 1.0) < 1e-3);
     double bearing = GetBearingFrom(sea, 0);
@@ -577,7 +554,7 @@ static void BothWritersOfOneSeaAgree(void** state)
     double worst = 0.0;
     for (int i = 0; i < 18; ++i)
     {
-        swSeaState a = GetSeaState(seas[0], i), b = GetSeaState(seas[1], i);
+        swSeaState a = GetSeaState(seas[0], i, true), b = GetSeaState(seas[1], i, true);
         assert_true(fabs((double)(a.significantHeight / b.significantHeight) - 1.0) < 1e-3);
         double angle = GetAngleBetween(GetBearingFrom(seas[0], i), GetBearingFrom(seas[1], i));
         worst = angle > worst ? angle : worst;

@@ -4,13 +4,15 @@
 // without values, bad flags, missing times, cut files.
 
 #include "support/cmocka_setup.h"
+#include "support/sea_states.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 #include "support/netcdf_maker.h"
 
 #define DATA SW_SOURCE_DIR "/../shared/data/spectra"
@@ -21,16 +23,7 @@
 #define R1 0.85
 #define R2 0.6
 
-static char s_messages[8192];
 static char s_path[128];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s%s\n", level == SW_LOG_WARNING ? "warning: " : "",
-             message);
-}
 
 static swResult Read(const char* path, swMeasuredSea** sea)
 {
@@ -52,16 +45,6 @@ static swMeasuredSea* ReadFine(const char* path)
     }
     assert_int_equal(result, SW_SUCCESS);
     return sea;
-}
-
-static double GetAngleBetween(double a, double b)
-{
-    return fabs(remainder(a - b, 360.0));
-}
-
-static double GetBearing(float direction)
-{
-    return (double)direction / DEGREE - 90.0;
 }
 
 // ---- one sea in everyone's words ----

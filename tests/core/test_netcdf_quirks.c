@@ -3,6 +3,7 @@
 // per degree, times of integers, and gaps.
 
 #include "support/cmocka_setup.h"
+#include "support/netcdf_maker.h"
 
 #include <math.h>
 #include <netcdf.h>
@@ -10,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define FREQUENCIES 20
 #define DIRECTIONS 24
@@ -19,27 +20,6 @@
 #define DEGREE (SW_PI / 180.0)
 
 static char s_path[64];
-
-static void Check(int code)
-{
-    if (code != NC_NOERR)
-    {
-        print_message("%s\n", nc_strerror(code));
-    }
-    assert_int_equal(code, NC_NOERR);
-}
-
-static int AddVariable(int file, const char* name, nc_type type, int count, const int* dimensions)
-{
-    int id = 0;
-    Check(nc_def_var(file, name, type, count, dimensions, &id));
-    return id;
-}
-
-static void AddText(int file, int variable, const char* name, const char* text)
-{
-    Check(nc_put_att_text(file, variable, name, strlen(text), text));
-}
 
 // m^2/Hz/degree of waves that come from 320 degrees at the first site, from 50 at the second.
 static float Density(int frequency, int direction, int site)
@@ -72,7 +52,7 @@ static void WriteSpectra(int file, int efth)
         size_t index[4] = {place / SITES, place % SITES, k / DIRECTIONS % FREQUENCIES, k % DIRECTIONS};
         float value = Density((int)index[2], (int)index[3], (int)index[1]);
         value = index[0] == 1 && index[1] == 1 ? fill : value; // a gap
-        Check(nc_put_var1_float(file, efth, index, &value));
+        CheckNetcdf(nc_put_var1_float(file, efth, index, &value));
     }
 }
 
@@ -81,10 +61,10 @@ static void WriteFile(void)
     int file = 0, dimensions[4] = {0};
     const char* const names[4] = {"time", "site", "freq", "dir"};
     const size_t lengths[4] = {TIMES, SITES, FREQUENCIES, DIRECTIONS};
-    Check(nc_create(s_path, NC_NETCDF4 | NC_CLOBBER, &file));
+    CheckNetcdf(nc_create(s_path, NC_NETCDF4 | NC_CLOBBER, &file));
     for (int i = 0; i < 4; ++i)
     {
-        Check(nc_def_dim(file, names[i], lengths[i], &dimensions[i]));
+        CheckNetcdf(nc_def_dim(file, names[i], lengths[i], &dimensions[i]));
     }
     int time = AddVariable(file, "time", NC_INT64, 1, &dimensions[0]);
     AddText(file, time, "units", "minutes since 2020-02-28 23:30");
@@ -98,28 +78,28 @@ static void WriteFile(void)
     AddText(file, direction, "units", "degree");
     int efth = AddVariable(file, "efth", NC_FLOAT, 4, dimensions);
     float fill = -999.0f;
-    Check(nc_put_att_float(file, efth, "_FillValue", NC_FLOAT, 1, &fill));
+    CheckNetcdf(nc_put_att_float(file, efth, "_FillValue", NC_FLOAT, 1, &fill));
     AddText(file, efth, "units", "m^{2}.s.degree^{-1}");
-    Check(nc_enddef(file));
+    CheckNetcdf(nc_enddef(file));
     const long long minutes[TIMES] = {0, 60, 120};
     const char* stations[SITES] = {"Ilot d'Amont", "B"};
     const double longitudes[SITES] = {-5.25, 170.0}, latitudes[SITES] = {48.5, -41.0};
-    Check(nc_put_var_longlong(file, time, minutes));
-    Check(nc_put_var_string(file, name, stations));
-    Check(nc_put_var_double(file, longitude, longitudes));
-    Check(nc_put_var_double(file, latitude, latitudes));
+    CheckNetcdf(nc_put_var_longlong(file, time, minutes));
+    CheckNetcdf(nc_put_var_string(file, name, stations));
+    CheckNetcdf(nc_put_var_double(file, longitude, longitudes));
+    CheckNetcdf(nc_put_var_double(file, latitude, latitudes));
     for (size_t i = 0; i < FREQUENCIES; ++i)
     {
         double value = 0.05 + 0.01 * (double)i;
-        Check(nc_put_var1_double(file, frequency, &i, &value));
+        CheckNetcdf(nc_put_var1_double(file, frequency, &i, &value));
     }
     for (size_t j = 0; j < DIRECTIONS; ++j)
     {
         short value = (short)(15 * j);
-        Check(nc_put_var1_short(file, direction, &j, &value));
+        CheckNetcdf(nc_put_var1_short(file, direction, &j, &value));
     }
     WriteSpectra(file, efth);
-    Check(nc_close(file));
+    CheckNetcdf(nc_close(file));
 }
 
 static void SitesOfOtherWritersAreRead(void** state)

@@ -3,6 +3,7 @@
 // search, the normal is that of the heights around, and neither batch, thread nor view changes a bit.
 
 #include "support/cmocka_setup.h"
+#include "support/scatter.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -11,18 +12,6 @@
 #include "scenarios/scenario.h"
 
 #define POINT_COUNT 3000
-
-static void MakePoints(swPosXZ* points, int count, double aroundX, double aroundZ, double side)
-{
-    uint32_t seed = 12345;
-    for (int i = 0; i < count; ++i)
-    {
-        seed = seed * 1664525u + 1013904223u;
-        points[i].x = aroundX + side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
-        seed = seed * 1664525u + 1013904223u;
-        points[i].z = aroundZ + side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
-    }
-}
 
 static Scenario OpenSea(ScenarioKind kind, float chop, int resolution)
 {
@@ -44,7 +33,7 @@ static void ResidualIsWhatItSaysAndWithinTheTolerance(void** state)
     for (int far = 0; far < 2; ++far)
     {
         Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 128);
-        MakePoints(points, POINT_COUNT, far * 1e6, far * -1e6, 2000.0);
+        ScatterPoints(points, POINT_COUNT, far * 1e6, far * -1e6, 2000.0);
         swQueryDef def = swDefaultQueryDef();
         swQueryStats stats;
         swSurfaceSamples samples = {.height = heights, .displacement = moved, .residual = residuals};
@@ -112,7 +101,7 @@ static void HeightIsThatOfADenseSearch(void** state)
     (void)state;
     Scenario sea = OpenSea(SCENARIO_BREEZE, 0.7f, 64);
     swPosXZ points[40];
-    MakePoints(points, 40, 500.0, 500.0, 1000.0);
+    ScatterPoints(points, 40, 500.0, 500.0, 1000.0);
     double worst = 0.0;
     for (int i = 0; i < 40; ++i)
     {
@@ -130,7 +119,7 @@ static void NormalIsThatOfTheHeightsAround(void** state)
     (void)state;
     Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
     swPosXZ points[200];
-    MakePoints(points, 200, 0.0, 0.0, 1000.0);
+    ScatterPoints(points, 200, 0.0, 0.0, 1000.0);
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = 4.0f; // smooth over the differences' baseline
     def.tolerance = 2e-6f;
@@ -169,7 +158,7 @@ static void ParticlesAndSurfaceAgree(void** state)
     static swPosXZ points[500];
     static swVec3 moved[500], normals[500], again[500], againNormals[500];
     static float jacobians[500], againJacobians[500];
-    MakePoints(points, 500, 0.0, 0.0, 1000.0);
+    ScatterPoints(points, 500, 0.0, 0.0, 1000.0);
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.displacement = moved, .normal = normals, .jacobian = jacobians};
     swWorld_QuerySurface(sea.world, &def, 500, points, &samples, NULL);
@@ -204,7 +193,7 @@ static void ASteepSeaConvergesOrSaysSo(void** state)
     static float residuals[POINT_COUNT], jacobians[POINT_COUNT];
     const float chops[] = {1.0f, 1.5f, 2.0f};
     const double leastConverged[] = {1.0, 0.999, 0.98};
-    MakePoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
+    ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
     for (int c = 0; c < 3; ++c)
     {
         Scenario sea = OpenSea(SCENARIO_GALE, chops[c], 128);
@@ -256,7 +245,7 @@ static void ASeaThatNearlyFoldsConvergesEverywhere(void** state)
     swWorld_Step(world, 1.0);
     static swPosXZ points[50000];
     static float heights[50000];
-    MakePoints(points, 50000, 0.0, 0.0, 400.0);
+    ScatterPoints(points, 50000, 0.0, 0.0, 400.0);
     swQueryDef query = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights};
     swQueryStats stats;
@@ -274,7 +263,7 @@ static void TheBatchDoesNotMatter(void** state)
     static swPosXZ points[POINT_COUNT];
     static float whole[POINT_COUNT], parts[POINT_COUNT];
     static swVec3 wholeNormals[POINT_COUNT], partNormals[POINT_COUNT];
-    MakePoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
+    ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = whole, .normal = wholeNormals};
     swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, NULL);
@@ -311,7 +300,7 @@ static void ManyThreadsReadAtOnce(void** state)
     Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
     static swPosXZ points[POINT_COUNT];
     static Reader readers[6];
-    MakePoints(points, POINT_COUNT, 0.0, 0.0, 500.0);
+    ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 500.0);
     pthread_t threads[6];
     for (int i = 0; i < 6; ++i)
     {
@@ -370,7 +359,7 @@ static void TwoWorldsTakeTurns(void** state)
     swWorld* twins[2] = {MakeTwin(), MakeTwin()};
     static swPosXZ points[POINT_COUNT];
     static Reader reader, expected;
-    MakePoints(points, POINT_COUNT, 0.0, 0.0, 500.0);
+    ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 500.0);
     for (int frame = 0; frame < FRAMES; ++frame)
     {
         Stepper stepper = {twins[(frame + 1) % 2], (frame + 1) / 30.0};
@@ -431,7 +420,7 @@ static void ShortWavesCanBeLeftOut(void** state)
     swQueryDef def = swDefaultQueryDef();
     static swPosXZ points[POINT_COUNT];
     static swVec2 slopes[POINT_COUNT];
-    MakePoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
+    ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
     double steepness[3];
     const float shortest[] = {0.0f, 8.0f, 1e9f};
     for (int i = 0; i < 3; ++i)

@@ -3,6 +3,7 @@
 // made of it, also where a peak is a single bin, seas oppose each other, or bins are unequal.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -19,7 +20,7 @@
 #include "seaway/measured.h"
 #include "seaway/waves.h"
 #include "seaway/world.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define TURN (2.0 * SW_PI)
 #define DEGREE (SW_PI / 180.0)
@@ -401,15 +402,6 @@ static void WavesOfABinHaveItsEnergyAndDirection(void** state)
     }
 }
 
-static char s_message[512];
-
-static void KeepMessage(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    snprintf(s_message, sizeof(s_message), "%s", message);
-}
-
 static void WavesThatAreTooLongAreToldOf(void** state)
 {
     (void)state;
@@ -423,8 +415,8 @@ static void WavesThatAreTooLongAreToldOf(void** state)
             AddRow(&sample, lost != 0 ? 0 : 12, 1.0, 1.0, 20.0);
             swSpectrumTable table = GetTable(&sample);
             swHost host = swDefaultHost();
-            host.log = KeepMessage;
-            s_message[0] = '\0';
+            host.log = KeepMessages;
+            s_messages[0] = '\0';
             swWaveSystemDef def = swDefaultWaveSystemDef();
             def.spectrum = MakeDef(&table);
             def.method = method == 0 ? SW_WAVES_FFT : SW_WAVES_GERSTNER;
@@ -434,7 +426,7 @@ static void WavesThatAreTooLongAreToldOf(void** state)
             assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
             assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
             swDestroyWorld(world);
-            assert_true((strstr(s_message, "9.1 % of a measured sea's variance") != NULL) == (lost != 0));
+            assert_true((strstr(s_messages, "9.1 % of a measured sea's variance") != NULL) == (lost != 0));
         }
     }
 }

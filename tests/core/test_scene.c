@@ -2,6 +2,7 @@
 // Scene files fill defs; what is wrong in one is told in a sentence with its line; the scenes that we ship make seas.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 #include "support/counting_host.h"
 
 #include <math.h>
@@ -11,29 +12,12 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "seaway/files.h"
 #include "seaway/scene.h"
 
 #define SCENES SW_SOURCE_DIR "/scenes"
 
 #define ONE_WAVE "\n      - {wavelength_m: 50, amplitude_m: 0.5, direction_from_deg: 270}\n"
-
-static char s_messages[4096];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
-
-static swHost MakeHost(void)
-{
-    swHost host = swDefaultHost();
-    host.log = KeepMessages;
-    s_messages[0] = '\0';
-    return host;
-}
 
 static swResult ReadText(const char* text, swScene** scene)
 {

@@ -3,6 +3,7 @@
 // before it costs time.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,24 +12,6 @@
 #include "seaway/scene.h"
 
 #define SCENES SW_SOURCE_DIR "/scenes"
-
-static char s_messages[65536];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
-
-static swHost MakeHost(void)
-{
-    swHost host = swDefaultHost();
-    host.log = KeepMessages;
-    s_messages[0] = '\0';
-    return host;
-}
 
 static swResult ReadText(const char* text, swScene** scene)
 {

@@ -2,6 +2,7 @@
 // Spectra hold the energy they say: published heights and periods of the formulas, tables to the last bin.
 
 #include "support/cmocka_setup.h"
+#include "support/messages.h"
 
 #include "core/spectra/spectrum.h"
 
@@ -12,23 +13,6 @@
 #include "seaway/math.h"
 
 #define TURN (2.0 * SW_PI)
-
-static char s_message[512];
-
-static void KeepMessage(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    snprintf(s_message, sizeof(s_message), "%s", message);
-}
-
-static swHost MakeHost(void)
-{
-    swHost host = swDefaultHost();
-    host.log = KeepMessage;
-    s_message[0] = '\0';
-    return host;
-}
 
 static swSeaState GetSeaState(const swSpectrumDef* def)
 {
@@ -353,9 +337,9 @@ static void WrongSpectraAreNamed(void** state)
         swCompiledSpectrum* spectrum = NULL;
         assert_int_equal(swCompileSpectrum(&host, &cases[i].def, 9.81, 7.4e-5, &spectrum), SW_ERROR_INVALID);
         assert_null(spectrum);
-        if (strstr(s_message, cases[i].words) == NULL)
+        if (strstr(s_messages, cases[i].words) == NULL)
         {
-            fail_msg("\"%s\" does not say \"%s\"", s_message, cases[i].words);
+            fail_msg("\"%s\" does not say \"%s\"", s_messages, cases[i].words);
         }
         swSeaState seaState;
         assert_int_equal(swSpectrum_GetSeaState(&cases[i].def, 0.0f, 0.0f, &seaState), SW_ERROR_INVALID);

@@ -455,7 +455,7 @@ static void WrongOctavesAreNamed(void** state)
     def = swDefaultSpectrumDef();
     def.depth = 0.0f;
     assert_false(swCheckSpectrumDef(&complaint, &def));
-    assert_non_null(strstr(complaint.text, "depth is 0; its range is [0.001, inf]"));
+    assert_non_null(strstr(complaint.text, "depth is 0 m; its range is [0.001, inf]"));
 }
 
 // ---- all of them ----

@@ -3,6 +3,9 @@
 // own files where they lie beside the sources, and every way for a line to be wrong.
 
 #include "support/cmocka_setup.h"
+#include "support/text_file.h"
+#include "support/sea_states.h"
+#include "support/messages.h"
 #include "support/counting_host.h"
 
 #include <math.h>
@@ -17,24 +20,6 @@
 
 #define HEADING "#YY  MM DD hh mm WVHT  SwH  SwP  WWH  WWP SwD WWD  STEEPNESS  APD MWD\n"
 #define UNITS "#yr  mo dy hr mn    m    m  sec    m  sec  -  degT     -      sec degT\n"
-
-static char s_messages[4096];
-
-static void KeepMessages(void* context, swLogLevel level, const char* message)
-{
-    (void)context;
-    (void)level;
-    size_t used = strlen(s_messages);
-    snprintf(s_messages + used, sizeof(s_messages) - used, "%s\n", message);
-}
-
-static swHost MakeHost(void)
-{
-    swHost host = swDefaultHost();
-    host.log = KeepMessages;
-    s_messages[0] = '\0';
-    return host;
-}
 
 static swResult ParseText(const char* text, swMeasuredSea** sea)
 {
@@ -53,25 +38,7 @@ static swMeasuredSea* MakeSea(const char* text)
     return sea;
 }
 
-// NULL if there is no such file.
-static char* ReadText(const char* path)
-{
-    FILE* file = fopen(path, "rb");
-    if (file == NULL)
-    {
-        return NULL;
-    }
-    fseek(file, 0, SEEK_END);
-    size_t size = (size_t)ftell(file);
-    rewind(file);
-    char* text = malloc(size + 1);
-    assert_int_equal(fread(text, 1, size, file), size);
-    text[size] = '\0';
-    fclose(file);
-    return text;
-}
-
-static swSeaState GetSeaState(const swMeasuredRecord* record, float minFrequency, float maxFrequency)
+static swSeaState GetBandState(const swMeasuredRecord* record, float minFrequency, float maxFrequency)
 {
     swSpectrumDef def = swDefaultSpectrumDef();
     def.kind = SW_SPECTRUM_TABLE;
@@ -92,19 +59,6 @@ static bool IsNear(double value, double expected, double tolerance)
     return true;
 }
 
-// Degrees clockwise from north, from where waves come.
-static double GetBearing(double direction)
-{
-    double degrees = direction * 180.0 / SW_PI - 90.0;
-    return degrees - 360.0 * floor(degrees / 360.0);
-}
-
-static double GetAngleBetween(double a, double b)
-{
-    double difference = fabs(a - b);
-    return difference > 180.0 ? 360.0 - difference : difference;
-}
-
 // ---- one line ----
 
 static void SwellAndWindSeaStandApart(void** state)
@@ -116,13 +70,13 @@ static void SwellAndWindSeaStandApart(void** state)
     assert_int_equal(record.partitionCount, 2);
     assert_int_equal(record.correctedCount, 0);
 
-    swSeaState whole = GetSeaState(&record, 0.0f, 0.0f);
+    swSeaState whole = GetBandState(&record, 0.0f, 0.0f);
     assert_true(IsNear((double)whole.significantHeight, 5.0, 1e-4));
     assert_true(IsNear((double)whole.peakPeriod, 16.0, 1e-4));
-    swSeaState swell = GetSeaState(&record, 0.001f, 0.12f);
+    swSeaState swell = GetBandState(&record, 0.001f, 0.12f);
     assert_true(IsNear((double)swell.significantHeight, 4.0, 0.15));                    // some of it lies above
     assert_true(GetAngleBetween(GetBearing((double)swell.peakDirection), 265.0) < 0.5); // the mean direction, not W
-    swSeaState wind = GetSeaState(&record, 0.16f, 0.5f);
+    swSeaState wind = GetBandState(&record, 0.16f, 0.5f);
     assert_true(IsNear((double)wind.peakPeriod, 5.0, 1e-4));
     assert_true(IsNear((double)wind.significantHeight, 3.0, 0.15));
     assert_true(GetAngleBetween(GetBearing((double)wind.peakDirection), 45.0) < 3.0); // some swell is left there
@@ -136,9 +90,9 @@ static void HeightIsThatOfTheWholeSea(void** state)
     swMeasuredSea* sea = MakeSea(HEADING "2022 05 10 10 40  0.5  0.3 8.0  0.3  4.0   W  W  STEEP  MM  MM\n"
                                          "2022 05 10 11 40   MM  3.0 8.0  4.0  4.0   W  W  STEEP  MM  MM\n");
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-    assert_true(IsNear((double)GetSeaState(&record, 0.0f, 0.0f).significantHeight, 0.5, 1e-5));
+    assert_true(IsNear((double)GetBandState(&record, 0.0f, 0.0f).significantHeight, 0.5, 1e-5));
     record = swMeasuredSea_GetRecord(sea, 1);
-    assert_true(IsNear((double)GetSeaState(&record, 0.0f, 0.0f).significantHeight, 5.0, 1e-4)); // from the parts
+    assert_true(IsNear((double)GetBandState(&record, 0.0f, 0.0f).significantHeight, 5.0, 1e-4)); // from the parts
     swDestroyMeasuredSea(sea);
 }
 
@@ -154,7 +108,7 @@ static void EveryPointOfTheCompassIsUnderstood(void** state)
         swMeasuredSea* sea = MakeSea(text);
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
         assert_int_equal(record.partitionCount, 1);
-        swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+        swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
         assert_true(GetAngleBetween(GetBearing((double)seaState.meanDirection), 22.5 * i) < 1e-3);
         assert_true(GetAngleBetween(GetBearing((double)record.meanDirection[20]), 22.5 * i) < 1e-3);
         swDestroyMeasuredSea(sea);
@@ -162,7 +116,7 @@ static void EveryPointOfTheCompassIsUnderstood(void** state)
     // Degrees do too.
     swMeasuredSea* sea = MakeSea(HEADING "2022 05 10 10 40 1.0 1.0 9.1 0.0 MM 123 MM SWELL 6.0 MM\n");
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-    assert_true(GetAngleBetween(GetBearing((double)GetSeaState(&record, 0.0f, 0.0f).meanDirection), 123.0) < 1e-3);
+    assert_true(GetAngleBetween(GetBearing((double)GetBandState(&record, 0.0f, 0.0f).meanDirection), 123.0) < 1e-3);
     swDestroyMeasuredSea(sea);
 }
 
@@ -187,7 +141,7 @@ static void MeanDirectionRefinesOnlyThePointItAgreesWith(void** state)
         snprintf(text, sizeof(text), HEADING "%s", cases[i].line);
         swMeasuredSea* sea = MakeSea(text);
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-        double bearing = GetBearing((double)GetSeaState(&record, 0.0f, 0.0f).peakDirection);
+        double bearing = GetBearing((double)GetBandState(&record, 0.0f, 0.0f).peakDirection);
         assert_true(IsNear(GetAngleBetween(bearing, cases[i].bearing), 0.0, 1e-3));
         swDestroyMeasuredSea(sea);
     }
@@ -248,7 +202,7 @@ static void SwellIsNarrowerThanWindSea(void** state)
     assert_true(IsNear((double)swell.r1[FindFrequency(&swell, 0.125f)], 25.0 / 26.0, 1e-4));
     assert_true(IsNear((double)wind.r1[FindFrequency(&wind, 0.125f)], 10.0 / 11.0, 1e-4));
     assert_true(swell.r1[FindFrequency(&swell, 0.25f)] < 25.0f / 26.0f);
-    assert_true(GetSeaState(&swell, 0.0f, 0.0f).periodTm02 > GetSeaState(&wind, 0.0f, 0.0f).periodTm02);
+    assert_true(GetBandState(&swell, 0.0f, 0.0f).periodTm02 > GetBandState(&wind, 0.0f, 0.0f).periodTm02);
     swDestroyMeasuredSea(sea);
 }
 
@@ -269,7 +223,7 @@ static void PeaksThatTouchStillMakeATable(void** state)
             assert_true(record.table.frequencies[j] > record.table.frequencies[j - 1]);
             assert_true(record.table.bandwidths[j] > 0.0f && record.energy[j] >= 0.0f);
         }
-        assert_true(IsNear((double)GetSeaState(&record, 0.0f, 0.0f).significantHeight, 2.8, 1e-4));
+        assert_true(IsNear((double)GetBandState(&record, 0.0f, 0.0f).significantHeight, 2.8, 1e-4));
         swDestroyMeasuredSea(sea);
     }
 }
@@ -288,13 +242,13 @@ static void MeteorologicalFilesGiveOneSystem(void** state)
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
     assert_string_equal(record.time, "1999-01-01 00:00");
     assert_int_equal(record.partitionCount, 1);
-    swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+    swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
     assert_true(IsNear((double)seaState.significantHeight, 2.5, 1e-4));
     assert_true(IsNear((double)seaState.peakPeriod, 9.09, 1e-3));
     assert_true(IsNear(GetBearing((double)seaState.meanDirection), 45.0, 1e-3));
     record = swMeasuredSea_GetRecord(sea, 1);
     assert_null(record.meanDirection); // spread around east
-    assert_true(IsNear((double)GetSeaState(&record, 0.0f, 0.0f).meanDirection, 0.0, 1e-4));
+    assert_true(IsNear((double)GetBandState(&record, 0.0f, 0.0f).meanDirection, 0.0, 1e-4));
     swDestroyMeasuredSea(sea);
 }
 
@@ -347,7 +301,7 @@ static void OneSystemHasHeightPeakAndAveragePeriod(void** state)
                      dominant, average);
             swMeasuredSea* sea = MakeSea(text);
             swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-            swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+            swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
             double error = fabs((double)seaState.periodTm02 / average - 1.0);
             if (error > 0.02)
             {
@@ -380,7 +334,7 @@ static void SwellAndWindSeaHaveTheAveragePeriod(void** state)
         snprintf(text, sizeof(text), HEADING "2022 05 10 10 40 2.4 1.5 10.0 1.9 6.2 W S STEEP %.1f 270\n", averages[i]);
         swMeasuredSea* sea = MakeSea(text);
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-        swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+        swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
         assert_true(IsNear((double)seaState.periodTm02, averages[i], 0.02 * averages[i]));
         assert_true(IsNear((double)seaState.significantHeight, 2.4, 1e-4));
         double peak = (double)seaState.peakPeriod;
@@ -400,7 +354,7 @@ static void AveragePeriodsThatNoShapeHasAreTold(void** state)
     {
         static const double peaks[] = {8.0, 4.0, 12.0};
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
-        swSeaState seaState = GetSeaState(&record, 0.0f, 0.0f);
+        swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
         assert_true(IsNear((double)seaState.peakPeriod, peaks[i], 0.01 * peaks[i]));
         assert_true(IsNear((double)seaState.significantHeight, 1.7, 1e-4));
     }
@@ -410,7 +364,7 @@ static void AveragePeriodsThatNoShapeHasAreTold(void** state)
 // Every line that a buoy printed, but those of flat water whose heights have one digit.
 static void CompareAveragePeriods(const char* path, int feasiblePercent)
 {
-    char* text = ReadText(path);
+    char* text = ReadTextFile(path, &(size_t){0});
     if (text == NULL)
     {
         print_message("skipped: %s is absent\n", path);
@@ -424,7 +378,7 @@ static void CompareAveragePeriods(const char* path, int feasiblePercent)
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, i);
         if (record.averagePeriod > 0.0f)
         {
-            double period = (double)GetSeaState(&record, 0.0f, 0.0f).periodTm02;
+            double period = (double)GetBandState(&record, 0.0f, 0.0f).periodTm02;
             double error = fabs(period / (double)record.averagePeriod - 1.0);
             ++count;
             sum += error;
@@ -472,7 +426,7 @@ static void RecordsComeInOrderOfTime(void** state)
     assert_int_equal(swMeasuredSea_GetCount(sea), 2);
     assert_string_equal(swMeasuredSea_GetRecord(sea, 0).time, "2022-05-10 10:40");
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 1);
-    assert_true(IsNear((double)GetSeaState(&record, 0.0f, 0.0f).significantHeight, 2.0, 1e-4));
+    assert_true(IsNear((double)GetBandState(&record, 0.0f, 0.0f).significantHeight, 2.0, 1e-4));
     assert_non_null(strstr(s_messages, "s.spec:4: a second record of 2022-05-10 11:40"));
     swDestroyMeasuredSea(sea);
 }
@@ -537,7 +491,7 @@ static swMeasuredSea* ReadSpectra(const char* stem)
     {
         char path[512];
         snprintf(path, sizeof(path), "%s.%s", stem, endings[i]);
-        texts[i] = ReadText(path);
+        texts[i] = ReadTextFile(path, &(size_t){0});
         assert_non_null(texts[i]);
     }
     swNdbcTexts set = {.energy = texts[0],
@@ -572,7 +526,7 @@ typedef struct Comparison
 // part.
 static void CompareWithLine(const swMeasuredRecord* record, const Printed* printed, Comparison* sums)
 {
-    swSeaState seaState = GetSeaState(record, 0.0f, 0.0f);
+    swSeaState seaState = GetBandState(record, 0.0f, 0.0f);
     sums->worstHeight = fmax(sums->worstHeight, fabs((double)seaState.significantHeight - printed->height));
     double peak = (double)seaState.peakPeriod;
     bool isSwell = fabs(peak - printed->swellPeriod) < fabs(peak - printed->windPeriod);
@@ -585,8 +539,8 @@ static void CompareWithLine(const swMeasuredRecord* record, const Printed* print
 
 static void CompareWithSpectrum(const swMeasuredRecord* record, const swMeasuredRecord* spectrum, Comparison* sums)
 {
-    swSeaState ours = GetSeaState(record, 0.0f, 0.0f);
-    swSeaState theirs = GetSeaState(spectrum, 0.0f, 0.0f);
+    swSeaState ours = GetBandState(record, 0.0f, 0.0f);
+    swSeaState theirs = GetBandState(spectrum, 0.0f, 0.0f);
     double period = (double)ours.periodTm02 / (double)theirs.periodTm02 - 1.0;
     sums->periodBias += period;
     sums->periodError += fabs(period);
@@ -600,7 +554,7 @@ static void CompareBuoy(const char* stem)
 {
     char path[512];
     snprintf(path, sizeof(path), "%s.spec", stem);
-    char* text = ReadText(path);
+    char* text = ReadTextFile(path, &(size_t){0});
     if (text == NULL)
     {
         print_message("skipped: %s is absent\n", path);

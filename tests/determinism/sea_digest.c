@@ -5,6 +5,8 @@
 //
 //   sea_digest [--isa scalar|sse2|avx2|neon|best] [--threads N] [--minutes M]    print one digest
 //   sea_digest --compare [--minutes M]       all instruction sets of this machine with 1, 2 and 5 threads
+//   sea_digest --expect FILE                 digests of several seas, part by part, against those that are committed
+//   sea_digest --list                        the same digests, as FILE has them
 //
 // Public headers only: scripts/determinism builds it with every compiler at hand, also for AArch64.
 #include <seaway/seaway.h>
@@ -15,6 +17,7 @@
 
 #define STEP_SECONDS 2.0
 #define POINT_COUNT 257
+#define EMPTY_HASH 0xcbf29ce484222325u
 
 typedef struct Run
 {
@@ -23,6 +26,12 @@ typedef struct Run
     double minutes;
     bool isQuiet; // an instruction set that this machine lacks is no error
 } Run;
+
+// What of a sea differs is told apart: its waves, what queries answer, what layers hold.
+typedef struct Parts
+{
+    uint64_t waves, queries, layers;
+} Parts;
 
 // FNV-1a, 64 bits.
 static uint64_t Hash(uint64_t hash, const void* data, size_t size)
@@ -191,12 +200,12 @@ static uint64_t HashLayers(uint64_t hash, const swView* view)
     return hash;
 }
 
-static swResult Sail(const swHost* host, const Run* run, swWorld** worldPlace, uint64_t* digest)
+static swResult Sail(const swHost* host, const Run* run, swWorld** worldPlace, Parts* parts)
 {
     swWorld* world = *worldPlace;
     swView* view = swWorld_GetView(world, 0);
     int stepCount = (int)(run->minutes * 60.0 / STEP_SECONDS);
-    uint64_t hash = 0xcbf29ce484222325u;
+    *parts = (Parts){EMPTY_HASH, EMPTY_HASH, EMPTY_HASH};
     for (int step = 1; step <= stepCount; ++step)
     {
         swView_SetViewpoint(view, (swPos){1.0e5 + 12.0 * step, 2.0 + 2.0 * step, -3.0e4});
@@ -206,14 +215,15 @@ static swResult Sail(const swHost* host, const Run* run, swWorld** worldPlace, u
             return result;
         }
         uint64_t tiles = swWorld_GetDigest(world);
-        hash = Hash(hash, &tiles, sizeof(tiles));
+        parts->waves = Hash(parts->waves, &tiles, sizeof(tiles));
         if (step % 20 == 0 && ChangeWaves(world, step) != SW_SUCCESS)
         {
             return SW_ERROR_LIMIT;
         }
         if (step % 10 == 0)
         {
-            hash = HashLayers(HashRays(HashQueries(hash, world), world), view);
+            parts->queries = HashRays(HashQueries(parts->queries, world), world);
+            parts->layers = HashLayers(parts->layers, view);
         }
         if (step == stepCount / 2)
         {
@@ -225,11 +235,10 @@ static swResult Sail(const swHost* host, const Run* run, swWorld** worldPlace, u
             }
         }
     }
-    *digest = hash;
     return SW_SUCCESS;
 }
 
-static swResult MakeDigest(const Run* run, uint64_t* digest)
+static swResult MakeParts(const Run* run, Parts* parts)
 {
     swHost host = swDefaultHost();
     host.log = run->isQuiet ? NULL : host.log;
@@ -252,10 +261,221 @@ static swResult MakeDigest(const Run* run, uint64_t* digest)
     }
     result = result != SW_SUCCESS ? result : AddWaves(world);
     result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
-    result = result != SW_SUCCESS ? result : Sail(&host, run, &world, digest);
+    result = result != SW_SUCCESS ? result : Sail(&host, run, &world, parts);
     swDestroyWorld(world);
     swDestroyTaskPool(pool);
     return result;
+}
+
+static swResult MakeDigest(const Run* run, uint64_t* digest)
+{
+    Parts parts = {0, 0, 0};
+    swResult result = MakeParts(run, &parts);
+    *digest = Hash(EMPTY_HASH, &parts, sizeof(parts));
+    return result;
+}
+
+// One system alone, a minute in, and what is asked of it.
+static swResult MakeSmallParts(const swWaveSystemDef* def, Parts* parts)
+{
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.enableVelocity = true;
+    swWorld* world = NULL;
+    swWaveSystemId id;
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = 2;
+    viewDef.resolution = 64;
+    viewDef.enableCpuLayers = true;
+    swView* view = NULL;
+    swResult result = swCreateWorld(&host, &worldDef, &world);
+    result = result != SW_SUCCESS ? result : swCreateWaveSystem(world, def, &id);
+    result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
+    result = result != SW_SUCCESS ? result : swWorld_Step(world, 60.0);
+    result = result != SW_SUCCESS ? result : swWorld_Step(world, 0.25);
+    if (result == SW_SUCCESS)
+    {
+        uint64_t digest = swWorld_GetDigest(world);
+        parts->waves = Hash(EMPTY_HASH, &digest, sizeof(digest));
+        parts->queries = HashRays(HashQueries(EMPTY_HASH, world), world);
+        parts->layers = HashLayers(EMPTY_HASH, view);
+    }
+    swDestroyWorld(world);
+    return result;
+}
+
+static swWaveSystemDef MakeKind(swSpectrumKind kind)
+{
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.spectrum.kind = kind;
+    def.resolution = 64;
+    def.tileWaves = 16;
+    return def;
+}
+
+enum
+{
+    FREQUENCIES = 12,
+    DIRECTIONS = 8
+};
+
+// A table of a swell from one direction and a wind sea from another.
+static swSpectrumTable MakeTable(float* frequencies, float* bandwidths, float* density)
+{
+    for (int i = 0; i < FREQUENCIES; ++i)
+    {
+        frequencies[i] = 0.0625f + 0.03125f * (float)i;
+        bandwidths[i] = 0.03125f;
+        for (int j = 0; j < DIRECTIONS; ++j)
+        {
+            float swell = i == 1 && j == 2 ? 4.0f : 0.0f;
+            float wind = j >= 4 && j <= 6 ? 0.5f / (float)(1 + (i > 5 ? i - 5 : 5 - i)) : 0.0f;
+            density[i * DIRECTIONS + j] = swell + wind;
+        }
+    }
+    return (swSpectrumTable){.frequencyCount = FREQUENCIES,
+                             .directionCount = DIRECTIONS,
+                             .frequencies = frequencies,
+                             .bandwidths = bandwidths,
+                             .density = density};
+}
+
+typedef struct Line
+{
+    char name[32];
+    Parts parts;
+} Line;
+
+enum
+{
+    MAX_LINES = 16
+};
+
+static swResult AddLine(Line* lines, int* count, const char* name, const swWaveSystemDef* def)
+{
+    Line* line = &lines[(*count)++];
+    snprintf(line->name, sizeof(line->name), "%s", name);
+    if (def != NULL)
+    {
+        return MakeSmallParts(def, &line->parts);
+    }
+    Run run = {SW_ISA_BEST, 1, 1.0, false};
+    return MakeParts(&run, &line->parts);
+}
+
+// The seas whose digests are committed.
+static swResult MakeLines(Line* lines, int* count)
+{
+    static const struct
+    {
+        const char* name;
+        swSpectrumKind kind;
+    } kinds[] = {{"octaves", SW_SPECTRUM_OCTAVES},       {"pierson_moskowitz", SW_SPECTRUM_PIERSON_MOSKOWITZ},
+                 {"jonswap", SW_SPECTRUM_JONSWAP},       {"tma", SW_SPECTRUM_TMA},
+                 {"elfouhaily", SW_SPECTRUM_ELFOUHAILY}, {"phillips", SW_SPECTRUM_PHILLIPS}};
+    *count = 0;
+    swResult result = AddLine(lines, count, "three_systems", NULL);
+    for (int i = 0; result == SW_SUCCESS && i < (int)(sizeof(kinds) / sizeof(kinds[0])); ++i)
+    {
+        swWaveSystemDef def = MakeKind(kinds[i].kind);
+        def.spectrum.depth = kinds[i].kind == SW_SPECTRUM_TMA ? 20.0f : def.spectrum.depth;
+        result = AddLine(lines, count, kinds[i].name, &def);
+    }
+    swWaveSystemDef gerstner = MakeKind(SW_SPECTRUM_JONSWAP);
+    gerstner.method = SW_WAVES_GERSTNER;
+    result = result != SW_SUCCESS ? result : AddLine(lines, count, "gerstner", &gerstner);
+    swWaveSystemDef loop = MakeKind(SW_SPECTRUM_JONSWAP);
+    loop.loopPeriod = 32.0f;
+    loop.chop = 1.2f;
+    result = result != SW_SUCCESS ? result : AddLine(lines, count, "loop", &loop);
+    swWaveSystemDef swell = MakeKind(SW_SPECTRUM_JONSWAP);
+    swell.spectrum.significantHeight = 2.0f;
+    swell.spectrum.peakPeriod = 12.0f;
+    swell.spectrum.spreading = SW_SPREADING_COSINE_2S;
+    swell.spectrum.spreadExponent = 60.0f;
+    result = result != SW_SUCCESS ? result : AddLine(lines, count, "narrow_swell", &swell);
+    float frequencies[FREQUENCIES], bandwidths[FREQUENCIES], density[FREQUENCIES * DIRECTIONS];
+    swSpectrumTable table = MakeTable(frequencies, bandwidths, density);
+    swWaveSystemDef measured = MakeKind(SW_SPECTRUM_TABLE);
+    measured.spectrum.table = &table;
+    return result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
+}
+
+static int List(void)
+{
+    Line lines[MAX_LINES];
+    int count = 0;
+    swResult result = MakeLines(lines, &count);
+    if (result != SW_SUCCESS)
+    {
+        fprintf(stderr, "sea_digest: %s\n", swResult_GetText(result));
+        return 1;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        const Parts* parts = &lines[i].parts;
+        printf("%-20s %016llx %016llx %016llx\n", lines[i].name, (unsigned long long)parts->waves,
+               (unsigned long long)parts->queries, (unsigned long long)parts->layers);
+    }
+    return 0;
+}
+
+// Whether one part is as committed; says both values if not.
+static bool IsExpected(const char* name, const char* part, uint64_t expected, uint64_t found)
+{
+    if (expected != found)
+    {
+        fprintf(stderr, "%s: the digest of its %s is %016llx; %016llx is committed\n", name, part,
+                (unsigned long long)found, (unsigned long long)expected);
+    }
+    return expected == found;
+}
+
+static bool FindExpected(FILE* file, const char* name, Parts* parts)
+{
+    char text[256], found[32];
+    rewind(file);
+    while (fgets(text, sizeof(text), file) != NULL)
+    {
+        unsigned long long waves, queries, layers;
+        if (sscanf(text, "%31s %llx %llx %llx", found, &waves, &queries, &layers) == 4 && strcmp(found, name) == 0)
+        {
+            *parts = (Parts){waves, queries, layers};
+            return true;
+        }
+    }
+    fprintf(stderr, "%s: no digest is committed\n", name);
+    return false;
+}
+
+// Against committed digests: 1 where one differs.
+static int Expect(const char* path)
+{
+    FILE* file = fopen(path, "r");
+    if (file == NULL)
+    {
+        fprintf(stderr, "sea_digest: cannot open %s\n", path);
+        return 2;
+    }
+    Line lines[MAX_LINES];
+    int count = 0, wrongCount = 0;
+    swResult result = MakeLines(lines, &count);
+    for (int i = 0; result == SW_SUCCESS && i < count; ++i)
+    {
+        Parts expected = {0, 0, 0};
+        const Parts* found = &lines[i].parts;
+        wrongCount += !FindExpected(file, lines[i].name, &expected) ||
+                      !IsExpected(lines[i].name, "waves", expected.waves, found->waves) |
+                          !IsExpected(lines[i].name, "queries", expected.queries, found->queries) |
+                          !IsExpected(lines[i].name, "layers", expected.layers, found->layers);
+    }
+    fclose(file);
+    printf("%d seas, %d differ from %s\n", count, wrongCount, path);
+    if (wrongCount > 0)
+    {
+        printf("If that is meant, say so in the changelog and renew the file: sea_digest --list\n");
+    }
+    return result != SW_SUCCESS || wrongCount > 0;
 }
 
 // Every instruction set of this machine with 1, 2 and 5 threads. Returns the program's exit code.
@@ -312,6 +532,14 @@ int main(int argc, char** argv)
     for (int i = 1; i < argc; ++i)
     {
         const char* value = i + 1 < argc ? argv[i + 1] : "";
+        if (strcmp(argv[i], "--list") == 0)
+        {
+            return List();
+        }
+        if (strcmp(argv[i], "--expect") == 0 && i + 1 < argc)
+        {
+            return Expect(value);
+        }
         if (strcmp(argv[i], "--compare") == 0)
         {
             compare = true;

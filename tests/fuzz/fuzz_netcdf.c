@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "fuzz_sea.h"
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {

@@ -19,6 +19,7 @@
 #include "seaway/draw.h"
 #endif
 #if MISUSE_SCENE
+#include "seaway/files.h"
 #include "seaway/scene.h"
 #endif
 

@@ -4,6 +4,7 @@
 // among the good ones and one without; points come from the host, and from a buffer of floats on the device.
 
 #include "parity/parity.h"
+#include "support/scatter.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,12 +29,6 @@ typedef struct Mix
 } Mix;
 
 static Mix mix;
-
-static double NextPart(uint32_t* seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) * 0x1p-24;
-}
 
 static void SpoilPlace(swPos* place, int number, bool isSurface)
 {

@@ -4,6 +4,7 @@
 // two just misses; how many do is printed.
 
 #include "parity/parity.h"
+#include "support/scatter.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -20,12 +21,6 @@ static swRayHit gpuHits[MOST], cpuHits[MOST];
 static swPosXZ places[MOST];
 static float heights[MOST], residuals[MOST];
 static swVec3 normals[MOST];
-
-static double NextPart(uint32_t* seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (double)(*seed >> 8) * 0x1p-24;
-}
 
 // Origins over 2 km and `low` to `high`, directions with a slope of `down` and half of it more or less.
 static void ScatterRays(int count, swPosXZ around, double low, double high, double down, float radius)

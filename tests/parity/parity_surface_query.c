@@ -5,6 +5,7 @@
 // printed.
 
 #include "parity/parity.h"
+#include "support/scatter.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -41,21 +42,6 @@ static swSurfaceSamples SamplesOf(Answers* answers)
                               .normal = answers->normal,
                               .jacobian = answers->jacobian,
                               .residual = answers->residual};
-}
-
-static void ScatterPoints(int count, swPosXZ around, double side)
-{
-    uint32_t seed = 12345;
-    for (int i = 0; i < count; ++i)
-    {
-        double* axes[2] = {&points[i].x, &points[i].z};
-        const double middle[2] = {around.x, around.z};
-        for (int axis = 0; axis < 2; ++axis)
-        {
-            seed = seed * 1664525u + 1013904223u;
-            *axes[axis] = middle[axis] + side * ((double)(seed >> 8) * 0x1p-24 - 0.5);
-        }
-    }
 }
 
 static swGpuQuery* MakeQuery(Parity* parity, int capacity)
@@ -151,7 +137,7 @@ static Errors CheckAnswers(const char* what, int count, double tolerance)
 
 static void CheckPlaces(Parity* parity, swGpuQuery* query, const char* what, int count, swPosXZ around, double side)
 {
-    ScatterPoints(count, around, side);
+    ScatterPoints(points, count, around.x, around.z, side);
     swGpuQuery_SetPoints(query, count, points);
     StepParity(parity, 0.7);
     FetchAnswers(parity, query, count);
@@ -202,7 +188,7 @@ static void ASeaThatFoldsHasParticlesToo(void** state)
     sea.chop = 2.0f;
     AddParitySea(&parity, &sea);
     swGpuQuery* query = MakeQuery(&parity, MOST);
-    ScatterPoints(MOST, (swPosXZ){0.0, 0.0}, 3000.0);
+    ScatterPoints(points, MOST, 0.0, 0.0, 3000.0);
     swGpuQuery_SetPoints(query, MOST, points);
     StepParity(&parity, 0.7);
     FetchAnswers(&parity, query, MOST);
@@ -243,7 +229,7 @@ static void ShortWavesCanBeLeftOut(void** state)
     def.minWavelength = 4.0f;
     swGpuQuery* query = NULL;
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &def, &query), SW_SUCCESS);
-    ScatterPoints(2000, (swPosXZ){0.0, 0.0}, 2000.0);
+    ScatterPoints(points, 2000, 0.0, 0.0, 2000.0);
     swGpuQuery_SetPoints(query, 2000, points);
     StepParity(&parity, 0.7);
     FetchAnswers(&parity, query, 2000);
@@ -316,7 +302,7 @@ static void CheckMotion(Parity* parity, const swGpuQuery* query, const char* wha
 // With a tolerance so small that residuals do not count.
 static swGpuQuery* AskMotion(Parity* parity, int count, uint32_t outputs, swPosXZ around)
 {
-    ScatterPoints(count, around, 3000.0);
+    ScatterPoints(points, count, around.x, around.z, 3000.0);
     swGpuQueryDef def = swDefaultGpuQueryDef();
     def.capacity = count;
     def.outputs = SW_GPU_QUERY_SIDEWAYS | outputs;
@@ -435,7 +421,7 @@ static void WaterWithoutWavesIsFlat(void** state)
 {
     Parity parity = MakeParity(state);
     swGpuQuery* query = MakeQuery(&parity, 100);
-    ScatterPoints(100, (swPosXZ){0.0, 0.0}, 100.0);
+    ScatterPoints(points, 100, 0.0, 0.0, 100.0);
     swGpuQuery_SetPoints(query, 100, points);
     StepParity(&parity, 1.0);
     FetchAnswers(&parity, query, 100);
@@ -459,7 +445,7 @@ static void PointsMayLieInABufferOfTheHosts(void** state)
     assert_int_equal(swCreateBuffer(parity.gpu, offset + 3000 * sizeof(swVec2), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                     SW_MEMORY_UPLOAD, "places", &buffer),
                      SW_SUCCESS);
-    ScatterPoints(3000, (swPosXZ){0.0, 0.0}, 2000.0);
+    ScatterPoints(points, 3000, 0.0, 0.0, 2000.0);
     swVec2* places = (swVec2*)((uint8_t*)buffer.mapped + offset);
     for (int i = 0; i < 3000; ++i)
     {
@@ -486,7 +472,7 @@ static void AnswersCarryTheStampOfTheirFrame(void** state)
     sea.minWavelength = 8.0f;
     AddParitySea(&parity, &sea);
     swGpuQuery* query = MakeQuery(&parity, 64);
-    ScatterPoints(64, (swPosXZ){0.0, 0.0}, 500.0);
+    ScatterPoints(points, 64, 0.0, 0.0, 500.0);
     swGpuQueryResults results;
     StepParity(&parity, 0.1);
     assert_false(swGpuQuery_GetResults(query, &results)); // nothing was asked yet
@@ -521,7 +507,7 @@ static void PointsStayUntilOthersAreSet(void** state)
     swWaveSystemDef sea = swDefaultWaveSystemDef();
     AddParitySea(&parity, &sea);
     swGpuQuery* query = MakeQuery(&parity, 500);
-    ScatterPoints(500, (swPosXZ){0.0, 0.0}, 500.0);
+    ScatterPoints(points, 500, 0.0, 0.0, 500.0);
     swGpuQuery_SetPoints(query, 500, points);
     swQueryDef def = swDefaultQueryDef();
     for (int i = 0; i < 8; ++i) // more than slots
@@ -548,7 +534,7 @@ static void QueriesComeAndGo(void** state)
     StepParity(&parity, 0.1);
     size_t before = swGpuWorld_GetMemory(parity.gpuWorld);
     swGpuQuery* queries[5];
-    ScatterPoints(100, (swPosXZ){0.0, 0.0}, 500.0);
+    ScatterPoints(points, 100, 0.0, 0.0, 500.0);
     for (int round = 0; round < 3; ++round)
     {
         for (int i = 0; i < 5; ++i)
@@ -584,7 +570,7 @@ static void AnswersCanStayOnTheGpu(void** state)
     def.readBack = false;
     swGpuQuery* query = NULL;
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &def, &query), SW_SUCCESS);
-    ScatterPoints(200, (swPosXZ){0.0, 0.0}, 300.0);
+    ScatterPoints(points, 200, 0.0, 0.0, 300.0);
     swGpuQuery_SetPoints(query, 200, points);
     StepParity(&parity, 0.7);
     swGpuQueryBuffer planes = swGpuQuery_GetBuffer(query);
@@ -655,7 +641,7 @@ static void AWarmQueryAllocatesNothing(void** state)
     sea.minWavelength = 8.0f;
     AddParitySea(&parity, &sea);
     swGpuQuery* query = MakeQuery(&parity, 1000);
-    ScatterPoints(1000, (swPosXZ){0.0, 0.0}, 500.0);
+    ScatterPoints(points, 1000, 0.0, 0.0, 500.0);
     long long warm = 0;
     for (int i = 0; i < 12; ++i)
     {

@@ -22,7 +22,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define SEED_COUNT 8
 

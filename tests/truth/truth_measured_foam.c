@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "seaway/scene.h"
+#include "seaway/files.h"
 
 #define FOLDER SW_SOURCE_DIR "/../shared/data/spectra/ndbc_44013_2022-05/"
 #define RAISED 1.09

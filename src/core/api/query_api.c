@@ -5,8 +5,9 @@
 
 #include "core/base/misuse.h"
 #include "core/frame/asked.h"
+#include "core/query/answers.h"
+#include "core/query/query_surface.h"
 #include "core/query/raycast.h"
-#include "core/surface/sample.h"
 #include "core/query/volume.h"
 #include "core/world/world.h"
 

@@ -9,7 +9,7 @@
 #include "seaway/save.h"
 
 #define SAVE_MARK 0x5741534159415753u // "SWAYASAW"
-#define SAVE_VERSION 4u
+#define SAVE_VERSION 5u
 #define HASH_SIZE 8
 
 static uint64_t hashBytes(const uint8_t* data, size_t size)
@@ -32,7 +32,7 @@ static void streamHead(swStream* stream, uint64_t* mark, uint32_t* version, swWo
 {
     swStreamU64(stream, mark);
     swStreamU32(stream, version);
-    swStreamWorldDef(stream, def);
+    swStreamDef(stream, &swWorldFields, def);
 }
 
 // Writing reads the world only; streams are one for both ways.
@@ -127,15 +127,15 @@ swRestoreDef swDefaultRestoreDef(void)
 // Everything after the head into a world that has its def. All that is made counts against the budget.
 static swResult readState(swWorld* world, swStream* stream, size_t memoryBudget)
 {
-    world->memoryBudget = memoryBudget;
+    world->memory.budget = memoryBudget;
     swResult result = SW_SUCCESS;
-    if (world->memory > memoryBudget)
+    if (world->memory.held > memoryBudget)
     {
-        world->isOverBudget = true;
-        result = swFailMemory(world, "the world itself");
+        world->memory.isOverBudget = true;
+        result = swFailMemory(&world->memory, "the world itself");
     }
     result = result == SW_SUCCESS ? swStreamState(world, stream) : result;
-    world->memoryBudget = 0;
+    world->memory.budget = 0;
     if (result == SW_SUCCESS && stream->at != stream->size)
     {
         result = SW_ERROR_FORMAT;
@@ -187,11 +187,12 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     return SW_SUCCESS;
 }
 
-static bool isSameDef(const swWorldDef* a, const swWorldDef* b)
+// A world can go back to another foam, but to nothing else of another def.
+static bool isSameWorld(const swWorldDef* a, const swWorldDef* b)
 {
-    return a->gravity == b->gravity && a->surfaceTension == b->surfaceTension && a->seaLevel == b->seaLevel &&
-           a->enableQueries == b->enableQueries && a->enableVelocity == b->enableVelocity &&
-           a->enableAcceleration == b->enableAcceleration;
+    swWorldDef other = *b;
+    other.foam = a->foam;
+    return swIsSameDef(&swWorldFields, a, &other);
 }
 
 swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
@@ -212,7 +213,7 @@ swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
     {
         return failFormat(&world->host, "hold a world that cannot be");
     }
-    if (!isSameDef(&def, &world->def))
+    if (!isSameWorld(&def, &world->def))
     {
         return swFail(&world->host, SW_ERROR_UNSUPPORTED,
                       "the world cannot go back to a saved state: that is of a world with another def");

@@ -16,7 +16,7 @@ swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSy
                "swCreateWaveSystem() needs a def made by swDefaultWaveSystemDef()");
     swResult result = swCheckWaveSystemDef(&world->host, def);
     swId id;
-    result = result == SW_SUCCESS ? swAddSystem(world, def, &id) : result;
+    result = result == SW_SUCCESS ? swCreateSystem(world, def, &id) : result;
     if (result == SW_SUCCESS)
     {
         *idOut = (swWaveSystemId){id.index1, id.generation};
@@ -25,20 +25,20 @@ swResult swCreateWaveSystem(swWorld* world, const swWaveSystemDef* def, swWaveSy
 }
 
 // NULL for a handle that is stale or null, which is told.
-static swWaveSystem* findSystem(const swWorld* world, swWaveSystemId id, const char* call)
+static const swWaveSystem* findSystem(const swWorld* world, swWaveSystemId id, const char* call)
 {
     SW_REQUIRE(
         swWaveSystem_IsValid(world, id), NULL, swFindHost(world),
         "%s was given the wave system %d of generation %u, which is not there: destroyed, of another world, or null",
         call, id.index1, id.generation);
-    return (swWaveSystem*)&world->systems[id.index1 - 1];
+    return &world->waves.systems[id.index1 - 1];
 }
 
 void swDestroyWaveSystem(swWorld* world, swWaveSystemId id)
 {
     if (findSystem(world, id, "swDestroyWaveSystem()") != NULL)
     {
-        swRemoveSystem(world, (swId){id.index1, id.generation});
+        swDestroySystem(world, (swId){id.index1, id.generation});
     }
 }
 
@@ -54,7 +54,7 @@ static bool isTransition(double seconds)
 
 swResult swWaveSystem_Set(swWorld* world, swWaveSystemId id, const swWaveSystemDef* def, double seconds)
 {
-    swWaveSystem* system = findSystem(world, id, "swWaveSystem_Set()");
+    const swWaveSystem* system = findSystem(world, id, "swWaveSystem_Set()");
     if (system == NULL)
     {
         return SW_ERROR_INVALID;
@@ -64,7 +64,7 @@ swResult swWaveSystem_Set(swWorld* world, swWaveSystemId id, const swWaveSystemD
     SW_REQUIRE(isTransition(seconds), SW_ERROR_INVALID, &world->host,
                "swWaveSystem_Set() was asked to take %g s; a change takes 0 to %g s", seconds, SW_MAX_TRANSITION);
     swResult result = swCheckWaveSystemDef(&world->host, def);
-    return result == SW_SUCCESS ? swChangeSystem(world, system, def, seconds) : result;
+    return result == SW_SUCCESS ? swChangeSystem(&world->waves, id.index1 - 1, def, seconds) : result;
 }
 
 swWaveSystemDef swWaveSystem_Get(const swWorld* world, swWaveSystemId id)
@@ -98,7 +98,7 @@ void swWaveSystem_SetWeight(swWorld* world, swWaveSystemId id, float weight)
 
 void swWaveSystem_FadeWeight(swWorld* world, swWaveSystemId id, float weight, double seconds)
 {
-    swWaveSystem* system = findSystem(world, id, "swWaveSystem_FadeWeight()");
+    const swWaveSystem* system = findSystem(world, id, "swWaveSystem_FadeWeight()");
     if (system == NULL)
     {
         return;
@@ -106,7 +106,7 @@ void swWaveSystem_FadeWeight(swWorld* world, swWaveSystemId id, float weight, do
     SW_REQUIRE_VOID(weight >= 0.0f && weight <= 10.0f && isTransition(seconds), &world->host,
                     "a wave system was asked for the weight %g (0 to 10) over %g s (0 to %g)", (double)weight, seconds,
                     SW_MAX_TRANSITION);
-    swRampWeight(world, system, weight, seconds);
+    swRampWeight(&world->waves, id.index1 - 1, weight, seconds);
 }
 
 float swWaveSystem_GetWeight(const swWorld* world, swWaveSystemId id)

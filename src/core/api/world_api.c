@@ -131,5 +131,5 @@ uint64_t swWorld_GetDigest(const swWorld* world)
 size_t swWorld_GetMemory(const swWorld* world)
 {
     SW_REQUIRE(world != NULL, 0, NULL, "swWorld_GetMemory() needs a world");
-    return world->memory;
+    return world->memory.held;
 }

@@ -327,9 +327,9 @@ static bool checkField(const Complaint* complaint, const swField* field, const v
     for (int i = 0; i < field->count && isFine && field->type <= SW_FIELD_DEFS; ++i)
     {
         const char* part = (const char*)def + field->offset + (size_t)i * getPartSize(field);
-        isFine = isNumber(field)                  ? checkNumber(complaint, field, getNumber(field, def, i), i)
-                 : field->type == SW_FIELD_TEXT   ? true
-                                                  : checkPart(complaint, field, part, field->count > 1 ? i : -1);
+        isFine = isNumber(field)                ? checkNumber(complaint, field, getNumber(field, def, i), i)
+                 : field->type == SW_FIELD_TEXT ? true
+                                                : checkPart(complaint, field, part, field->count > 1 ? i : -1);
     }
     return isFine;
 }

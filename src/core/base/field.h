@@ -27,8 +27,7 @@
 // ---- lines of a table; SW_DEF is the struct ----
 
 #define SW_MEMBER(member_) ((SW_DEF*)0)->member_
-#define SW_FIELD_AT(member_)                                                                                           \
-    .member = #member_, .offset = offsetof(SW_DEF, member_), .size = sizeof(SW_MEMBER(member_))
+#define SW_FIELD_AT(member_) .member = #member_, .offset = offsetof(SW_DEF, member_), .size = sizeof(SW_MEMBER(member_))
 
 // float, double, int or uint32_t
 #define SW_NUMBER(member_, unit_, range_, default_, ...)                                                               \
@@ -53,8 +52,11 @@
 #define SW_NUMBERS(member_, part_, unit_, range_, defaults_, ...)                                                      \
     {                                                                                                                  \
         SW_FIELD_AT(member_), .unit = (unit_), range_, defaults_,                                                      \
-            .count = (int)(sizeof(SW_MEMBER(member_)) / sizeof(part_)),                                                \
-            .type = _Generic((part_)0, float : SW_FIELD_FLOATS, double : SW_FIELD_DOUBLES), __VA_ARGS__                \
+                              .count = (int)(sizeof(SW_MEMBER(member_)) / sizeof(part_)),                              \
+                              .type = _Generic((part_)0, float                                                         \
+                                               : SW_FIELD_FLOATS, double                                               \
+                                               : SW_FIELD_DOUBLES),                                                    \
+                              __VA_ARGS__                                                                              \
     }
 #define SW_EACH(...) .defaults = {__VA_ARGS__}
 

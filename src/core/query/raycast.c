@@ -17,6 +17,8 @@
 #include <string.h>
 
 #include "core/frame/asked.h"
+#include "core/query/answers.h"
+#include "core/surface/search.h"
 
 #define RAY_BLOCK 32 // rays that march together
 #define MAX_STEPS 100000

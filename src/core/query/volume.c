@@ -15,6 +15,8 @@
 
 #include "core/frame/asked.h"
 #include "core/math/scalar.h"
+#include "core/query/answers.h"
+#include "core/surface/search.h"
 
 // Places that can be answered: `at` says which they are.
 typedef struct Block

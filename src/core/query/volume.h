@@ -3,7 +3,7 @@
 
 // The motion of the water below its surface. See volume.c.
 
-#include "core/surface/sample.h"
+#include "core/surface/evaluate.h"
 
 void swRefuseVolume(int count, const swVolumeSamples* samples, swQueryStats* stats);
 void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples,

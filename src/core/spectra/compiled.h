@@ -139,6 +139,9 @@ double swGetDepthFactor(double gravity, double depth, double omega);
 swElfouhaily swMakeElfouhaily(double gravity, double windSpeed, double age, double drag);
 double swGetElfouhailyDensity(const swElfouhaily* shape, double k);
 
+// Shortest wave of an octave, m; of SW_OCTAVE_COUNT the longest wave of all.
+double swGetShortestOfOctave(int octave);
+
 swOctaveShape swMakeOctaveShape(const swOctaves* octaves, const swDispersion* dispersion);
 double swGetOctaveDensity(const swOctaveShape* shape, double omega); // before the wind's limit
 int swFindOctave(double k);                                          // SW_OCTAVE_COUNT - 1 or 0 for waves outside

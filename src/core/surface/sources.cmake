@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
-    ${CMAKE_CURRENT_LIST_DIR}/sample.c
+    ${CMAKE_CURRENT_LIST_DIR}/evaluate.c
+    ${CMAKE_CURRENT_LIST_DIR}/search.c
     ${CMAKE_CURRENT_LIST_DIR}/slices.c)

@@ -36,12 +36,6 @@ static double getLevel(double variance, double gravity, double k0, double k1)
     return 3.0 * sqrt(gravity) * variance / (1.0 / (k0 * sqrt(k0)) - 1.0 / (k1 * sqrt(k1))) / LEVEL;
 }
 
-bool swHasSpectrumWind(const swSpectrumDef* def)
-{
-    bool isFree = def->kind == SW_SPECTRUM_TABLE || (def->kind == SW_SPECTRUM_OCTAVES && !def->octaves.limitByWind);
-    return def->hasWind || (!isFree && def->significantHeight == 0.0f && def->peakPeriod == 0.0f);
-}
-
 void swFillWindLevels(const swCompiledSpectrum* spectrum, const swSpectrumDef* def, swBandModes* bands)
 {
     if (swHasSpectrumWind(def))

@@ -13,7 +13,7 @@ static size_t countTexels(const swViewDef* def)
 
 static void freeLayers(swView* view)
 {
-    const swHost* host = &view->world->countedHost;
+    const swHost* host = &view->world->memory.host;
     size_t texels = countTexels(&view->def);
     swFree(host, view->displacement, texels * 4 * sizeof(float));
     swFree(host, view->derivatives, texels * 4 * sizeof(float));
@@ -23,7 +23,7 @@ static void freeLayers(swView* view)
 
 static bool allocateLayers(swView* view)
 {
-    const swHost* host = &view->world->countedHost;
+    const swHost* host = &view->world->memory.host;
     size_t texels = countTexels(&view->def);
     view->displacement = swAllocateZero(host, texels * 4 * sizeof(float));
     view->derivatives = swAllocateZero(host, texels * 4 * sizeof(float));
@@ -38,10 +38,10 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     {
         return swFail(&world->host, SW_ERROR_LIMIT, "the world has %d views, which is the most", SW_MAX_VIEWS);
     }
-    swView* view = swAllocateZero(&world->countedHost, sizeof *view);
+    swView* view = swAllocateZero(&world->memory.host, sizeof *view);
     if (view == NULL)
     {
-        return swFailMemory(world, "a view");
+        return swFailMemory(&world->memory, "a view");
     }
     view->world = world;
     view->def = *def;
@@ -50,11 +50,11 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     if (def->enableCpuLayers && !allocateLayers(view))
     {
         freeLayers(view);
-        swFree(&world->countedHost, view, sizeof *view);
-        return swFailMemory(world, "the layers of a view's slices");
+        swFree(&world->memory.host, view, sizeof *view);
+        return swFailMemory(&world->memory, "the layers of a view's slices");
     }
-    world->version += 1;
-    view->version = world->version;
+    world->viewVersion += 1;
+    view->version = world->viewVersion;
     world->views[world->viewCount] = view;
     world->viewCount += 1;
     *viewOut = view;
@@ -81,7 +81,7 @@ void swRemoveView(swView* view)
         world->frame.viewCount -= 1;
     }
     freeLayers(view);
-    swFree(&world->countedHost, view, sizeof *view);
+    swFree(&world->memory.host, view, sizeof *view);
 }
 
 swViewFrame* swFindViewFrame(const swView* view)

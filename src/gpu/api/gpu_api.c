@@ -215,9 +215,7 @@ size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld)
                             gpuWorld->volumeWaves.memory.size);
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        const swGpuView* view = &gpuWorld->views[i];
-        bytes += (size_t)(view->displacement.memory.size + view->derivatives.memory.size + view->foam[0].memory.size +
-                          view->foam[1].memory.size);
+        bytes += swGetGpuViewMemory(&gpuWorld->views[i]);
     }
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
@@ -237,7 +235,7 @@ swResult swGpuWorld_ReadLayer(swGpuWorld* gpuWorld, const swView* view, swLayer 
                       "there is no layer %d of slice %d: the view was not recorded, or has fewer slices", (int)layer,
                       slice);
     }
-    return swReadLayer(gpuWorld, gpuView, layer, slice, texels);
+    return swReadLayer(gpuWorld->gpu, gpuView, layer, slice, texels);
 }
 
 int swGpu_GetPassTimes(const swGpu* gpu, swPassTime* times, int capacity)

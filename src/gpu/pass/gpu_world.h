@@ -6,8 +6,7 @@
 // them each frame. After swGpuWorld_Record() a barrier has made everything here visible to vertex, fragment and compute
 // shaders of the same queue.
 
-#include "core/frame/frame.h"
-#include "gpu/vk/vk_device.h"
+#include "gpu/layer/gpu_view.h"
 #include "gpu/vk/vk_pipeline.h"
 #include "shared/limits.h"
 #include "shared/query.h"
@@ -16,47 +15,6 @@
 // Side of the detail layers, texels: the largest tile resolution, kept within these.
 #define SW_DETAIL_MIN 32
 #define SW_DETAIL_MAX 256
-
-// How many foam-making frames back a view can be taken: as many as may be in flight.
-#define SW_FOAM_MARKS SW_MAX_FRAMES_IN_FLIGHT
-
-// Where a view's foam stands after a recorded frame.
-typedef struct swFoamMark
-{
-    bool hasFoam;
-    uint64_t frameIndex;
-    int index;     // of the image that holds it
-    int64_t clock; // of the frame that foam was brought to, see swViewFrame
-    uint32_t resetCount;
-    swSlice slices[SW_MAX_SLICES]; // where the foam lies
-} swFoamMark;
-
-// Layers of one view. Array layer = slice; texel centres are the lattice points, so point (column, row) of a slice is
-// at uv = ((column + 0.5) / R, (row + 0.5) / R).
-typedef struct swGpuView
-{
-    uint32_t viewVersion; // of the view it belongs to
-    bool isUsed;
-    const swView* view; // identity only
-    int sliceCount, resolution;
-    swImage displacement;              // RGBA32F: x, y, z, J; foam grows by J in full precision
-    swImage derivatives;               // RGBA16F: gx, gz, J, 0
-    swImage foam[2];                   // R32F, written in turns
-    uint64_t firstFrame;               // the one that begins the images
-    swFoamMark mark;                   // of the last recorded frame
-    swFoamMark earlier[SW_FOAM_MARKS]; // of those before, newest first
-
-    // Set by each swGpuWorld_Record(), valid for this frame.
-    swUpload sliceLists;  // swSliceList[sliceCount]
-    swUpload sliceTiles;  // swSliceTile[]
-    swUpload sliceWaves;  // swSliceWave[]
-    swUpload foamParams;  // swFoamSliceParams[sliceCount]
-    swUpload foamSources; // swFoamSource[sliceCount * SW_FOAM_SOURCES]
-    bool foamMoves;       // the foam pass has something to do
-    const swViewFrame* frame;
-    bool isCore; // the core made the layers, they are only copied
-    swUpload layerUploads[SW_LAYER_COUNT];
-} swGpuView;
 
 // What a frame leaves of a query, and the points that it was asked. There is one slot more than frames in flight, so
 // that the newest that has arrived can be read while all others are on their way.
@@ -178,9 +136,3 @@ struct swGpuWorld
 
 // The layers of a view, or NULL if the last frame was not recorded, or without it.
 const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view);
-
-// Foam of the last recorded frame.
-static inline const swImage* swGetFoamImage(const swGpuView* view)
-{
-    return &view->foam[view->mark.index];
-}

@@ -63,11 +63,7 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld)
     }
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        swGpuView* view = &gpuWorld->views[i];
-        swDestroyImage(gpu, &view->displacement);
-        swDestroyImage(gpu, &view->derivatives);
-        swDestroyImage(gpu, &view->foam[0]);
-        swDestroyImage(gpu, &view->foam[1]);
+        swDestroyGpuView(gpu, &gpuWorld->views[i]);
     }
     swDestroyImage(gpu, &gpuWorld->detail);
     swDestroyBuffer(gpu, &gpuWorld->roots);
@@ -145,4 +141,17 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     gpuWorld->isRecorded = true;
     swCommitFrame(gpuWorld, frame);
     return SW_SUCCESS;
+}
+
+swResult swReadDetail(swGpuWorld* gpuWorld, int tile, uint32_t mip, float* texels)
+{
+    return swReadHalves(gpuWorld->gpu, &gpuWorld->detail, (uint32_t)tile, mip, texels);
+}
+
+swResult swReadTile(swGpuWorld* gpuWorld, int tile, float* texels)
+{
+    const VkDeviceSize texel = 4 * sizeof(float);
+    const swTileParams* params = &gpuWorld->params[tile];
+    return swReadBuffer(gpuWorld->gpu, &gpuWorld->texels, params->firstTexel * texel,
+                        (VkDeviceSize)params->resolution * (params->resolution + 3) * texel, texels);
 }

@@ -14,15 +14,6 @@
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
 
-static void retireView(swGpu* gpu, swGpuView* view)
-{
-    swRetireImage(gpu, &view->displacement);
-    swRetireImage(gpu, &view->derivatives);
-    swRetireImage(gpu, &view->foam[0]);
-    swRetireImage(gpu, &view->foam[1]);
-    *view = (swGpuView){0};
-}
-
 static void retireGoneViews(swGpuWorld* gpuWorld, const swFrame* frame)
 {
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
@@ -35,43 +26,9 @@ static void retireGoneViews(swGpuWorld* gpuWorld, const swFrame* frame)
         }
         if (isGone)
         {
-            retireView(gpuWorld->gpu, view);
+            swRetireGpuView(gpuWorld->gpu, view);
         }
     }
-}
-
-static swResult createViewImages(swGpu* gpu, swGpuView* view)
-{
-    const struct
-    {
-        swImage* image;
-        VkFormat format;
-        const char* name;
-    } images[] = {
-        {&view->displacement, VK_FORMAT_R32G32B32A32_SFLOAT, "displacement"},
-        {&view->derivatives, VK_FORMAT_R16G16B16A16_SFLOAT, "derivatives"},
-        {&view->foam[0], VK_FORMAT_R32_SFLOAT, "foam 0"},
-        {&view->foam[1], VK_FORMAT_R32_SFLOAT, "foam 1"},
-    };
-    for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
-    {
-        const swImageDef def = {
-            .format = images[i].format,
-            .width = (uint32_t)view->resolution,
-            .height = (uint32_t)view->resolution,
-            .layers = (uint32_t)view->sliceCount,
-            .isArray = true,
-            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-            .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = images[i].name,
-        };
-        swResult result = swCreateImage(gpu, &def, images[i].image);
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-    }
-    return SW_SUCCESS;
 }
 
 // The entry of a view, made if it is new.
@@ -93,21 +50,8 @@ static swResult findOrCreateView(swGpuWorld* gpuWorld, const swViewFrame* frame,
     {
         return swFail(&gpu->host, SW_ERROR_LIMIT, "more than %d views", SW_MAX_VIEWS);
     }
-    *unused = (swGpuView){
-        .viewVersion = frame->viewVersion,
-        .view = frame->view,
-        .sliceCount = frame->sliceCount,
-        .resolution = frame->resolution,
-    };
-    swResult result = createViewImages(gpu, unused);
-    if (result != SW_SUCCESS)
-    {
-        retireView(gpu, unused);
-        return result;
-    }
-    unused->isUsed = true;
     *out = unused;
-    return SW_SUCCESS;
+    return swMakeGpuView(gpu, frame, unused);
 }
 
 // Spline coordinate of the slice's first texel along one axis, as a texel column and a fraction.
@@ -262,26 +206,6 @@ static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swV
     return result;
 }
 
-// The foam pass was recorded.
-static void commitFoam(uint64_t frameIndex, const swViewFrame* viewFrame, swGpuView* view)
-{
-    if (!view->foamMoves)
-    {
-        return;
-    }
-    memmove(view->earlier + 1, view->earlier, sizeof(view->earlier) - sizeof(view->earlier[0]));
-    view->earlier[0] = view->mark;
-    swFoamMark* mark = &view->mark;
-    bool isBehind = mark->resetCount == viewFrame->foamResetCount && mark->clock > viewFrame->foamClock &&
-                    mark->clock - viewFrame->foamClock <= SW_FOAM_RATE;
-    mark->frameIndex = frameIndex;
-    mark->hasFoam = true;
-    mark->index ^= 1;
-    mark->clock = isBehind ? mark->clock : viewFrame->foamClock;
-    mark->resetCount = viewFrame->foamResetCount;
-    memcpy(mark->slices, viewFrame->slices, sizeof(mark->slices));
-}
-
 static swResult prepareView(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame)
 {
     swGpu* gpu = gpuWorld->gpu;
@@ -326,14 +250,7 @@ void swRecordUploads(swGpuWorld* gpuWorld, VkCommandBuffer commands)
         {
             continue;
         }
-        if (!view->foam[0].isInitialized)
-        {
-            view->firstFrame = gpu->frameIndex;
-        }
-        swInitializeImage(gpu, commands, &view->displacement);
-        swInitializeImage(gpu, commands, &view->derivatives);
-        swInitializeImage(gpu, commands, &view->foam[0]);
-        swInitializeImage(gpu, commands, &view->foam[1]);
+        swBeginGpuView(gpu, commands, view);
         if (view->isCore)
         {
             swRecordCoreLayers(gpu, commands, view);
@@ -349,32 +266,8 @@ void swCommitFrame(swGpuWorld* gpuWorld, const swFrame* frame)
         swGpuView* view = &gpuWorld->views[i];
         if (view->isUsed)
         {
-            commitFoam(gpuWorld->frameIndex, view->frame, view);
+            swCommitGpuFoam(gpuWorld->frameIndex, view->frame, view);
         }
-    }
-}
-
-// Images that each frame writes anew are simply begun again. Foam has a past: it goes back to what the last frame
-// before left, which lies untouched in the other image, or begins again if that frame is too long ago.
-static void discardView(swGpuView* view, uint64_t frameIndex)
-{
-    view->displacement.isInitialized = false;
-    view->derivatives.isInitialized = false;
-    if (view->firstFrame >= frameIndex)
-    {
-        view->foam[0].isInitialized = false;
-        view->foam[1].isInitialized = false;
-    }
-    if (view->mark.hasFoam && view->mark.frameIndex >= frameIndex)
-    {
-        swFoamMark found = {0};
-        for (int i = SW_FOAM_MARKS - 1; i >= 0; --i)
-        {
-            bool isBefore = view->earlier[i].hasFoam && view->earlier[i].frameIndex < frameIndex;
-            found = isBefore ? view->earlier[i] : found;
-            view->earlier[i].hasFoam = isBefore;
-        }
-        view->mark = found;
     }
 }
 
@@ -390,7 +283,7 @@ void swDiscardFrames(swGpuWorld* gpuWorld, uint64_t frameIndex)
     {
         if (gpuWorld->views[i].isUsed)
         {
-            discardView(&gpuWorld->views[i], frameIndex);
+            swDiscardGpuView(&gpuWorld->views[i], frameIndex);
         }
     }
     swDiscardQueries(gpuWorld, frameIndex);

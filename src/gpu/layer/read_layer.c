@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "gpu/record/record.h"
+#include "gpu/layer/gpu_view.h"
 #include "gpu/vk/vk_submit.h"
 
 static float halfToFloat(uint16_t half)
@@ -56,7 +56,7 @@ static swResult copyImage(swGpu* gpu, const swImage* image, uint32_t layer, uint
     return result;
 }
 
-static swResult readHalves(swGpu* gpu, const swImage* image, uint32_t layer, uint32_t mip, float* texels)
+swResult swReadHalves(swGpu* gpu, const swImage* image, uint32_t layer, uint32_t mip, float* texels)
 {
     swBuffer buffer;
     swResult result = copyImage(gpu, image, layer, mip, 4 * sizeof(uint16_t), &buffer);
@@ -86,9 +86,8 @@ static swResult readFloats(swGpu* gpu, const swImage* image, uint32_t layer, siz
     return result;
 }
 
-swResult swReadLayer(swGpuWorld* gpuWorld, const swGpuView* view, swLayer layer, int slice, float* texels)
+swResult swReadLayer(swGpu* gpu, const swGpuView* view, swLayer layer, int slice, float* texels)
 {
-    swGpu* gpu = gpuWorld->gpu;
     size_t count = (size_t)view->resolution * (size_t)view->resolution;
     swResult result = SW_ERROR_INVALID;
     switch (layer)
@@ -101,7 +100,7 @@ swResult swReadLayer(swGpuWorld* gpuWorld, const swGpuView* view, swLayer layer,
         }
         break;
     case SW_LAYER_DERIVATIVES:
-        result = readHalves(gpu, &view->derivatives, (uint32_t)slice, 0, texels);
+        result = swReadHalves(gpu, &view->derivatives, (uint32_t)slice, 0, texels);
         break;
     case SW_LAYER_FOAM:
         result = readFloats(gpu, swGetFoamImage(view), (uint32_t)slice, 1, texels);
@@ -112,31 +111,23 @@ swResult swReadLayer(swGpuWorld* gpuWorld, const swGpuView* view, swLayer layer,
     return result;
 }
 
-swResult swReadDetail(swGpuWorld* gpuWorld, int tile, uint32_t mip, float* texels)
+swResult swReadBuffer(swGpu* gpu, const swBuffer* from, VkDeviceSize offset, VkDeviceSize size, void* data)
 {
-    return readHalves(gpuWorld->gpu, &gpuWorld->detail, (uint32_t)tile, mip, texels);
-}
-
-swResult swReadTile(swGpuWorld* gpuWorld, int tile, float* texels)
-{
-    swGpu* gpu = gpuWorld->gpu;
-    const swTileParams* params = &gpuWorld->params[tile];
-    VkDeviceSize bytes = (VkDeviceSize)params->resolution * (params->resolution + 3) * 4 * sizeof(float);
     swBuffer buffer;
-    swResult result = swCreateBuffer(gpu, bytes, 0, SW_MEMORY_READBACK, "readback", &buffer);
+    swResult result = swCreateBuffer(gpu, size, 0, SW_MEMORY_READBACK, "readback", &buffer);
     VkCommandBuffer commands = VK_NULL_HANDLE;
     result = result == SW_SUCCESS ? swBeginSubmit(gpu, &commands) : result;
     if (result == SW_SUCCESS)
     {
-        const VkBufferCopy copy = {.srcOffset = (VkDeviceSize)params->firstTexel * 4 * sizeof(float), .size = bytes};
+        const VkBufferCopy copy = {.srcOffset = offset, .size = size};
         waitForAll(gpu, commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT);
-        gpu->vk.CmdCopyBuffer(commands, gpuWorld->texels.handle, buffer.handle, 1, &copy);
+        gpu->vk.CmdCopyBuffer(commands, from->handle, buffer.handle, 1, &copy);
         waitForAll(gpu, commands, VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
         result = swEndSubmit(gpu);
     }
     if (result == SW_SUCCESS)
     {
-        memcpy(texels, buffer.mapped, (size_t)bytes);
+        memcpy(data, buffer.mapped, (size_t)size);
     }
     swDestroyBuffer(gpu, &buffer);
     return result;

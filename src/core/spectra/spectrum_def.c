@@ -42,10 +42,10 @@ const swFields swOctavesFields = SW_PART_FIELDS(swOctaves, "waves", "equaliser",
 
 // ---- the spectrum ----
 
-static const char* const kindWords[] = {"jonswap", "pierson_moskowitz", "tma", "elfouhaily", "phillips", "octaves",
-                                        "file",    NULL};
-static const char* const kindNames[] = {"JONSWAP", "Pierson-Moskowitz", "TMA", "Elfouhaily", "Phillips", "octaves",
-                                        "table",   NULL};
+static const char* const kindWords[] = {"jonswap",  "pierson_moskowitz", "tma",  "elfouhaily",
+                                        "phillips", "octaves",           "file", NULL};
+static const char* const kindNames[] = {"JONSWAP",  "Pierson-Moskowitz", "TMA",   "Elfouhaily",
+                                        "Phillips", "octaves",           "table", NULL};
 static const char* const growthWords[] = {"hasselmann", "cube_root", NULL};
 static const char* const growthNames[] = {"Hasselmann 1973", "cube root", NULL};
 static const char* const spreadingWords[] = {"cosine", "mitsuyasu",  "hasselmann", "donelan_banner",

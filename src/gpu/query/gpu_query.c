@@ -12,7 +12,7 @@
 
 #include "core/frame/asked.h"
 #include "gpu/pass/passes.h"
-#include "gpu/record/record.h"
+#include "gpu/query/gpu_query.h"
 
 // Of a plane or a slot; suits any device's storage buffer offsets.
 static VkDeviceSize alignPlane(VkDeviceSize size)

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "gpu/pass/passes.h"
-#include "gpu/record/record.h"
+#include "gpu/query/gpu_query.h"
 
 // For shaders, which need not know infinity: depth of deep water, m.
 #define DEEP 1e30f

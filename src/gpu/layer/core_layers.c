@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "gpu/record/record.h"
+#include "gpu/layer/gpu_view.h"
 
 // To the nearest half float, ties to even; what is too large becomes infinite.
 static uint16_t halfOfFloat(float value)

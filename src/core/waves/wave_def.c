@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/host.h"
 #include "core/spectra/spectrum.h"
-#include "core/waves/wave_system_fields.h"
+#include "core/waves/wave_def.h"
 #include "seaway/math.h"
 
 #define TILES SW_KIND(SW_WAVES_FFT)

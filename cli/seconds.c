@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "seconds.h"
+
+#include <time.h>
+
+double GetSeconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}

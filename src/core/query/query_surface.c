@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "core/query/query_surface.h"
+
+#include "core/query/answers.h"
+#include "core/surface/search.h"
+
+// The next points that can be answered: `at` says which they are.
+typedef struct Block
+{
+    int count;
+    int at[SW_QUERY_BLOCK];
+    swPosXZ places[SW_QUERY_BLOCK]; // in the sea
+} Block;
+
+static void markBad(const swSurfaceSamples* samples, swVec2* slopes, int point)
+{
+    swVec3* vectors[] = {samples->displacement, samples->normal, samples->velocity, samples->acceleration};
+    float* numbers[] = {samples->height, samples->jacobian, samples->residual};
+    for (int i = 0; i < 4; ++i)
+    {
+        if (vectors[i] != NULL)
+        {
+            vectors[i][point] = SW_NO_VECTOR;
+        }
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+        if (numbers[i] != NULL)
+        {
+            numbers[i][point] = SW_NO_NUMBER;
+        }
+    }
+    if (slopes != NULL)
+    {
+        slopes[point] = (swVec2){SW_NO_NUMBER, SW_NO_NUMBER};
+    }
+}
+
+void swRefuseSurface(int count, const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats)
+{
+    const swSurfaceSamples none = {0};
+    for (int i = 0; i < count; ++i)
+    {
+        markBad(samples != NULL ? samples : &none, slopes, i);
+    }
+    swRefuseStats(count, stats);
+}
+
+// Fill a block from point `first` on. Points on the way that cannot be answered are marked and counted.
+// Returns the point to go on with.
+static int fillBlock(const swQuery* query, int first, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                     swVec2* slopes, Block* block, swQueryStats* stats)
+{
+    block->count = 0;
+    int point = first;
+    for (; point < count && block->count < SW_QUERY_BLOCK; ++point)
+    {
+        block->at[block->count] = point;
+        if (swPlacePoint(query, points[point].x, points[point].z, &block->places[block->count]))
+        {
+            block->count += 1;
+        }
+        else
+        {
+            markBad(samples, slopes, point);
+            stats->badCount += 1;
+        }
+    }
+    return point;
+}
+
+static void writeVectors(swVec3* to, const Block* block, float (*rows)[4])
+{
+    for (int i = 0; i < block->count && to != NULL; ++i)
+    {
+        to[block->at[i]] = (swVec3){rows[i][0], rows[i][1], rows[i][2]};
+    }
+}
+
+// Gradients may be NULL if neither normals nor Jacobians are wanted, residuals where nothing was searched.
+static void writeSamples(const swSurfaceSamples* samples, double seaLevel, const Block* block, float (*displacement)[4],
+                         float (*gradients)[8], const float* residuals)
+{
+    writeVectors(samples->displacement, block, displacement);
+    for (int i = 0; i < block->count; ++i)
+    {
+        int point = block->at[i];
+        if (samples->height != NULL)
+        {
+            samples->height[point] = (float)(seaLevel + (double)displacement[i][1]);
+        }
+        if (samples->residual != NULL)
+        {
+            samples->residual[point] = residuals != NULL ? residuals[i] : 0.0f;
+        }
+        float jacobian = 1.0f;
+        swVec3 normal = gradients != NULL ? swMakeNormal(gradients[i], &jacobian) : (swVec3){0.0f, 1.0f, 0.0f};
+        if (samples->normal != NULL)
+        {
+            samples->normal[point] = normal;
+        }
+        if (samples->jacobian != NULL)
+        {
+            samples->jacobian[point] = jacobian;
+        }
+    }
+}
+
+static bool wantsGradients(const swSurfaceSamples* samples)
+{
+    return samples->normal != NULL || samples->jacobian != NULL;
+}
+
+static bool wantsMore(const swSurfaceSamples* samples)
+{
+    return wantsGradients(samples) || samples->velocity != NULL || samples->acceleration != NULL;
+}
+
+static void sampleParticles(const swQuery* query, const swSurfaceSamples* samples, const Block* block,
+                            const swPosXZ* rest, float (*displacement)[4], float (*gradients)[8])
+{
+    float velocity[SW_QUERY_BLOCK][4];
+    float acceleration[SW_QUERY_BLOCK][4];
+    const swEvaluation evaluation = {
+        .displacement = displacement,
+        .gradients = gradients,
+        .velocity = samples->velocity != NULL ? velocity : NULL,
+        .acceleration = samples->acceleration != NULL ? acceleration : NULL,
+    };
+    swEvaluate(query, block->count, rest, &evaluation);
+    writeVectors(samples->velocity, block, velocity);
+    writeVectors(samples->acceleration, block, acceleration);
+}
+
+static void querySurfaceBlock(const swQuery* query, const Block* block, const swSurfaceSamples* samples,
+                              swQueryStats* stats)
+{
+    float gradients[SW_QUERY_BLOCK][8];
+    swFound found;
+    swFindParticles(query, block->count, block->places, &found);
+    bool withGradients = wantsGradients(samples);
+    if (wantsMore(samples))
+    {
+        float again[SW_QUERY_BLOCK][4];
+        sampleParticles(query, samples, block, found.rest, withGradients ? again : NULL,
+                        withGradients ? gradients : NULL);
+        found.evaluations += block->count;
+    }
+    writeSamples(samples, query->seaLevel, block, found.displacement, withGradients ? gradients : NULL, found.residual);
+    swCountFound(stats, &found, block->count, query->def->tolerance);
+}
+
+void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                    swQueryStats* stats)
+{
+    swQueryStats total = {0};
+    Block block;
+    for (int next = 0; next < count;)
+    {
+        next = fillBlock(query, next, count, points, samples, NULL, &block, &total);
+        if (block.count > 0)
+        {
+            querySurfaceBlock(query, &block, samples, &total);
+        }
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
+    }
+}
+
+static void queryParticleBlock(const swQuery* query, const Block* block, const swSurfaceSamples* samples,
+                               swVec2* slopes)
+{
+    float displacement[SW_QUERY_BLOCK][4];
+    float gradients[SW_QUERY_BLOCK][8];
+    bool withGradients = wantsGradients(samples) || slopes != NULL;
+    sampleParticles(query, samples, block, block->places, displacement, withGradients ? gradients : NULL);
+    writeSamples(samples, query->seaLevel, block, displacement, withGradients ? gradients : NULL, NULL);
+    for (int i = 0; i < block->count && slopes != NULL; ++i)
+    {
+        slopes[block->at[i]] = (swVec2){gradients[i][4], gradients[i][5]};
+    }
+}
+
+void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
+                      swVec2* slopes, swQueryStats* stats)
+{
+    swQueryStats total = {0};
+    Block block;
+    for (int next = 0; next < count;)
+    {
+        next = fillBlock(query, next, count, points, samples, slopes, &block, &total);
+        if (block.count > 0)
+        {
+            queryParticleBlock(query, &block, samples, slopes);
+        }
+        total.convergedCount += block.count;
+        total.iterationCount += block.count;
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
+    }
+}
+
+// ---- height maps ----
+
+// A stretch of a row at a time. To begin each search where the neighbour's ended was tried: it saves one evaluation in
+// seventy on half a metre's spacing and costs one in five on seven metres'.
+void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* heights, swQueryStats* stats)
+{
+    swQueryStats total = {0};
+    for (int column = 0; column < map->width; column += SW_QUERY_BLOCK)
+    {
+        int count = map->width - column < SW_QUERY_BLOCK ? map->width - column : SW_QUERY_BLOCK;
+        for (int row = 0; row < map->height; ++row)
+        {
+            swPosXZ points[SW_QUERY_BLOCK];
+            for (int i = 0; i < count; ++i)
+            {
+                points[i].x = map->originX + map->spacing * (column + i);
+                points[i].z = map->originZ + map->spacing * row;
+            }
+            float* stretch = heights + (size_t)row * (size_t)map->width + (size_t)column;
+            const swSurfaceSamples samples = {.height = stretch};
+            Block block;
+            fillBlock(query, 0, count, points, &samples, NULL, &block, &total);
+            if (block.count > 0)
+            {
+                querySurfaceBlock(query, &block, &samples, &total);
+            }
+        }
+    }
+    if (stats != NULL)
+    {
+        *stats = total;
+    }
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "core/surface/evaluate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "shared/surface_normal.h"
+
+// Free waves of at least a length; they come longest first.
+static int countLongWaves(const swFrame* frame, float minWavelength)
+{
+    int count = frame->waveCount;
+    while (count > 0 && frame->waves[count - 1].wavelength < minWavelength)
+    {
+        count -= 1;
+    }
+    return count;
+}
+
+void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
+                  swPosXZ origin)
+{
+    query->kernels = kernels;
+    query->def = def;
+    query->origin = origin;
+    query->seaLevel = frame->seaLevel;
+    bool isNow = def->time == SW_QUERY_NOW;
+    query->ticks = isNow ? frame->ticks : (int64_t)floor(def->time * SW_TICKS_PER_SECOND + 0.5);
+    query->isNow = query->ticks == frame->ticks;
+    query->waves = frame->waves;
+    query->waveCount = countLongWaves(frame, def->minWavelength);
+    query->tiles = frame->tiles;
+    // A world without queries has no texels: it answers sea level.
+    query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
+}
+
+// ---- adding up waves ----
+
+// Waves one by one, added to what is there.
+static void sumOneByOne(const swQuery* query, bool withTiles, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    if (!withTiles && query->waveCount == 0)
+    {
+        return;
+    }
+    const swSurfaceSums sums = {out->displacement, out->gradients, out->velocity, out->acceleration};
+    const swWaveSumJob job = {
+        .tileCount = withTiles ? query->tileCount : 0,
+        .tiles = query->tiles,
+        .minWavelength = query->def->minWavelength,
+        .waveCount = query->waveCount,
+        .waves = query->waves,
+        .ticks = query->ticks,
+        .count = count,
+        .points = rest,
+        .surface = &sums,
+    };
+    swSumWaves(query->kernels, &job);
+}
+
+static bool hasField(const swQuery* query, bool isVelocity)
+{
+    const swTile* tile = &query->tiles[0];
+    return query->tileCount == 0 || (isVelocity ? tile->velocity : tile->acceleration) != NULL;
+}
+
+static void sampleField(const swQuery* query, int field, int count, const swPosXZ* rest, float (*out)[4],
+                        float (*gradients)[8])
+{
+    const swTileChoice choice = {query->tileCount, query->tiles, query->def->minWavelength, field};
+    swSampleChosenTiles(query->kernels, &choice, count, rest, out[0], gradients != NULL ? gradients[0] : NULL);
+}
+
+// What tiles have no texels for: motion of tiles wave by wave.
+static void sumTileMotion(const swQuery* query, int count, const swPosXZ* rest, float (*velocity)[4],
+                          float (*acceleration)[4])
+{
+    const swSurfaceSums sums = {.velocity = velocity, .acceleration = acceleration};
+    const swWaveSumJob job = {
+        .tileCount = query->tileCount,
+        .tiles = query->tiles,
+        .minWavelength = query->def->minWavelength,
+        .ticks = query->ticks,
+        .count = count,
+        .points = rest,
+        .surface = &sums,
+    };
+    swSumWaves(query->kernels, &job);
+}
+
+static void evaluateMotion(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    bool needsVelocity = out->velocity != NULL && !hasField(query, true);
+    bool needsAcceleration = out->acceleration != NULL && !hasField(query, false);
+    if (needsVelocity || needsAcceleration)
+    {
+        sumTileMotion(query, count, rest, needsVelocity ? out->velocity : NULL,
+                      needsAcceleration ? out->acceleration : NULL);
+    }
+    if (out->velocity != NULL && !needsVelocity)
+    {
+        sampleField(query, 1, count, rest, out->velocity, NULL);
+    }
+    if (out->acceleration != NULL && !needsAcceleration)
+    {
+        sampleField(query, 2, count, rest, out->acceleration, NULL);
+    }
+}
+
+void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    size_t rows = (size_t)count * 4 * sizeof(float);
+    if (out->velocity != NULL)
+    {
+        memset(out->velocity, 0, rows);
+    }
+    if (out->acceleration != NULL)
+    {
+        memset(out->acceleration, 0, rows);
+    }
+    if (query->isNow)
+    {
+        if (out->displacement != NULL)
+        {
+            sampleField(query, 0, count, rest, out->displacement, out->gradients);
+        }
+        evaluateMotion(query, count, rest, out);
+    }
+    else
+    {
+        if (out->displacement != NULL)
+        {
+            memset(out->displacement, 0, rows);
+        }
+        if (out->gradients != NULL)
+        {
+            memset(out->gradients, 0, 2 * rows);
+        }
+    }
+    sumOneByOne(query, !query->isNow, count, rest, out);
+}
+
+swVec3 swMakeNormal(const float g[8], float* jacobian)
+{
+    *jacobian = swSurfaceJacobian(g[0], g[2], g[3]);
+    float x = swSurfaceNormalX(g[2], g[3], g[4], g[5]);
+    float z = swSurfaceNormalZ(g[0], g[2], g[4], g[5]);
+    float length = sqrtf(x * x + *jacobian * *jacobian + z * z);
+    if (length < 1e-20f)
+    {
+        return (swVec3){0.0f, 1.0f, 0.0f};
+    }
+    float scale = (*jacobian < 0.0f ? -1.0f : 1.0f) / length;
+    return (swVec3){-x * scale, *jacobian * scale, -z * scale};
+}

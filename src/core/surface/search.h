@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The surface above points of the horizontal plane: find the particle that is there. See search.c.
+
+#include "core/surface/evaluate.h"
+
+// What the search for the particles above a block of points found.
+typedef struct swFound
+{
+    swPosXZ rest[SW_QUERY_BLOCK]; // in the sea
+    float displacement[SW_QUERY_BLOCK][4];
+    float residual[SW_QUERY_BLOCK];
+    int evaluations;
+} swFound;
+
+// Find the particles above at most SW_QUERY_BLOCK points in the sea.
+void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swFound* found);

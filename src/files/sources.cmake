@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+# What is read by way of a library: measured seas in files. AUTO takes a library if it is there.
+target_sources(seaway_scene PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/file_text.c
+    ${CMAKE_CURRENT_LIST_DIR}/measured_file.c)
+
+# sw_add_format(OPTION header library package DEFINE sources...)
+function(sw_add_format option header library package define)
+    set(${option} AUTO CACHE STRING "Read measured seas by way of ${package}: AUTO, ON or OFF")
+    set_property(CACHE ${option} PROPERTY STRINGS AUTO ON OFF)
+    if("${${option}}" STREQUAL OFF)
+        return()
+    endif()
+    find_path(${define}_INCLUDE ${header})
+    find_library(${define}_LIBRARY ${library})
+    if(${define}_INCLUDE AND ${define}_LIBRARY)
+        list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/)
+        target_sources(seaway_scene PRIVATE ${ARGN})
+        target_compile_definitions(seaway_scene PRIVATE ${define}=1)
+        target_include_directories(seaway_scene PRIVATE ${${define}_INCLUDE})
+        target_link_libraries(seaway_scene PRIVATE ${${define}_LIBRARY})
+        set(${define} ON PARENT_SCOPE)
+    elseif(NOT "${${option}}" STREQUAL AUTO)
+        message(FATAL_ERROR "${option} is ON, but ${header} was not found: install Debian's package ${package}")
+    else()
+        message(STATUS "${package} was not found: measured seas that need it will not be read")
+    endif()
+endfunction()
+sw_add_format(SW_BUILD_JSON jansson.h jansson libjansson-dev SW_HAS_JSON json_sea.c)
+sw_add_format(SW_BUILD_NETCDF netcdf.h netcdf libnetcdf-dev SW_HAS_NETCDF
+    netcdf_axes.c
+    netcdf_directions.c
+    netcdf_file.c
+    netcdf_header.c
+    netcdf_moments.c
+    netcdf_places.c
+    netcdf_sea.c
+    netcdf_spectra.c
+    netcdf_time.c)
+set(SW_SCENE_PACKAGES)
+if(SW_HAS_JSON)
+    list(APPEND SW_SCENE_PACKAGES jansson)
+endif()
+if(SW_HAS_NETCDF)
+    list(APPEND SW_SCENE_PACKAGES netcdf)
+endif()
