@@ -279,8 +279,8 @@ swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, cons
     renderer->time = (float)fmod(picture->time, 4096.0);
     renderer->exposureEv = picture->exposureEv;
     renderer->debug = picture->debug;
-    swBuildPicture(picture, swGetWorldOrigin(renderer->gpuWorld->world), frame, view, renderer->gpuWorld->detail.width,
-                   &renderer->picture);
+    swBuildPicture(picture, swGetWorldOrigin(renderer->gpuWorld->world), frame, view,
+                   swGetDetailImage(renderer->gpuWorld)->width, &renderer->picture);
     swResult result = swUploadPicture(gpu, &renderer->picture);
     result = result == SW_SUCCESS ? swPrepareSurface(gpu, &renderer->surface, &renderer->picture) : result;
     if (result != SW_SUCCESS)

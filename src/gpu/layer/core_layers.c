@@ -51,17 +51,17 @@ swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* vi
 {
     size_t texels = (size_t)view->sliceCount * (size_t)view->resolution * (size_t)view->resolution;
     swResult result =
-        swUploadData(gpu, frame->displacement, texels * 4 * sizeof(float), &view->layerUploads[SW_LAYER_DISPLACEMENT]);
+        swUploadData(gpu, frame->displacement, texels * 4 * sizeof(float), &view->layers[SW_LAYER_DISPLACEMENT].upload);
     result = result == SW_SUCCESS
-                 ? swReserveUpload(gpu, texels * 4 * sizeof(uint16_t), &view->layerUploads[SW_LAYER_DERIVATIVES])
+                 ? swReserveUpload(gpu, texels * 4 * sizeof(uint16_t), &view->layers[SW_LAYER_DERIVATIVES].upload)
                  : result;
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    HalfJob job = {.from = frame->derivatives, .to = view->layerUploads[SW_LAYER_DERIVATIVES].data};
+    HalfJob job = {.from = frame->derivatives, .to = view->layers[SW_LAYER_DERIVATIVES].upload.data};
     swParallelFor(&gpu->host, makeHalves, &job, (int)(texels * 4 / CHUNK), 4); // a slice has at least 64 x 64 texels
-    return swUploadData(gpu, frame->foam, texels * sizeof(float), &view->layerUploads[SW_LAYER_FOAM]);
+    return swUploadData(gpu, frame->foam, texels * sizeof(float), &view->layers[SW_LAYER_FOAM].upload);
 }
 
 static void copyLayer(swGpu* gpu, VkCommandBuffer commands, const swUpload* from, const swImage* to)
@@ -74,9 +74,10 @@ static void copyLayer(swGpu* gpu, VkCommandBuffer commands, const swUpload* from
     gpu->vk.CmdCopyBufferToImage(commands, from->buffer, to->handle, to->layout, 1, &copy);
 }
 
-void swRecordCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view)
+void swCopyCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view)
 {
-    copyLayer(gpu, commands, &view->layerUploads[SW_LAYER_DISPLACEMENT], &view->displacement);
-    copyLayer(gpu, commands, &view->layerUploads[SW_LAYER_DERIVATIVES], &view->derivatives);
-    copyLayer(gpu, commands, &view->layerUploads[SW_LAYER_FOAM], swGetFoamImage(view));
+    for (int layer = 0; layer < SW_LAYER_COUNT; ++layer)
+    {
+        copyLayer(gpu, commands, &view->layers[layer].upload, swGetLayerImage(view, (swLayer)layer));
+    }
 }

@@ -93,17 +93,17 @@ swResult swReadLayer(swGpu* gpu, const swGpuView* view, swLayer layer, int slice
     switch (layer)
     {
     case SW_LAYER_DISPLACEMENT:
-        result = readFloats(gpu, &view->displacement, (uint32_t)slice, 4, texels);
+        result = readFloats(gpu, swGetLayerImage(view, layer), (uint32_t)slice, 4, texels);
         for (size_t i = 0; i < count && result == SW_SUCCESS; ++i)
         {
             texels[4 * i + 3] = 0.0f; // J is the library's own business
         }
         break;
     case SW_LAYER_DERIVATIVES:
-        result = swReadHalves(gpu, &view->derivatives, (uint32_t)slice, 0, texels);
+        result = swReadHalves(gpu, swGetLayerImage(view, layer), (uint32_t)slice, 0, texels);
         break;
     case SW_LAYER_FOAM:
-        result = readFloats(gpu, swGetFoamImage(view), (uint32_t)slice, 1, texels);
+        result = readFloats(gpu, swGetLayerImage(view, layer), (uint32_t)slice, 1, texels);
         break;
     case SW_LAYER_COUNT:
         break;
