@@ -3,44 +3,37 @@
 
 #include <string.h>
 
-// What the images of a layer are.
-typedef struct Kind
-{
-    VkFormat format;
-    bool hasPast; // two images, written in turns
-    const char* name;
-} Kind;
-
-static const Kind kinds[SW_LAYER_COUNT] = {
-    // x, y, z, J: foam grows by J in full precision
-    [SW_LAYER_DISPLACEMENT] = {VK_FORMAT_R32G32B32A32_SFLOAT, false, "displacement"},
-    // gx, gz, J, 0
-    [SW_LAYER_DERIVATIVES] = {VK_FORMAT_R16G16B16A16_SFLOAT, false, "derivatives"},
-    [SW_LAYER_FOAM] = {VK_FORMAT_R32_SFLOAT, true, "foam"},
+static const VkFormat formats[] = {
+    [SW_TEXEL_R32F] = VK_FORMAT_R32_SFLOAT,
+    [SW_TEXEL_RGBA32F] = VK_FORMAT_R32G32B32A32_SFLOAT,
+    [SW_TEXEL_RGBA16F] = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-static int countImages(int layer)
+// Simulated fields live in zones.
+static bool isInView(int layer)
 {
-    return kinds[layer].hasPast ? 2 : 1;
+    return swGetLayerInfo(layer)->kind != SW_LAYER_IS_SIMULATED;
 }
 
 static swResult createImages(swGpu* gpu, swGpuView* view)
 {
-    for (int layer = 0; layer < SW_LAYER_COUNT; ++layer)
+    for (int i = 0; i < SW_LAYERS; ++i)
     {
+        const swLayerInfo* info = swGetLayerInfo(i);
         const swImageDef def = {
-            .format = kinds[layer].format,
+            .format = formats[info->format],
             .width = (uint32_t)view->resolution,
             .height = (uint32_t)view->resolution,
             .layers = (uint32_t)view->sliceCount,
             .isArray = true,
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
             .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = kinds[layer].name,
+            .name = info->name,
         };
-        for (int i = 0; i < countImages(layer); ++i)
+        int count = !isInView(i) ? 0 : info->hasPast ? 2 : 1;
+        for (int k = 0; k < count; ++k)
         {
-            swResult result = swCreateImage(gpu, &def, &view->layers[layer].images[i]);
+            swResult result = swCreateImage(gpu, &def, &view->layers[i].images[k]);
             if (result != SW_SUCCESS)
             {
                 return result;
@@ -52,10 +45,10 @@ static swResult createImages(swGpu* gpu, swGpuView* view)
 
 static void retireView(swGpu* gpu, swGpuView* view)
 {
-    for (int layer = 0; layer < SW_LAYER_COUNT; ++layer)
+    for (int i = 0; i < SW_LAYERS; ++i)
     {
-        swRetireImage(gpu, &view->layers[layer].images[0]);
-        swRetireImage(gpu, &view->layers[layer].images[1]);
+        swRetireImage(gpu, &view->layers[i].images[0]);
+        swRetireImage(gpu, &view->layers[i].images[1]);
     }
     *view = (swGpuView){0};
 }
@@ -65,8 +58,8 @@ static swResult makeView(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
     *view = (swGpuView){
         .viewVersion = frame->viewVersion,
         .view = frame->view,
-        .sliceCount = frame->sliceCount,
-        .resolution = frame->resolution,
+        .sliceCount = frame->stack.sliceCount,
+        .resolution = frame->stack.resolution,
     };
     swResult result = createImages(gpu, view);
     if (result != SW_SUCCESS)
@@ -116,38 +109,50 @@ static swResult findOrMakeView(swGpu* gpu, const swViewFrame* frame, swGpuView* 
     return makeView(gpu, frame, unused);
 }
 
+static void planView(swGpuView* view)
+{
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        if (isInView(i) && swGetLayerInfo(i)->hasPast)
+        {
+            view->layers[i].due = swFindCatchUp(&view->layers[i].mark.at, i, &view->frame->stack);
+            view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore;
+        }
+    }
+}
+
 swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
 {
     retireGoneViews(gpu, frame, views);
-    for (int i = 0; i < frame->viewCount; ++i)
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < frame->viewCount && result == SW_SUCCESS; ++i)
     {
         const swViewFrame* viewFrame = &frame->views[i];
         swGpuView* view = NULL;
-        swResult result = findOrMakeView(gpu, viewFrame, views, &view);
-        if (result != SW_SUCCESS)
+        result = findOrMakeView(gpu, viewFrame, views, &view);
+        if (result == SW_SUCCESS)
         {
-            return result;
-        }
-        view->frame = viewFrame;
-        view->isCore = gpu->usesCoreLayers && viewFrame->displacement != NULL;
-        result = view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : SW_SUCCESS;
-        if (result != SW_SUCCESS)
-        {
-            return result;
+            view->frame = viewFrame;
+            view->isCore = gpu->usesCoreLayers && viewFrame->stack.layers[SW_LAYER_DISPLACEMENT].texels != NULL;
+            planView(view);
+            result = view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : SW_SUCCESS;
         }
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 static void beginImages(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
 {
-    for (int i = 0; i < SW_LAYER_COUNT; ++i)
+    if (!view->hasBegun)
     {
-        swGpuLayer* layer = &view->layers[i];
-        layer->firstFrame = layer->images[0].isInitialized ? layer->firstFrame : gpu->frameIndex;
-        for (int image = 0; image < countImages(i); ++image)
+        view->firstFrame = gpu->frameIndex;
+        view->hasBegun = true;
+    }
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        for (int k = 0; k < 2 && view->layers[i].images[k].handle != VK_NULL_HANDLE; ++k)
         {
-            swInitializeImage(gpu, commands, &layer->images[image]);
+            swInitializeImage(gpu, commands, &view->layers[i].images[k]);
         }
     }
 }
@@ -172,53 +177,72 @@ bool swCopyGpuViews(swGpu* gpu, VkCommandBuffer commands, swGpuView* views)
     return hasCopies;
 }
 
-void swTurnLayer(swGpuView* view, swLayer which, const swLayerMark* now)
+static void commitView(uint64_t frameIndex, swGpuView* view)
 {
-    swGpuLayer* layer = &view->layers[which];
-    int next = layer->mark.index ^ 1;
-    memmove(layer->earlier + 1, layer->earlier, sizeof(layer->earlier) - sizeof(layer->earlier[0]));
-    layer->earlier[0] = layer->mark;
-    layer->mark = *now;
-    layer->mark.index = next;
-}
-
-// Goes back to what the last frame before left, which lies untouched in the other image, or begins again if that frame
-// is too long ago.
-static void discardPast(swGpuLayer* layer, uint64_t frameIndex)
-{
-    if (layer->firstFrame >= frameIndex)
+    for (int i = 0; i < SW_LAYERS; ++i)
     {
-        layer->images[0].isInitialized = false;
-        layer->images[1].isInitialized = false;
-    }
-    if (layer->mark.isHeld && layer->mark.frameIndex >= frameIndex)
-    {
-        swLayerMark found = {0};
-        for (int i = SW_LAYER_MARKS - 1; i >= 0; --i)
+        swGpuLayer* layer = &view->layers[i];
+        if (layer->due.isDue)
         {
-            bool isBefore = layer->earlier[i].isHeld && layer->earlier[i].frameIndex < frameIndex;
-            found = isBefore ? layer->earlier[i] : found;
-            layer->earlier[i].isHeld = isBefore;
+            memmove(layer->earlier + 1, layer->earlier, sizeof(layer->earlier) - sizeof(layer->earlier[0]));
+            layer->earlier[0] = layer->mark;
+            layer->mark.frameIndex = frameIndex;
+            layer->mark.index ^= 1;
+            swMoveMark(&layer->mark.at, i, &view->frame->stack);
         }
-        layer->mark = found;
     }
 }
 
-// Images that each frame writes anew are simply begun again.
+void swCommitGpuViews(uint64_t frameIndex, swGpuView* views)
+{
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        if (views[i].isUsed)
+        {
+            commitView(frameIndex, &views[i]);
+        }
+    }
+}
+
+// Images that each frame writes anew are simply begun again. A layer with a past goes back to what the last frame
+// before left, which lies untouched in the other image, or begins again if that frame is too long ago.
+static void discardLayer(swGpuLayer* layer, uint64_t frameIndex)
+{
+    if (!layer->mark.at.hasPast || layer->mark.frameIndex < frameIndex)
+    {
+        return;
+    }
+    swGpuLayerMark found = {0};
+    for (int i = SW_LAYER_MARKS - 1; i >= 0; --i)
+    {
+        bool isBefore = layer->earlier[i].at.hasPast && layer->earlier[i].frameIndex < frameIndex;
+        found = isBefore ? layer->earlier[i] : found;
+        layer->earlier[i].at.hasPast = isBefore;
+    }
+    layer->mark = found;
+}
+
+static void discardView(swGpuView* view, uint64_t frameIndex)
+{
+    view->hasBegun = view->hasBegun && view->firstFrame < frameIndex;
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        if (!swGetLayerInfo(i)->hasPast || !view->hasBegun)
+        {
+            view->layers[i].images[0].isInitialized = false;
+            view->layers[i].images[1].isInitialized = false;
+        }
+        discardLayer(&view->layers[i], frameIndex);
+    }
+}
+
 void swDiscardGpuViews(swGpuView* views, uint64_t frameIndex)
 {
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        for (int layer = 0; layer < SW_LAYER_COUNT && views[i].isUsed; ++layer)
+        if (views[i].isUsed)
         {
-            if (kinds[layer].hasPast)
-            {
-                discardPast(&views[i].layers[layer], frameIndex);
-            }
-            else
-            {
-                views[i].layers[layer].images[0].isInitialized = false;
-            }
+            discardView(&views[i], frameIndex);
         }
     }
 }
@@ -227,7 +251,7 @@ void swDestroyGpuViews(swGpu* gpu, swGpuView* views)
 {
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        for (int layer = 0; layer < SW_LAYER_COUNT; ++layer)
+        for (int layer = 0; layer < SW_LAYERS; ++layer)
         {
             swDestroyImage(gpu, &views[i].layers[layer].images[0]);
             swDestroyImage(gpu, &views[i].layers[layer].images[1]);
@@ -237,14 +261,14 @@ void swDestroyGpuViews(swGpu* gpu, swGpuView* views)
 
 size_t swGetGpuViewMemory(const swGpuView* views)
 {
-    size_t bytes = 0;
+    VkDeviceSize size = 0;
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        for (int layer = 0; layer < SW_LAYER_COUNT; ++layer)
+        for (int layer = 0; layer < SW_LAYERS; ++layer)
         {
             const swImage* images = views[i].layers[layer].images;
-            bytes += (size_t)(images[0].memory.size + images[1].memory.size);
+            size += images[0].memory.size + images[1].memory.size;
         }
     }
-    return bytes;
+    return (size_t)size;
 }

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // One dispatch a view for all its slices; a view whose foam stays as it is has none.
 
-#include <string.h>
-
+#include "core/lod/scroll.h"
 #include "foam_shader.h"
 #include "gpu/pass/passes.h"
 
 // Of one view, in this frame.
 typedef struct ViewState
 {
-    bool moves;       // there is something to do
     swUpload params;  // swFoamSliceParams[sliceCount]
-    swUpload sources; // swFoamSource[sliceCount * (SW_FOAM_SOURCES + 1)]
+    swUpload sources; // swPastSource[sliceCount * (SW_PAST_SOURCES + 1)]
 } ViewState;
 
 typedef struct State
@@ -20,44 +18,27 @@ typedef struct State
     ViewState views[SW_MAX_VIEWS];
 } State;
 
-static bool slicesMoved(const swLayerMark* mark, const swViewFrame* frame)
+static bool isDue(const swGpuView* view)
 {
-    for (int i = 0; i < frame->sliceCount; ++i)
-    {
-        const swSlice* a = &mark->slices[i];
-        const swSlice* b = &frame->slices[i];
-        if (a->level != b->level || a->firstX != b->firstX || a->firstZ != b->firstZ)
-        {
-            return true;
-        }
-    }
-    return false;
+    return view->isUsed && view->layers[SW_LAYER_FOAM].due.isDue;
 }
 
-static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swGpuView* gpuView, ViewState* view)
+static swResult uploadView(swGpu* gpu, const swFrame* frame, const swGpuView* gpuView, ViewState* view)
 {
-    const swViewFrame* viewFrame = gpuView->frame;
-    const swLayerMark* mark = &gpuView->layers[SW_LAYER_FOAM].mark;
-    int64_t passed = viewFrame->foamClock - mark->clock;
-    bool isSteady = !mark->isHeld || mark->resetCount != viewFrame->foamResetCount || passed < -SW_FOAM_RATE;
-    int64_t steps = isSteady || passed < 0 ? 0 : passed; // a world that went back a little meets its foam again
-    view->moves = isSteady || steps != 0 || slicesMoved(mark, viewFrame);
-    if (!view->moves)
-    {
-        return SW_SUCCESS;
-    }
-    float seconds = (float)steps / (float)SW_FOAM_RATE;
+    const swStackFrame* stack = &gpuView->frame->stack;
+    const swGpuLayer* foam = &gpuView->layers[SW_LAYER_FOAM];
+    float seconds = (float)foam->due.steps / (float)SW_FOAM_RATE;
     swFoamSliceParams params[SW_MAX_SLICES] = {0};
-    swFoamSource sources[SW_MAX_SLICES][SW_FOAM_SOURCES + 1] = {0};
-    for (int i = 0; i < viewFrame->sliceCount; ++i)
+    swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES + 1] = {0};
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
-        params[i] = swGetFoamParams(frame, viewFrame, i, seconds, isSteady);
-        swFindFoamSources(&viewFrame->slices[i], viewFrame->resolution, isSteady ? 0 : viewFrame->sliceCount,
-                          mark->slices, sources[i]);
-        sources[i][SW_FOAM_SOURCES] = viewFrame->foamBirth[i].fold;
+        params[i] = swGetFoamParams(frame, stack, i, seconds, foam->due.isReset);
+        swFindPastSources(&stack->slices[i], stack->resolution, foam->due.isReset ? 0 : stack->sliceCount,
+                          foam->mark.at.slices, sources[i]);
+        sources[i][SW_PAST_SOURCES] = swGetFoamBirth(stack, i).fold;
     }
-    swResult result = swUploadData(gpuWorld->gpu, params, sizeof(params), &view->params);
-    return result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, sources, sizeof(sources), &view->sources) : result;
+    swResult result = swUploadData(gpu, params, sizeof(params), &view->params);
+    return result == SW_SUCCESS ? swUploadData(gpu, sources, sizeof(sources), &view->sources) : result;
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
@@ -66,12 +47,10 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
     swResult result = SW_SUCCESS;
     for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
     {
-        const swGpuView* view = &gpuWorld->views[i];
-        s->views[i].moves = false;
-        if (view->isUsed && !view->isCore)
+        if (isDue(&gpuWorld->views[i]))
         {
-            result = uploadView(gpuWorld, frame, view, &s->views[i]);
-            *isNeeded = *isNeeded || s->views[i].moves;
+            *isNeeded = true;
+            result = uploadView(gpuWorld->gpu, frame, &gpuWorld->views[i], &s->views[i]);
         }
     }
     return result;
@@ -90,7 +69,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!s->views[i].moves)
+        if (!isDue(view))
         {
             continue;
         }
@@ -109,32 +88,6 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
     }
 }
 
-static void commit(swGpuWorld* gpuWorld, const swFrame* frame, void* state)
-{
-    (void)frame;
-    const State* s = state;
-    for (int i = 0; i < SW_MAX_VIEWS; ++i)
-    {
-        swGpuView* view = &gpuWorld->views[i];
-        if (!s->views[i].moves)
-        {
-            continue;
-        }
-        const swViewFrame* viewFrame = view->frame;
-        const swLayerMark* before = &view->layers[SW_LAYER_FOAM].mark;
-        bool isBehind = before->resetCount == viewFrame->foamResetCount && before->clock > viewFrame->foamClock &&
-                        before->clock - viewFrame->foamClock <= SW_FOAM_RATE;
-        swLayerMark mark = {
-            .isHeld = true,
-            .frameIndex = gpuWorld->frameIndex,
-            .clock = isBehind ? before->clock : viewFrame->foamClock,
-            .resetCount = viewFrame->foamResetCount,
-        };
-        memcpy(mark.slices, viewFrame->slices, sizeof(mark.slices));
-        swTurnLayer(view, SW_LAYER_FOAM, &mark);
-    }
-}
-
 static void destroy(swGpu* gpu, void* state)
 {
     swDestroyPipeline(gpu, &((State*)state)->pipeline);
@@ -148,6 +101,5 @@ const swPass swPass_foam = {
     .upload = upload,
     .create = create,
     .record = record,
-    .commit = commit,
     .destroy = destroy,
 };

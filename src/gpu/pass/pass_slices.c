@@ -104,11 +104,11 @@ static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWa
     }
 }
 
-static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame, ViewState* view)
+static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, ViewState* view)
 {
     swGpu* gpu = gpuWorld->gpu;
     swSliceList lists[SW_MAX_SLICES] = {0};
-    size_t slices = (size_t)viewFrame->sliceCount;
+    size_t slices = (size_t)stack->sliceCount;
     size_t mostTiles = slices * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
     size_t mostWaves = slices * (size_t)(frame->waveCount > 0 ? frame->waveCount : 1);
     swResult result = swReserveUpload(gpu, mostTiles * sizeof(swSliceTile), &view->tiles);
@@ -119,9 +119,9 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swV
     }
     uint32_t tileCount = 0;
     uint32_t waveCount = 0;
-    for (int i = 0; i < viewFrame->sliceCount; ++i)
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
-        const swSlice* slice = &viewFrame->slices[i];
+        const swSlice* slice = &stack->slices[i];
         swSliceList* list = &lists[i];
         swSliceTile* tiles = (swSliceTile*)view->tiles.data + tileCount;
         list->first = tileCount;
@@ -150,7 +150,7 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
         if (isMade(view))
         {
             *isNeeded = true;
-            result = uploadView(gpuWorld, frame, view->frame, &s->views[i]);
+            result = uploadView(gpuWorld, frame, &view->frame->stack, &s->views[i]);
         }
     }
     return result;

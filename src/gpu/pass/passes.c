@@ -110,17 +110,6 @@ void swRecordPasses(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazards* h
     }
 }
 
-void swCommitPasses(swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    for (int i = 0; i < SW_PASS_COUNT; ++i)
-    {
-        if (gpuWorld->passes[i].isNeeded && passes[i]->commit != NULL)
-        {
-            passes[i]->commit(gpuWorld, frame, gpuWorld->passes[i].state);
-        }
-    }
-}
-
 void swDiscardPasses(swGpuWorld* gpuWorld, uint64_t frameIndex)
 {
     for (int i = 0; i < SW_PASS_COUNT; ++i)

@@ -15,8 +15,8 @@
 #define SW_OUTPUT_BIT(pass) ((swResources)1 << (32 + (pass)))
 #define SW_MODES_BIT ((swResources)1 << 31)
 #define SW_TEXELS_BIT SW_OUTPUT_BIT(SW_PASS_WAVES_COLUMNS) // or copied, where the core makes them
-#define SW_ALL_LAYERS_BITS (((swResources)1 << SW_LAYER_COUNT) - 1)
-static_assert(SW_LAYER_COUNT < 31 && SW_PASS_COUNT <= 32, "a bit for each");
+#define SW_ALL_LAYERS_BITS (((swResources)1 << SW_LAYERS) - 1)
+static_assert(SW_LAYERS < 31 && SW_PASS_COUNT <= 32, "a bit for each");
 
 // `state` is the pass's own struct. Functions that a pass does not need are NULL, but for record.
 struct swPass
@@ -32,8 +32,6 @@ struct swPass
     swResult (*create)(swGpuWorld* gpuWorld, void* state);
     // Cannot fail.
     void (*record)(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands);
-    // After all was recorded: note what the device will hold.
-    void (*commit)(swGpuWorld* gpuWorld, const swFrame* frame, void* state);
     // Take back the notes of frame `frameIndex` and all later ones, which will not run.
     void (*discard)(swGpuWorld* gpuWorld, void* state, uint64_t frameIndex);
     // At once; the device is idle. The struct itself is freed by the table.
@@ -52,7 +50,6 @@ swResult swCreatePasses(swGpuWorld* gpuWorld);
 void swDestroyPasses(swGpuWorld* gpuWorld);
 swResult swPreparePasses(swGpuWorld* gpuWorld, const swFrame* frame);
 void swRecordPasses(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazards* hazards);
-void swCommitPasses(swGpuWorld* gpuWorld, const swFrame* frame);
 void swDiscardPasses(swGpuWorld* gpuWorld, uint64_t frameIndex);
 size_t swGetPassMemory(const swGpuWorld* gpuWorld);
 

@@ -135,7 +135,7 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     gpuWorld->frameIndex = frameIndex;
     gpuWorld->isRecorded = true;
     swCommitGpuTiles(&gpuWorld->tiles, frame);
-    swCommitPasses(gpuWorld, frame);
+    swCommitGpuViews(frameIndex, gpuWorld->views);
     swCommitQueries(gpuWorld, frame);
     return SW_SUCCESS;
 }
