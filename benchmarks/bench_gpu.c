@@ -391,7 +391,7 @@ static Floor WavesFloor(const swFrame* frame, bool isRows)
 static Floor DetailFloor(const Bench* bench, const swFrame* frame)
 {
     Floor least = {0};
-    double texels = pow((double)bench->gpuWorld->detail.width, 2.0);
+    double texels = pow((double)swGetDetailImage(bench->gpuWorld)->width, 2.0);
     for (int i = 0; i < frame->tileCount; ++i)
     {
         double n = frame->tiles[i].resolution;
@@ -407,14 +407,14 @@ static Floor SlicesFloor(const swFrame* frame)
 {
     const swViewFrame* view = &frame->views[0];
     Floor least = {0};
-    double texels = (double)view->resolution * view->resolution;
-    for (int s = 0; s < view->sliceCount; ++s)
+    double texels = (double)view->stack.resolution * view->stack.resolution;
+    for (int s = 0; s < view->stack.sliceCount; ++s)
     {
         least.bytes += texels * 24.0;
         least.flops += texels * 2.0 * 27.0;
         for (int i = 0; i < frame->tileCount; ++i)
         {
-            bool isCarried = frame->tiles[i].minWavelength >= view->slices[s].minWavelength;
+            bool isCarried = frame->tiles[i].minWavelength >= view->stack.slices[s].minWavelength;
             least.flops += isCarried ? texels * 2.0 * 96.0 / SW_SLICE_HEIGHT : 0.0;
         }
     }
@@ -429,7 +429,7 @@ static Floor SlicesFloor(const swFrame* frame)
 static Floor FoamFloor(const swFrame* frame)
 {
     const swViewFrame* view = &frame->views[0];
-    double texels = (double)view->resolution * view->resolution * view->sliceCount;
+    double texels = (double)view->stack.resolution * view->stack.resolution * view->stack.sliceCount;
     return (Floor){.bytes = texels * (16.0 + 4.0 + 4.0), .flops = texels * 40.0};
 }
 

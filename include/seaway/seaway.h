@@ -10,6 +10,7 @@
 #include "id.h"
 #include "math.h"
 #include "measured.h"
+#include "moment.h"
 #include "query.h"
 #include "replay.h"
 #include "save.h"

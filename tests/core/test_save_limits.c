@@ -177,11 +177,11 @@ static void TimeJumpsFromEndToEnd(void** state)
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     assert_true(swWaveSystem_GetWeight(world, FIRST) == 1.0f); // what Set() asked for, long over
     assert_null(world->waves.systems[0].layers[0].set->mix);
-    assert_true(swFindViewFrame(view)->foamReset);
+    assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
     swWorld_SetTime(world, -LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
-    assert_true(swFindViewFrame(view)->foamReset);
-    assert_true(isfinite(swWorld_GetHeight(world, 1.0, 2.0)));
+    assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
+    assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(world), 1.0, 2.0)));
     swDestroyWorld(world);
 }
 

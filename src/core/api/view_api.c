@@ -69,61 +69,38 @@ swSliceInfo swView_GetSlice(const swView* view, int slice)
 {
     SW_REQUIRE(isSlice(view, slice), (swSliceInfo){0}, findViewHost(view),
                "a view was asked for its slice %d, which it does not have", slice);
-    const swSlice* s = &view->stack.slices[slice];
+    const swSlice* s = &view->layers.stack.slices[slice];
     return (swSliceInfo){
         .texel = s->texel,
         .firstX = s->firstX,
         .firstZ = s->firstZ,
         .resolution = view->def.resolution,
         .minWavelength = s->minWavelength,
-        .fade = slice == 0 ? view->stack.fade : 0.0f,
+        .fade = slice == 0 ? view->layers.stack.fade : 0.0f,
     };
 }
 
-typedef enum Layer
-{
-    LAYER_DISPLACEMENT,
-    LAYER_DERIVATIVES,
-    LAYER_FOAM
-} Layer;
-
-static const float* getLayer(const swView* view, Layer layer)
-{
-    switch (layer)
-    {
-    case LAYER_DISPLACEMENT:
-        return view->displacement;
-    case LAYER_DERIVATIVES:
-        return view->derivatives;
-    default:
-        return view->foam[view->foamIndex];
-    }
-}
-
-static const float* findLayer(const swView* view, int slice, Layer which, int channels)
+static const float* findLayer(const swView* view, int slice, swLayer layer)
 {
     SW_REQUIRE(isSlice(view, slice), NULL, findViewHost(view),
                "a view was asked for a layer of its slice %d, which it does not have", slice);
-    const float* layer = getLayer(view, which);
-    if (layer == NULL)
-    {
-        return NULL;
-    }
+    const float* texels = swGetLayerTexels(&view->layers, layer);
     size_t side = (size_t)view->def.resolution;
-    return layer + (size_t)slice * side * side * (size_t)channels;
+    size_t channels = (size_t)swCountChannels(swGetLayerInfo(layer)->format);
+    return texels != NULL ? texels + (size_t)slice * side * side * channels : NULL;
 }
 
 const float* swView_GetDisplacement(const swView* view, int slice)
 {
-    return findLayer(view, slice, LAYER_DISPLACEMENT, 4);
+    return findLayer(view, slice, SW_LAYER_DISPLACEMENT);
 }
 
 const float* swView_GetDerivatives(const swView* view, int slice)
 {
-    return findLayer(view, slice, LAYER_DERIVATIVES, 4);
+    return findLayer(view, slice, SW_LAYER_DERIVATIVES);
 }
 
 const float* swView_GetFoam(const swView* view, int slice)
 {
-    return findLayer(view, slice, LAYER_FOAM, 1);
+    return findLayer(view, slice, SW_LAYER_FOAM);
 }

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "core/base/misuse.h"
+#include "core/sim/foam.h"
 #include "core/world/world.h"
 
 #define SW_LONGEST_STEP 3600.0

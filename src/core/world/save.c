@@ -51,7 +51,7 @@ static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VI
         world->views[i]->viewpoint = last[i];
     }
     int viewCount = world->viewCount;
-    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->stack.isPlaced)
+    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->layers.stack.isPlaced)
     {
         world->viewCount -= 1;
     }
@@ -152,7 +152,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
 
 // ---- back to a state of this world ----
 
-// All of a state but waves and foam, read before anything is changed.
+// All of a state but waves and layers, read before anything is changed.
 typedef struct Rewind
 {
     Clocks clocks;
@@ -160,7 +160,7 @@ typedef struct Rewind
     swIdPool ids;
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swViewState views[SW_MAX_VIEWS];
-    size_t foam[SW_MAX_VIEWS]; // where it is in the stream
+    size_t layers[SW_MAX_VIEWS]; // where they are in the stream
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -194,8 +194,8 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
             return failRewind(world, "a view had another def then");
         }
         swStreamViewState(stream, def.maxScaleLevel, &rewind->views[i]);
-        rewind->foam[i] = stream->at;
-        swStreamViewFoam(stream, swCountSavedTexels(&def), NULL);
+        rewind->layers[i] = stream->at;
+        swCheckLayers(stream, &world->views[i]->layers);
     }
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
@@ -210,9 +210,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
     for (int i = 0; i < world->viewCount; ++i)
     {
         swView* view = world->views[i];
-        swStream foam = *stream;
-        foam.at = rewind->foam[i];
-        swStreamViewFoam(&foam, swCountSavedTexels(&view->def), view->foam[view->foamIndex]);
+        swStream layers = *stream;
+        layers.at = rewind->layers[i];
+        swStreamLayers(&layers, &view->layers);
         swSetViewState(view, &rewind->views[i]);
         last[i] = rewind->views[i].last;
     }

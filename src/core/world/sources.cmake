@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/digest.c
+    ${CMAKE_CURRENT_LIST_DIR}/layer_makers.c
     ${CMAKE_CURRENT_LIST_DIR}/save.c
     ${CMAKE_CURRENT_LIST_DIR}/step.c
     ${CMAKE_CURRENT_LIST_DIR}/view.c

@@ -23,7 +23,7 @@ void swStepWorldTo(swWorld* world, double time)
 {
     beginFrame(world, time);         // time, tiles, slices snapped to texels
     swTransformWaves(&world->waves); // spectra to tiles
-    swStepLayers(world);             // tiles to slices, then foam
+    swStepViews(world);              // tiles to slices, then foam
     world->waves.isChanged = false;
 }
 

@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "core/waves/waves_save.h"
-
 static void streamPlace(swStream* stream, swPos* place)
 {
     swStreamF64(stream, &place->x);
@@ -21,33 +19,6 @@ void swStreamViewState(swStream* stream, int maxScaleLevel, swViewState* state)
     streamPlace(stream, &state->last);
     swStreamBool(stream, &state->isPlaced);
     swStreamRange(stream, &state->scaleLevel, 0, maxScaleLevel);
-    swFoamClock* foam = &state->foam;
-    swStreamBool(stream, &foam->isRunning);
-    swStreamI64(stream, &foam->remainder);
-    swStreamI64(stream, &foam->clock);
-    swStreamU32(stream, &foam->resetCount);
-    bool isClock = foam->remainder >= 0 && foam->remainder < (int64_t)SW_TICKS_PER_SECOND && foam->clock >= 0 &&
-                   foam->clock <= SW_LARGEST_TICKS;
-    stream->isBroken = stream->isBroken || !isClock;
-}
-
-size_t swCountSavedTexels(const swViewDef* def)
-{
-    return def->enableCpuLayers ? (size_t)def->sliceCount * (size_t)def->resolution * (size_t)def->resolution : 0;
-}
-
-void swStreamViewFoam(swStream* stream, size_t texels, float* foam)
-{
-    for (size_t i = 0; i < texels && !stream->isBroken; ++i)
-    {
-        float value = foam != NULL ? foam[i] : 0.0f;
-        swStreamF32(stream, &value);
-        stream->isBroken = stream->isBroken || !(value >= 0.0f && value <= 1.0f); // NaN as well
-        if (foam != NULL && swIsReading(stream))
-        {
-            foam[i] = value;
-        }
-    }
 }
 
 static swViewState getViewState(const swView* view)
@@ -56,22 +27,21 @@ static swViewState getViewState(const swView* view)
     return (swViewState){
         .viewpoint = view->viewpoint,
         .last = frame != NULL ? frame->viewpoint : view->viewpoint,
-        .isPlaced = view->stack.isPlaced,
-        .scaleLevel = view->stack.scaleLevel,
-        .foam = view->foamState,
+        .isPlaced = view->layers.stack.isPlaced,
+        .scaleLevel = view->layers.stack.scaleLevel,
     };
 }
 
-// Slices are those of the last step, where the next one finds its foam.
+// Slices are those of the last step, where the next one finds the past of layers.
 void swSetViewState(swView* view, const swViewState* state)
 {
+    swStack* stack = &view->layers.stack;
     view->viewpoint = state->viewpoint;
-    view->stack.isPlaced = state->isPlaced;
-    view->stack.scaleLevel = state->scaleLevel;
-    view->foamState = state->foam;
+    stack->isPlaced = state->isPlaced;
+    stack->scaleLevel = state->scaleLevel;
     if (state->isPlaced)
     {
-        swPlaceStack(&view->stack, state->last, view->world->def.seaLevel);
+        swPlaceStack(stack, state->last, view->world->def.seaLevel);
     }
 }
 
@@ -83,10 +53,10 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
     swStreamDef(stream, &swViewFields, &def);
     if (swIsReading(stream))
     {
-        // Before memory for layers is asked for: their foam must be there.
-        bool isFine =
-            !stream->isBroken && swCheckViewDef(&world->host, &def, world->def.enableQueries) == SW_SUCCESS &&
-            (swCountSavedTexels(&def) == 0 || swStreamHasLeft(stream, swCountSavedTexels(&def), sizeof(float)));
+        // Before memory for layers is asked for: what is saved of them must be there.
+        bool isFine = !stream->isBroken && swCheckViewDef(&world->host, &def, world->def.enableQueries) == SW_SUCCESS;
+        const swLayerStack layers = isFine ? swDescribeViewLayers(&def) : (swLayerStack){.hasTexels = false};
+        isFine = isFine && swStreamHasLeft(stream, swCountSavedFloats(&layers), sizeof(float));
         swResult result = isFine ? swAddView(world, &def, &view) : SW_ERROR_FORMAT;
         if (result != SW_SUCCESS)
         {
@@ -94,7 +64,7 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
         }
     }
     swStreamViewState(stream, def.maxScaleLevel, &state);
-    swStreamViewFoam(stream, swCountSavedTexels(&def), view->foam[view->foamIndex]);
+    swStreamLayers(stream, &view->layers);
     if (stream->isBroken)
     {
         return SW_ERROR_FORMAT;

@@ -6,22 +6,16 @@
 #include "core/base/stream.h"
 #include "core/world/world.h"
 
-// What a view has beside its def and its foam.
+// What a view has beside its def and its layers.
 typedef struct swViewState
 {
     swPos viewpoint, last; // of the next step, of the last one
     bool isPlaced;
     int scaleLevel;
-    swFoamClock foam;
 } swViewState;
-
-// Texels of a view's foam that are saved.
-size_t swCountSavedTexels(const swViewDef* def);
 
 void swStreamViewState(swStream* stream, int maxScaleLevel, swViewState* state);
 void swSetViewState(swView* view, const swViewState* state);
-// Into `foam`, or only looked at where that is NULL.
-void swStreamViewFoam(swStream* stream, size_t texels, float* foam);
 
 // All views of a world; those that are read are made. `last`: where each was in the last step.
 swResult swStreamViews(swWorld* world, swStream* stream, swPos last[SW_MAX_VIEWS]);

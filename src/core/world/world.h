@@ -8,10 +8,10 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
-#include "core/lod/stack.h"
-#include "core/sim/foam.h"
+#include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/waves.h"
+#include "core/world/moment.h"
 
 // Farthest that a viewpoint may be from the host's origin, and the host's origin from the sea's, m.
 #define SW_FARTHEST_VIEWPOINT 1e12
@@ -23,12 +23,7 @@ struct swView
     swViewDef def;
     uint32_t version;
     swPos viewpoint; // in the sea: the host's place plus the world's origin
-    swStack stack;
-    swFoamClock foamState;
-    float* displacement; // NULL without CPU layers
-    float* derivatives;
-    float* foam[2];
-    int foamIndex; // of the foam that is current
+    swLayerStack layers;
 };
 
 struct swWorld
@@ -51,6 +46,7 @@ struct swWorld
     swViewFrame viewFrames[SW_MAX_VIEWS];
 
     swFrame frame;
+    swMoment moment; // of the frame
 };
 
 // world.c
@@ -67,9 +63,14 @@ swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQuerie
 // view.c
 swResult swAddView(swWorld* world, const swViewDef* def, swView** view);
 void swRemoveView(swView* view);
+swLayerStack swDescribeViewLayers(const swViewDef* def); // without texels yet
 void swPlaceViews(swWorld* world, int64_t elapsedTicks); // viewpoints to the frame's views
-void swStepLayers(swWorld* world);
-swViewFrame* swFindViewFrame(const swView* view); // NULL before its first step
+void swStepViews(swWorld* world);                        // layers of views
+swViewFrame* swFindViewFrame(const swView* view);        // NULL before its first step
+
+// layer_makers.c
+void swPlanLayers(const swWorld* world, const swLayerStack* layers, swStackFrame* stack);
+void swMakeFrameLayers(const swWorld* world, swLayerStack* layers, swStackFrame* stack);
 
 // step.c
 void swStepWorld(swWorld* world, double dt);

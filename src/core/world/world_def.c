@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/field.h"
+#include "core/sim/foam.h"
 #include "core/world/world.h"
 
 static const char* const isaWords[] = {"best", "scalar", "sse2", "avx2", "neon", NULL};
