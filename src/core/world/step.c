@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/world/world.h"
+#include "core/world/zone.h"
 
 // Time, systems and the list of tiles, then the views, which need to know what waves there are.
 static void beginFrame(swWorld* world, double time)
@@ -16,13 +16,16 @@ static void beginFrame(swWorld* world, double time)
     world->frame.dt = dt;
     swAdvanceWaves(&world->waves, &world->frame);
     swFindFoamLaw(&world->whitecaps, &world->frame);
-    swPlaceViews(world, swGetTicksBetween(before, world->frame.ticks));
+    int64_t elapsed = swGetTicksBetween(before, world->frame.ticks);
+    swPlaceZones(world, elapsed);
+    swPlaceViews(world, elapsed);
 }
 
 void swStepWorldTo(swWorld* world, double time)
 {
     beginFrame(world, time);         // time, tiles, slices snapped to texels
     swTransformWaves(&world->waves); // spectra to tiles
+    swStepZones(world);              // simulated fields
     swStepViews(world);              // tiles to slices, then foam
     world->waves.isChanged = false;
 }
