@@ -9,8 +9,8 @@
 swResult swCheckZoneDef(const swHost* host, const swZoneDef* def)
 {
     int exponent;
-    bool isTexel = def->finestTexel >= 1.0f / 64.0f && def->finestTexel <= 16.0f &&
-                   frexpf(def->finestTexel, &exponent) == 0.5f;
+    bool isTexel =
+        def->finestTexel >= 1.0f / 64.0f && def->finestTexel <= 16.0f && frexpf(def->finestTexel, &exponent) == 0.5f;
     bool isSide = def->resolution >= 16 && def->resolution <= 1024 && def->resolution % 16 == 0;
     if (!isTexel || !isSide || def->levelCount < 1 || def->levelCount > SW_MAX_SLICES)
     {

@@ -39,7 +39,7 @@ void swHashZones(swHash* hash, const swWorld* world);
 
 // zone_save.c: all zones; those that are read are made. A world without zones writes nothing.
 swResult swStreamZones(swWorld* world, swStream* stream);
-// The same into the zones that the world has: first look whether they fit, then read. SW_ERROR_UNSUPPORTED: it had other
-// zones then.
+// The same into the zones that the world has: first look whether they fit, then read. SW_ERROR_UNSUPPORTED: it had
+// other zones then.
 swResult swCheckZones(const swWorld* world, swStream* stream);
 void swReadZones(swWorld* world, swStream* stream);

@@ -5,8 +5,8 @@
 #define SW_SHARED_INK_H
 #include "shared/types.h"
 
-#define SW_INK_SPREAD 0.2f   // toward the neighbours' mean, a step
-#define SW_INK_KEPT 0.98f    // a step
+#define SW_INK_SPREAD 0.2f  // toward the neighbours' mean, a step
+#define SW_INK_KEPT 0.98f   // a step
 #define SW_INK_POUR_STEPS 8 // steps from one drop to the next
 
 SW_FORMULA float swInkStep(float here, float left, float right, float below, float above)

@@ -36,9 +36,9 @@ static void stepRows(void* context, int begin, int end, int worker)
         for (int column = 0; column < job->resolution; ++column)
         {
             bool isOrigin = job->slice->firstX + column == 0 && job->slice->firstZ + row == 0;
-            float ink = swInkStep(readInk(job, column, row), readInk(job, column - 1, row),
-                                  readInk(job, column + 1, row), readInk(job, column, row - 1),
-                                  readInk(job, column, row + 1));
+            float ink =
+                swInkStep(readInk(job, column, row), readInk(job, column - 1, row), readInk(job, column + 1, row),
+                          readInk(job, column, row - 1), readInk(job, column, row + 1));
             job->next[(size_t)row * (size_t)job->resolution + (size_t)column] = job->isPoured && isOrigin ? 1.0f : ink;
         }
     }
