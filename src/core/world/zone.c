@@ -110,27 +110,35 @@ swZoneFrame* swFindZoneFrame(const swZone* zone)
     return NULL;
 }
 
-void swPlaceZones(swWorld* world, int64_t elapsedTicks)
+// A zone at a place in the sea, and its frame. Of no elapsed time nothing is advanced.
+static void stepZone(swWorld* world, swZone* zone, swPosXZ place, int64_t elapsedTicks, swZoneFrame* frame)
+{
+    double level = world->def.seaLevel;
+    zone->last = place;
+    swPlaceLayers(&zone->layers, (swPos){place.x, level, place.z}, level, elapsedTicks, &frame->stack);
+    frame->zoneVersion = zone->version;
+    frame->centre = place;
+    swPlanLayers(world, &zone->layers, &frame->stack);
+    swMakeFrameLayers(world, &zone->layers, &frame->stack);
+}
+
+void swStepZones(swWorld* world, int64_t elapsedTicks)
 {
     for (int i = 0; i < world->zoneCount; ++i)
     {
-        swZone* zone = world->zones[i];
-        swZoneFrame* frame = &world->zoneFrames[i];
-        swPos place = {zone->centre.x, world->def.seaLevel, zone->centre.z};
-        zone->last = zone->centre;
-        frame->zoneVersion = zone->version;
-        frame->centre = zone->centre;
-        swPlaceLayers(&zone->layers, place, world->def.seaLevel, elapsedTicks, &frame->stack);
-        swPlanLayers(world, &zone->layers, &frame->stack);
+        stepZone(world, world->zones[i], world->zones[i]->centre, elapsedTicks, &world->zoneFrames[i]);
     }
     world->frame.zoneCount = world->zoneCount;
 }
 
-void swStepZones(swWorld* world)
+// Zones that were made since the last step come last: their first step is still to come.
+void swDeriveZones(swWorld* world)
 {
-    for (int i = 0; i < world->zoneCount; ++i)
+    world->frame.zoneCount = 0;
+    for (int i = 0; i < world->zoneCount && world->zones[i]->layers.stack.isPlaced; ++i)
     {
-        swMakeFrameLayers(world, &world->zones[i]->layers, &world->zoneFrames[i].stack);
+        stepZone(world, world->zones[i], world->zones[i]->last, 0, &world->zoneFrames[i]);
+        world->frame.zoneCount = i + 1;
     }
 }
 

@@ -33,8 +33,8 @@ void swRemoveZone(swZone* zone);
 void swPlaceZone(swZone* zone, swPosXZ centre);
 swZoneFrame* swFindZoneFrame(const swZone* zone); // NULL before its first step
 
-void swPlaceZones(swWorld* world, int64_t elapsedTicks); // centres to the frame's zones
-void swStepZones(swWorld* world);                        // simulated fields
+void swStepZones(swWorld* world, int64_t elapsedTicks); // to their centres, and simulated fields by that time
+void swDeriveZones(swWorld* world);                     // the frame of the last step, of what a saved world holds
 void swHashZones(swHash* hash, const swWorld* world);
 
 // zone_save.c: all zones; those that are read are made. A world without zones writes nothing.
