@@ -4,7 +4,7 @@
 // One picture's numbers for the shaders, and what the stages of drawing share.
 
 #include "gpu/draw/mesh_rings.h"
-#include "gpu/pass/gpu_world.h"
+#include "gpu/pass/passes.h"
 #include "seaway/draw.h"
 #include "shared/picture.h"
 

@@ -243,7 +243,8 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->time = (float)fmod(shot->time, 4096.0);
     picture->exposureEv = shot->exposureEv;
     picture->debug = shot->debug;
-    swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, gpuWorld->detail.width, &picture->frame);
+    swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, swGetDetailImage(gpuWorld)->width,
+                   &picture->frame);
     swResult result = swUploadPicture(gpu, &picture->frame);
     result = result == SW_SUCCESS ? swPrepareSurface(gpu, &picture->surface, &picture->frame) : result;
     result = result == SW_SUCCESS ? swPrepareFoamTexture(gpu, &picture->renderer->foam) : result;

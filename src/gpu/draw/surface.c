@@ -131,7 +131,7 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .light = swBindBuffer(&from->sky->light),
         .derivatives = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
         .foamLayer = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FOAM), SW_SAMPLER_LINEAR_CLAMP),
-        .detail = swBindImage(gpu, &from->gpuWorld->detail, SW_SAMPLER_LINEAR_REPEAT),
+        .detail = swBindImage(gpu, swGetDetailImage(from->gpuWorld), SW_SAMPLER_LINEAR_REPEAT),
         .skyMap = swBindImage(gpu, &from->sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         .air = swBindImage(gpu, &from->sky->air, SW_SAMPLER_LINEAR_CLAMP),
         .foamTexture = swBindImage(gpu, &from->foam->image, SW_SAMPLER_LINEAR_REPEAT),
