@@ -288,9 +288,9 @@ FREES = set()
 def main():
     folder, output = sys.argv[1:3]
     is_gpu, is_scene = "--gpu" in sys.argv, "--scene" in sys.argv
-    names = HEADERS + (["gpu", "draw", "stage"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
+    names = HEADERS + (["gpu", "layers", "draw", "stage"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
     known = {name[:-2] for name in os.listdir(folder) if name.endswith(".h")} - {"seaway"}
-    for name in known - set(HEADERS + ["gpu", "draw", "stage", "files", "scene"]):
+    for name in known - set(HEADERS + ["gpu", "layers", "draw", "stage", "files", "scene"]):
         sys.exit(f"make_misuse_test.py: {name}.h is in no list of headers here")
     Writer(*parse(folder, names)).write(output, is_gpu, is_scene)
 
