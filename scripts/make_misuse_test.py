@@ -46,6 +46,7 @@ ALLOWED = {
     ("swMeasuredSea_Bracket", "location", "-1"): "false says that there is none",
     ("swMeasuredSea_Bracket", "seconds", "*"): "false says that there is none; infinity is before or after all",
     ("swGpuWorld_ReadLayer", "gpuWorld", "NULL"): "it is the device's world that knows whom to tell",
+    ("swGpuWorld_GetLayers", "gpuWorld", "NULL"): "likewise",
     ("swGpu_GetPassTimes", "times", "NULL"): "there is room for none",
     ("swStage_DrawPicture", "stage", "NULL"): "it is the stage that knows whom to tell",
     ("swStage_BeginDrawing", "depth", "NULL"): "drawing without depth",
