@@ -97,15 +97,13 @@ void swWorld_QuerySurface(const swWorld* world, const swQueryDef* def, int count
 double swWorld_GetHeight(const swWorld* world, double x, double z)
 {
     swQueryDef def = swDefaultQueryDef();
-    swPosXZ point = {x, z};
-    swVec3 displacement = SW_NO_VECTOR;
-    swSurfaceSamples samples = {.displacement = &displacement};
     if (!checkDef(world, "swWorld_GetHeight", &def))
     {
         return (double)NAN;
     }
-    swWorld_QuerySurface(world, &def, 1, &point, &samples, NULL);
-    return world->def.seaLevel + (double)displacement.y;
+    swQuery query;
+    beginQuery(world, &def, &query);
+    return swFindHeight(&query, x, z);
 }
 
 void swWorld_QueryParticles(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
