@@ -5,4 +5,7 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/scene_octaves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_read.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_world.c
-    ${CMAKE_CURRENT_LIST_DIR}/yaml_read.c)
+    ${CMAKE_CURRENT_LIST_DIR}/yaml_edit.c
+    ${CMAKE_CURRENT_LIST_DIR}/yaml_merge.c
+    ${CMAKE_CURRENT_LIST_DIR}/yaml_read.c
+    ${CMAKE_CURRENT_LIST_DIR}/yaml_tree.c)

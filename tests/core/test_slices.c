@@ -57,7 +57,7 @@ static void CheckSlice(const swWorld* world, const swView* view, int slice)
         float jacobians[RESOLUTION];
         MakeRow(&info, row, points);
         swSurfaceSamples samples = {.displacement = moved, .normal = normals, .jacobian = jacobians};
-        swWorld_QueryParticles(world, &def, RESOLUTION, points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, RESOLUTION, points, &samples, NULL, NULL);
         for (int i = 0; i < RESOLUTION; ++i)
         {
             const float* d = displacement + 4 * (row * RESOLUTION + i);
@@ -161,7 +161,7 @@ static void LayersExistOnlyWhereAskedFor(void** state)
     assert_null(swView_GetDerivatives(view, 0));
     assert_null(swView_GetFoam(view, 6));
     assert_int_equal(swView_GetSliceCount(view), 7);
-    assert_null(swGetWorldFrame(calm.world)->views[0].displacement);
+    assert_null(swGetWorldFrame(calm.world)->views[0].stack.layers[SW_LAYER_DISPLACEMENT].texels);
     DestroyScenario(&calm);
 }
 

@@ -70,14 +70,14 @@ static void FetchAnswers(Parity* parity, const swGpuQuery* query, int count)
 static void AskCore(Parity* parity, const swQueryDef* def, int count)
 {
     swSurfaceSamples samples = SamplesOf(&cpuAnswers);
-    swWorld_QuerySurface(parity->world, def, count, points, &samples, &cpuAnswers.stats);
+    swMoment_QuerySurface(swWorld_GetMoment(parity->world), def, count, points, &samples, &cpuAnswers.stats);
     for (int i = 0; i < count; ++i)
     {
         rests[i].x = points[i].x - (double)gpuAnswers.displacement[i].x;
         rests[i].z = points[i].z - (double)gpuAnswers.displacement[i].z;
     }
     samples = SamplesOf(&particles);
-    swWorld_QueryParticles(parity->world, def, count, rests, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(parity->world), def, count, rests, &samples, NULL, NULL);
 }
 
 static double Length(swVec3 a, swVec3 b)
@@ -290,7 +290,7 @@ static void CheckMotion(Parity* parity, const swGpuQuery* query, const char* wha
         rests[i].z = points[i].z - (double)gpuAnswers.displacement[i].z;
     }
     samples = MotionOf(&particles, outputs);
-    swWorld_QueryParticles(parity->world, &def, count, rests, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(parity->world), &def, count, rests, &samples, NULL, NULL);
     double velocity = samples.velocity != NULL ? FindWorst(count, gpuAnswers.velocity, particles.velocity) : 0.0;
     double acceleration =
         samples.acceleration != NULL ? FindWorst(count, gpuAnswers.acceleration, particles.acceleration) : 0.0;
@@ -389,11 +389,11 @@ static void MotionIsMadeOnlyWhereAskedFor(void** state)
     swGpuQuery* still = AskMotion(&parity, 500, 0, (swPosXZ){0.0, 0.0});
     StepParity(&parity, 0.7);
     size_t memory = swGpuWorld_GetMemory(parity.gpuWorld);
-    assert_int_equal(parity.gpuWorld->fields.count, 1);
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 1);
     swGpuQuery* resting = AskMotion(&parity, 500, SW_GPU_QUERY_VELOCITY, (swPosXZ){0.0, 0.0});
     swGpuQuery_SetPoints(resting, 0, NULL);
     StepParity(&parity, 0.7);
-    assert_int_equal(parity.gpuWorld->fields.count, 1);
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 1);
     swDestroyGpuQuery(resting);
     assert_true(swGpuWorld_GetMemory(parity.gpuWorld) == memory);
 
@@ -402,7 +402,7 @@ static void MotionIsMadeOnlyWhereAskedFor(void** state)
     {
         swGpuQuery* query = AskMotion(&parity, 500, outputs[i], (swPosXZ){0.0, 0.0});
         StepParity(&parity, 0.7);
-        assert_int_equal(parity.gpuWorld->fields.count, 2);
+        assert_int_equal(parity.gpuWorld->tiles.fields.count, 2);
         CheckMotion(&parity, query, i == 0 ? "velocity alone" : "acceleration alone", 500);
         CheckMotion(&parity, still, "a query without, beside it", 500);
         swDestroyGpuQuery(query);
@@ -411,7 +411,7 @@ static void MotionIsMadeOnlyWhereAskedFor(void** state)
     swGpuQuery* first = AskMotion(&parity, 500, outputs[0], (swPosXZ){0.0, 0.0});
     swGpuQuery* second = AskMotion(&parity, 500, outputs[1], (swPosXZ){0.0, 0.0});
     StepParity(&parity, 0.7);
-    assert_int_equal(parity.gpuWorld->fields.count, 3);
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 3);
     CheckMotion(&parity, first, "velocity by one query", 500);
     CheckMotion(&parity, second, "acceleration by another", 500);
     FreeParity(&parity);
@@ -621,7 +621,8 @@ static void AMillionPointsAreAnsweredToTheLast(void** state)
     assert_true(swGpuQuery_GetResults(query, &results));
     for (int i = 0; i < COUNT; i += i < COUNT - 100 ? 997 : 1)
     {
-        assert_float_equal(results.heights[i].height, swWorld_GetHeight(parity.world, many[i].x, many[i].z), 2e-3);
+        assert_float_equal(results.heights[i].height,
+                           swMoment_GetHeight(swWorld_GetMoment(parity.world), many[i].x, many[i].z), 2e-3);
     }
     free(many);
     FreeParity(&parity);

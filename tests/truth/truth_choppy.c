@@ -65,7 +65,8 @@ static void MeasureSurface(void* context, int seed)
         swQueryStats stats;
         swWorld_SetTime(world, 61.0 * time);
         swWorld_Step(world, 0.0);
-        swWorld_QuerySurface(world, &query, 3 * POINT_COUNT, points, &(swSurfaceSamples){.height = heights}, &stats);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, 3 * POINT_COUNT, points,
+                              &(swSurfaceSamples){.height = heights}, &stats);
         choppy->unconverged[seed] += 3 * POINT_COUNT - stats.convergedCount;
         for (int i = 0; i < 3 * POINT_COUNT; i += 3)
         {
@@ -123,8 +124,8 @@ static void MeasureShapes(const swWaveSystemDef* def, Shape* heights, Shape* cur
 // Integrals of k S, m, and of S, m^2, over the waves that the def makes.
 static double IntegrateSteepness(const swWaveSystemDef* def, double* variance)
 {
-    double low = FindFrequency((double)def->maxWavelength, (double)INFINITY, 9.81);
-    double high = FindFrequency((double)def->minWavelength, (double)INFINITY, 9.81), sum = 0.0;
+    double low = swGetWaveFrequency((double)def->maxWavelength, (double)INFINITY, 9.81);
+    double high = swGetWaveFrequency((double)def->minWavelength, (double)INFINITY, 9.81), sum = 0.0;
     const int count = 20000;
     for (int i = 0; i < count; ++i)
     {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The sum of waves that their places shape. With a wave's displacement D, its weight w and the way s by which it has
-// been carried, a particle that rests at x is displaced by w(x) D(x + s(x)); gradients follow by product and chain rule:
+// been carried, a particle that rests at x is displaced by w(x) D(x + s(x)); gradients follow by product and chain
+// rule:
 //   d/dx = w (dD/dx (1 + ds_x/dx) + dD/dz ds_z/dx) + dw/dx D,  and so along z.
-// Tiles are added one at a time, each with its shape, and free waves too. How a point's place changes with time makes no
-// part of velocity and acceleration.
+// Tiles are added one at a time, each with its shape, and free waves too. How a point's place changes with time makes
+// no part of velocity and acceleration.
 
 #include "core/surface/evaluate_shaped.h"
 
@@ -70,11 +71,8 @@ static void addTiles(const swQuery* query, const swWaveSumJob* asked, int field,
         }
         else
         {
-            swWaveSumJob job = {.tileCount = 1,
-                                .tiles = tile,
-                                .ticks = query->ticks,
-                                .count = block->count,
-                                .points = shape.source};
+            swWaveSumJob job = {
+                .tileCount = 1, .tiles = tile, .ticks = query->ticks, .count = block->count, .points = shape.source};
             sumPart(query, &job, field, withSlopes, own);
         }
         for (int i = 0; i < block->count; ++i)

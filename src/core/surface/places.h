@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What the water is like at a place, before any wave is added up: functions of position and time that shape the waves or
-// lie under them. Whoever makes a query sets those that there are. With none, each wave is the same everywhere.
+// What the water is like at a place, before any wave is added up: functions of position and time that shape the waves
+// or lie under them. Whoever makes a query sets those that there are. With none, each wave is the same everywhere.
 //
-// Fields that shape waves (depth, weight, warp) are read where particles rest. A field that describes a place (level) is
-// read where particles are. Gradients are exact derivatives of the values, per metre along x and z: they end up in
+// Fields that shape waves (depth, weight, warp) are read where particles rest. A field that describes a place (level)
+// is read where particles are. Gradients are exact derivatives of the values, per metre along x and z: they end up in
 // normals and in J.
 
 #include "core/waves/waves_fft.h"
 
-// Values at points in the sea, and their gradients. `system` is that of the waves in question, of `level` and `depth` -1.
+// Values at points in the sea, and their gradients. `system` is that of the waves in question, of `level` and `depth`
+// -1.
 typedef void swFindField(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
                          float* values, float (*gradients)[2]);
 
-// How far the waves at points have been carried there: a wave at x is the one that would be at x + way without. Gradients
-// are those of the way's x along x and z, then of its z.
+// How far the waves at points have been carried there: a wave at x is the one that would be at x + way without.
+// Gradients are those of the way's x along x and z, then of its z.
 typedef void swFindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
                         float (*ways)[2], float (*gradients)[4]);
 

@@ -77,17 +77,23 @@ static void sampleRows(void* context, int begin, int end, int worker)
     }
 }
 
-void swSampleSlices(const swHost* host, const swWaveKernels* kernels, const swFrame* frame, const swViewFrame* view,
-                    float* displacement, float* derivatives)
+void swPlanSlices(const swLayerPlan* plan)
 {
-    size_t sliceSize = (size_t)view->resolution * (size_t)view->resolution * 4;
-    for (int i = 0; i < view->sliceCount; ++i)
+    (void)plan;
+}
+
+void swStepSlices(const swLayerStep* step)
+{
+    const swFrame* frame = step->frame;
+    const swStackFrame* stack = step->stack;
+    size_t sliceSize = (size_t)stack->resolution * (size_t)stack->resolution * 4;
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
         swSliceJob job;
-        beginJob(&job, kernels, frame, &view->slices[i]);
-        job.resolution = view->resolution;
-        job.displacement = displacement + (size_t)i * sliceSize;
-        job.derivatives = derivatives + (size_t)i * sliceSize;
-        swParallelFor(host, sampleRows, &job, view->resolution, 4);
+        beginJob(&job, step->kernels, frame, &stack->slices[i]);
+        job.resolution = stack->resolution;
+        job.displacement = step->next[SW_LAYER_DISPLACEMENT] + (size_t)i * sliceSize;
+        job.derivatives = step->next[SW_LAYER_DERIVATIVES] + (size_t)i * sliceSize;
+        swParallelFor(step->host, sampleRows, &job, stack->resolution, 4);
     }
 }

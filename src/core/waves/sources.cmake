@@ -1,6 +1,16 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
-    ${CMAKE_CURRENT_LIST_DIR}/wind_level.c)
+    ${CMAKE_CURRENT_LIST_DIR}/ramp.c
+    ${CMAKE_CURRENT_LIST_DIR}/replay.c
+    ${CMAKE_CURRENT_LIST_DIR}/tile_list.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_hash.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_set.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_system.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves_save.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_level.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_of_waves.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE

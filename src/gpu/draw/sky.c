@@ -4,79 +4,63 @@
 #include <math.h>
 #include <string.h>
 
-static const uint32_t transmittanceCode[] =
-#include "sky_transmittance.comp.inc"
-    ;
-static const uint32_t multipleCode[] =
-#include "sky_multiple.comp.inc"
-    ;
-static const uint32_t viewCode[] =
-#include "sky_view.comp.inc"
-    ;
-static const uint32_t airCode[] =
-#include "sky_air.comp.inc"
-    ;
-static const uint32_t lightCode[] =
-#include "sky_light.comp.inc"
-    ;
-static const uint32_t mapCode[] =
-#include "sky_map.comp.inc"
-    ;
-static const uint32_t halveCode[] =
-#include "halve.comp.inc"
-    ;
-static const uint32_t fullscreenCode[] =
-#include "fullscreen.vert.inc"
-    ;
-static const uint32_t skyCode[] =
-#include "sky.frag.inc"
-    ;
+#include "halve_shader.h"
+#include "sky_air_shader.h"
+#include "sky_light_shader.h"
+#include "sky_map_shader.h"
+#include "sky_multiple_shader.h"
+#include "sky_shader.h"
+#include "sky_transmittance_shader.h"
+#include "sky_view_shader.h"
 
-#define SW_STORAGE VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-#define SW_SAMPLED VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-#define SW_WRITTEN VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
-
-static swResult createSkyPipelines(swGpu* gpu, const swRendererDef* def, swSky* sky)
+swResult swCreateSkyPipelines(swGpu* gpu, swSkyPipelines* pipelines)
 {
     const struct
     {
+        const swShader* shader;
         swPipeline* pipeline;
-        swComputeDef def;
     } computes[] = {
-        {&sky->transmittancePipeline,
-         {SW_SHADER(transmittanceCode), 2, {SW_STORAGE, SW_WRITTEN}, .name = "sky transmittance"}},
-        {&sky->multiplePipeline,
-         {SW_SHADER(multipleCode), 3, {SW_STORAGE, SW_SAMPLED, SW_WRITTEN}, .name = "sky multiple scattering"}},
-        {&sky->viewPipeline,
-         {SW_SHADER(viewCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_WRITTEN}, .name = "sky view"}},
-        {&sky->airPipeline,
-         {SW_SHADER(airCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_WRITTEN}, .name = "sky air"}},
-        {&sky->lightPipeline,
-         {SW_SHADER(lightCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_STORAGE}, .name = "sky light"}},
-        {&sky->mapPipeline,
-         {SW_SHADER(mapCode), 4, {SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_WRITTEN}, .name = "sky map"}},
-        {&sky->halvePipeline, {SW_SHADER(halveCode), 2, {SW_WRITTEN, SW_WRITTEN}, .name = "halve"}},
+        {&swSkyTransmittanceShader, &pipelines->transmittance},
+        {&swSkyMultipleShader, &pipelines->multiple},
+        {&swSkyViewShader, &pipelines->view},
+        {&swSkyAirShader, &pipelines->air},
+        {&swSkyLightShader, &pipelines->light},
+        {&swSkyMapShader, &pipelines->map},
+        {&swHalveShader, &pipelines->halve},
     };
     for (size_t i = 0; i < sizeof(computes) / sizeof(computes[0]); ++i)
     {
-        swResult result = swCreateComputePipeline(gpu, &computes[i].def, computes[i].pipeline);
+        swResult result = swCreateComputePipeline(gpu, computes[i].shader, NULL, computes[i].pipeline);
         if (result != SW_SUCCESS)
         {
             return result;
         }
     }
+    return SW_SUCCESS;
+}
+
+void swDestroySkyPipelines(swGpu* gpu, swSkyPipelines* pipelines)
+{
+    swPipeline* all[] = {&pipelines->transmittance, &pipelines->multiple, &pipelines->view, &pipelines->air,
+                         &pipelines->light,         &pipelines->map,      &pipelines->halve};
+    for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); ++i)
+    {
+        swDestroyPipeline(gpu, all[i]);
+    }
+}
+
+swResult swCreateSkyPipeline(swGpu* gpu, const swPictureDef* formats, swPipeline* pipeline)
+{
     const swGraphicsDef draw = {
-        .vertex = SW_SHADER(fullscreenCode),
-        .fragment = SW_SHADER(skyCode),
-        .bindingCount = 4,
-        .types = {SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED},
-        .colorFormat = def->colorFormat,
-        .depthFormat = def->depthFormat,
+        .vertex = &swSkyVertex,
+        .fragment = &swSkyFragment,
+        .colorFormat = formats->colorFormat,
+        .depthFormat = formats->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
         .depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL,
         .name = "sky",
     };
-    return swCreateGraphicsPipeline(gpu, &draw, &sky->drawPipeline);
+    return swCreateGraphicsPipeline(gpu, &draw, pipeline);
 }
 
 static swResult createTable(swGpu* gpu, uint32_t width, uint32_t height, uint32_t layers, uint32_t mips,
@@ -96,7 +80,7 @@ static swResult createTable(swGpu* gpu, uint32_t width, uint32_t height, uint32_
     return swCreateImage(gpu, &def, image);
 }
 
-static swResult createTables(swGpu* gpu, swSky* sky)
+swResult swCreateSky(swGpu* gpu, swSky* sky)
 {
     swResult result = createTable(gpu, SW_SKY_TRANSMITTANCE_WIDTH, SW_SKY_TRANSMITTANCE_HEIGHT, 1, 1,
                                   "sky transmittance", &sky->transmittance);
@@ -125,27 +109,14 @@ static swResult createTables(swGpu* gpu, swSky* sky)
     return result;
 }
 
-swResult swCreateSky(swGpu* gpu, const swRendererDef* def, swSky* sky)
+void swRetireSky(swGpu* gpu, swSky* sky)
 {
-    swResult result = createSkyPipelines(gpu, def, sky);
-    return result == SW_SUCCESS ? createTables(gpu, sky) : result;
-}
-
-void swDestroySky(swGpu* gpu, swSky* sky)
-{
-    swPipeline* pipelines[] = {&sky->transmittancePipeline, &sky->multiplePipeline, &sky->viewPipeline,
-                               &sky->airPipeline,           &sky->lightPipeline,    &sky->mapPipeline,
-                               &sky->halvePipeline,         &sky->drawPipeline};
-    for (size_t i = 0; i < sizeof(pipelines) / sizeof(pipelines[0]); ++i)
-    {
-        swDestroyPipeline(gpu, pipelines[i]);
-    }
     swImage* images[] = {&sky->transmittance, &sky->multiple, &sky->view, &sky->air, &sky->map};
     for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
     {
-        swDestroyImage(gpu, images[i]);
+        swRetireImage(gpu, images[i]);
     }
-    swDestroyBuffer(gpu, &sky->light);
+    swRetireBuffer(gpu, &sky->light);
 }
 
 static bool differs(float a, float b, float limit)
@@ -175,59 +146,86 @@ void swRecordMips(swGpu* gpu, VkCommandBuffer commands, const swPipeline* halve,
 {
     for (uint32_t mip = 1; mip < image->mips; ++mip)
     {
-        const swBinding bindings[] = {
-            swBindView(gpu, image->mipViews[mip - 1], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
-            swBindView(gpu, image->mipViews[mip], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+        const swHalveBindings bindings = {
+            .source = swBindView(gpu, image->mipViews[mip - 1], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+            .target = swBindView(gpu, image->mipViews[mip], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
         };
         swComputeBarrier(gpu, commands);
-        swBindPipeline(gpu, commands, halve, bindings, NULL);
+        swBindHalve(gpu, commands, halve, &bindings);
         uint32_t width = image->width >> mip;
         uint32_t height = image->height >> mip;
         gpu->vk.CmdDispatch(commands, (width + 7) / 8, (height + 7) / 8, 1);
     }
 }
 
-static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                            swBinding params)
 {
-    const swBinding first[] = {params, swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP)};
-    swBindPipeline(gpu, commands, &sky->transmittancePipeline, first, NULL);
+    swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
+    const swSkyTransmittanceBindings first = {.picture = params, .target = transmittance};
+    swBindSkyTransmittance(gpu, commands, &pipelines->transmittance, &first);
     gpu->vk.CmdDispatch(commands, SW_SKY_TRANSMITTANCE_WIDTH / 8, SW_SKY_TRANSMITTANCE_HEIGHT / 8, 1);
     swComputeBarrier(gpu, commands);
-    const swBinding second[] = {params, swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
-                                swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP)};
-    swBindPipeline(gpu, commands, &sky->multiplePipeline, second, NULL);
+    const swSkyMultipleBindings second = {
+        .picture = params,
+        .transmittance = transmittance,
+        .target = swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP),
+    };
+    swBindSkyMultiple(gpu, commands, &pipelines->multiple, &second);
     gpu->vk.CmdDispatch(commands, SW_SKY_MULTIPLE_SIDE / 8, SW_SKY_MULTIPLE_SIDE / 8, 1);
     swComputeBarrier(gpu, commands);
 }
 
-static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                              swBinding params)
 {
     swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
+    swBinding multiple = swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP);
     swBinding view = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X);
-    swBinding bindings[4] = {params, transmittance, swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP), view};
-    swBindPipeline(gpu, commands, &sky->viewPipeline, bindings, NULL);
+    const swSkyViewBindings seen = {
+        .picture = params,
+        .transmittance = transmittance,
+        .multiple = multiple,
+        .target = view,
+    };
+    swBindSkyView(gpu, commands, &pipelines->view, &seen);
     gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 2);
-    bindings[3] = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP);
-    swBindPipeline(gpu, commands, &sky->airPipeline, bindings, NULL);
+    const swSkyAirBindings air = {
+        .picture = params,
+        .transmittance = transmittance,
+        .multiple = multiple,
+        .target = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
+    };
+    swBindSkyAir(gpu, commands, &pipelines->air, &air);
     gpu->vk.CmdDispatch(commands, SW_SKY_AIR_SIDE / 8, SW_SKY_AIR_SIDE / 8, 1);
     swComputeBarrier(gpu, commands);
-    const swBinding light[] = {params, transmittance, view, swBindBuffer(&sky->light)};
-    swBindPipeline(gpu, commands, &sky->lightPipeline, light, NULL);
+    const swSkyLightBindings light = {
+        .picture = params,
+        .transmittance = transmittance,
+        .skyView = view,
+        .light = swBindBuffer(&sky->light),
+    };
+    swBindSkyLight(gpu, commands, &pipelines->light, &light);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swComputeBarrier(gpu, commands);
 }
 
-static void recordMap(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+static void recordMap(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                      swBinding params)
 {
-    const swBinding bindings[] = {
-        params, swBindBuffer(&sky->light), swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
-        swBindView(gpu, sky->map.mipViews[0], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP)};
-    swBindPipeline(gpu, commands, &sky->mapPipeline, bindings, NULL);
+    const swSkyMapBindings bindings = {
+        .picture = params,
+        .light = swBindBuffer(&sky->light),
+        .skyView = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
+        .target = swBindView(gpu, sky->map.mipViews[0], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+    };
+    swBindSkyMap(gpu, commands, &pipelines->map, &bindings);
     gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 1);
-    swRecordMips(gpu, commands, &sky->halvePipeline, &sky->map);
+    swRecordMips(gpu, commands, &pipelines->halve, &sky->map);
 }
 
-void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const swPictureFrame* picture)
+void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                       const swPictureFrame* picture)
 {
     swSkyState now = getState(&picture->params);
     const swSkyState* old = &sky->state;
@@ -256,15 +254,15 @@ void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const s
               VK_ACCESS_2_SHADER_WRITE_BIT);
     if (airChanged)
     {
-        recordAirTables(gpu, commands, sky, params);
+        recordAirTables(gpu, commands, pipelines, sky, params);
         sky->state.haze = now.haze;
     }
     if (lightChanged)
     {
-        recordLightTables(gpu, commands, sky, params);
+        recordLightTables(gpu, commands, pipelines, sky, params);
         sky->state = now;
     }
-    recordMap(gpu, commands, sky, params);
+    recordMap(gpu, commands, pipelines, sky, params);
     sky->state.clouds = now.clouds;
     sky->state.cloudX = now.cloudX;
     sky->state.cloudZ = now.cloudZ;
@@ -284,16 +282,17 @@ void swForgetSky(swSky* sky)
     sky->isValid = false;
 }
 
-void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture)
+void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSky* sky,
+               const swPictureFrame* picture)
 {
-    const swBinding bindings[] = {
-        swBindUpload(&picture->paramsUpload),
-        swBindBuffer(&sky->light),
-        swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
-        swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
+    const swSkyBindings bindings = {
+        .picture = swBindUpload(&picture->paramsUpload),
+        .light = swBindBuffer(&sky->light),
+        .skyView = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
+        .transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
     };
     swBeginPass(gpu, commands, "sky");
-    swBindPipeline(gpu, commands, &sky->drawPipeline, bindings, NULL);
+    swBindSky(gpu, commands, pipeline, &bindings);
     gpu->vk.CmdDraw(commands, 3, 1, 0, 0);
     swEndPass(gpu, commands);
 }

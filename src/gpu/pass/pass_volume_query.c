@@ -2,29 +2,13 @@
 // One dispatch a query of the water below, after its surface was searched; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
+#include "gpu/pass/query_passes.h"
+#include "volume_query_shader.h"
 
-static const uint32_t volumeQueryCode[] =
-#include "volume_query.comp.inc"
-    ;
-
-swResult swCreateVolumeQuery(swGpu* gpu, swPasses* passes)
+typedef struct State
 {
-    if (passes->volumeQuery.handle != VK_NULL_HANDLE)
-    {
-        return SW_SUCCESS;
-    }
-    swComputeDef def = {
-        .shader = SW_SHADER(volumeQueryCode),
-        .bindingCount = 9,
-        .pushSize = sizeof(swVolumeParams),
-        .name = "volume_query",
-    };
-    for (uint32_t i = 0; i < def.bindingCount; ++i)
-    {
-        def.types[i] = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    }
-    return swCreateComputePipeline(gpu, &def, &passes->volumeQuery);
-}
+    swPipeline pipeline;
+} State;
 
 static swBinding bindLevels(const swGpuQuery* query)
 {
@@ -36,38 +20,63 @@ static swBinding bindLevels(const swGpuQuery* query)
     };
 }
 
-static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
+static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
+{
+    (void)frame;
+    (void)state;
+    *isNeeded = swHasQuery(gpuWorld, SW_GPU_QUERY_KIND_VOLUME);
+    return SW_SUCCESS;
+}
+
+static swResult create(swGpuWorld* gpuWorld, void* state)
+{
+    return swCreateOnce(gpuWorld->gpu, &swVolumeQueryShader, &((State*)state)->pipeline);
+}
+
+static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, const State* state,
+                        VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
+    static_assert(sizeof(swVolumeParams) == SW_VOLUME_QUERY_PUSH_SIZE, "what volume_query.comp is given");
     swVolumeParams params = query->volume;
-    const swBinding bindings[] = {
-        swBindUpload(&query->volumeTiles),
-        swBindUpload(&query->waves),
-        swBindBuffer(&gpuWorld->volumeWaves),
-        swBindPoints(query, &params.source),
-        bindLevels(query),
-        swBindPlane(query, query->planes.heights),
-        swBindPlane(query, query->planes.depths),
-        swBindPlane(query, query->planes.velocities),
-        swBindPlane(query, query->planes.accelerations),
+    const swVolumeQueryBindings bindings = {
+        .tiles = swBindUpload(&query->volumeTiles),
+        .freeWaves = swBindUpload(&query->waves),
+        .waves = swBindBuffer(swGetVolumeWaves(gpuWorld)),
+        .points = swBindPoints(query, &params.source),
+        .levels = bindLevels(query),
+        .heights = swBindPlane(query, query->planes.heights),
+        .depths = swBindPlane(query, query->planes.depths),
+        .velocities = swBindPlane(query, query->planes.velocities),
+        .accelerations = swBindPlane(query, query->planes.accelerations),
     };
-    swBindPipeline(gpu, commands, &gpuWorld->passes.volumeQuery, bindings, &params);
+    swBindVolumeQuery(gpu, commands, &state->pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_VOLUME_POINTS);
 }
 
-void swRecordVolumeQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
-    if (!gpuWorld->hasVolume)
-    {
-        return;
-    }
-    swBeginPass(gpuWorld->gpu, commands, "volume_query");
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
         if (query->count > 0 && query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
         {
-            recordQuery(gpuWorld, query, commands);
+            recordQuery(gpuWorld, query, state, commands);
         }
     }
-    swEndPass(gpuWorld->gpu, commands);
 }
+
+static void destroy(swGpu* gpu, void* state)
+{
+    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+}
+
+const swPass swPass_volume_query = {
+    .name = "volume_query",
+    .stateSize = sizeof(State),
+    .reads = SW_OUTPUT_BIT(SW_PASS_SURFACE_QUERY) | SW_OUTPUT_BIT(SW_PASS_VOLUME_WAVES),
+    .writes = SW_OUTPUT_BIT(SW_PASS_VOLUME_QUERY),
+    .upload = upload,
+    .create = create,
+    .record = record,
+    .destroy = destroy,
+};

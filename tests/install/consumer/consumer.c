@@ -4,6 +4,9 @@
 #ifdef USE_GPU
 #include <seaway/draw.h>
 #endif
+#ifdef USE_STAGE
+#include <seaway/stage.h>
+#endif
 #ifdef USE_SCENE
 #include <seaway/scene.h>
 #endif
@@ -25,11 +28,16 @@ int main(void)
         swDestroyWorld(world);
         return 1;
     }
-    printf("version %d, height %.3f m", swGetVersion(), swWorld_GetHeight(world, 3.0, 4.0));
+    printf("version %d, height %.3f m", swGetVersion(), swMoment_GetHeight(swWorld_GetMoment(world), 3.0, 4.0));
     swDestroyWorld(world);
 
 #ifdef USE_GPU
     printf(", %d frames in flight", swDefaultGpuDef().framesInFlight);
+#endif
+#ifdef USE_STAGE
+    swDeviceChoice choice;
+    int index = 0;
+    printf(", device 3 %s", swParseStageDevice("3", &choice, &index) && index == 3 ? "is a choice" : "is none");
 #endif
 #ifdef USE_SCENE
     host.log = NULL;

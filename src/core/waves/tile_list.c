@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Tiles and free waves of a frame, in the order of the sets that are shown. Tiles of one set are paired in order of
+// their bands: a tile's bits depend on its partner, so the pairing depends on nothing but the set. Sets without weight
+// are not listed.
+
+#include "core/waves/tile_list.h"
+
+#include <string.h>
+
+#include "core/waves/waves.h"
+
+void swClearTileList(swTileList* list)
+{
+    list->tileCount = 0;
+    list->pairCount = 0;
+    list->waveCount = 0;
+}
+
+static void addTile(swTileList* list, const swShownSet* shown, const swBandModes* bands, int index)
+{
+    const swWaveSet* set = shown->set;
+    const swBandModes* band = &bands[index];
+    float square = shown->weight * shown->weight;
+    swTile* tile = &list->tiles[list->tileCount];
+    *tile = (swTile){
+        .system = shown->system,
+        .band = band->band,
+        .resolution = set->def.resolution,
+        .maxBin = band->maxBin,
+        .side = band->side,
+        .loopTicks = band->loopTicks,
+        .minWavelength = band->minWavelength,
+        .maxWavelength = band->maxWavelength,
+        .weight = shown->weight,
+        .variance = band->variance * square,
+        .slopeVarianceX = band->slopeVarianceX * square,
+        .slopeVarianceZ = band->slopeVarianceZ * square,
+        .strain = band->strain,
+        .depth = band->depth,
+        .modeCount = band->modeCount,
+        .modes = band->modes,
+        .spectrumVersion = set->version,
+        .response = set->response,
+        .texels = set->texels[SW_TEXELS_DISPLACEMENT][index],
+        .velocity = set->texels[SW_TEXELS_VELOCITY][index],
+        .acceleration = set->texels[SW_TEXELS_ACCELERATION][index],
+    };
+    swScaleStrain(&tile->strain, square);
+    for (int field = 0; field < SW_TEXELS_COUNT; ++field)
+    {
+        list->texels[list->tileCount][field] = set->texels[field][index];
+    }
+    list->tileCount += 1;
+}
+
+static void listTiles(swTileList* list, const swShownSet* shown, const swBandModes* bands)
+{
+    int first = list->tileCount;
+    for (int i = 0; i < SW_SET_TILES; ++i)
+    {
+        int tile = i % SW_BAND_TILES * SW_MAX_BANDS + i / SW_BAND_TILES; // band by band
+        if (bands[tile].modeCount > 0)
+        {
+            addTile(list, shown, bands, tile);
+        }
+    }
+    for (int tile = first; tile < list->tileCount; tile += 2)
+    {
+        int second = tile + 1 < list->tileCount ? tile + 1 : -1;
+        list->pairs[list->pairCount++] = (swTilePair){tile, second};
+    }
+}
+
+// Merge: waves of a set are in order already.
+static void listWaves(swTileList* list, const swShownSet* shown)
+{
+    const swWaveSet* set = shown->set;
+    int total = list->waveCount + set->waveCount;
+    int old = list->waveCount - 1;
+    int added = set->waveCount - 1;
+    for (int at = total - 1; added >= 0; --at)
+    {
+        if (old >= 0 && list->waves[old].wavelength < set->waves[added].wavelength)
+        {
+            list->waves[at] = list->waves[old];
+            old -= 1;
+            continue;
+        }
+        list->waves[at] = set->waves[added];
+        list->waves[at].amplitude = set->waves[added].amplitude * shown->weight;
+        list->waves[at].system = shown->system;
+        added -= 1;
+    }
+    list->waveCount = total;
+}
+
+void swListSet(swTileList* list, const swShownSet* shown, const swBandModes* bands)
+{
+    if (shown->weight != 0.0f)
+    {
+        listTiles(list, shown, bands);
+        listWaves(list, shown);
+    }
+}
+
+// Field index % SW_TEXELS_COUNT of a pair: displacement, velocity, acceleration.
+void swTransformListed(const swTileList* list, const swWaveKernels* kernels, int64_t ticks, int index, void* scratch)
+{
+    const swTilePair* pair = &list->pairs[index / SW_TEXELS_COUNT];
+    int field = index % SW_TEXELS_COUNT;
+    float* first = list->texels[pair->first][field];
+    if (first == NULL)
+    {
+        return;
+    }
+    bool isPair = pair->second >= 0;
+    swTransformTiles(kernels, &list->tiles[pair->first], first, isPair ? &list->tiles[pair->second] : NULL,
+                     isPair ? list->texels[pair->second][field] : NULL, ticks, field, scratch);
+}

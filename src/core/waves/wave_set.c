@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// Sets of waves: what a def is made into. A set is shared by all who ask for the same def, whatever their weights.
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/waves/waves.h"
+
+static size_t getTexelBytes(int resolution)
+{
+    size_t pitch = (size_t)resolution + 3;
+    return pitch * pitch * 4 * sizeof(float);
+}
+
+static void freeSet(swWaves* waves, swWaveSet* set)
+{
+    const swHost* host = &waves->memory->host;
+    for (int field = 0; field < SW_TEXELS_COUNT; ++field)
+    {
+        for (int band = 0; band < SW_SET_TILES; ++band)
+        {
+            swFree(host, set->texels[field][band], getTexelBytes(set->def.resolution));
+        }
+    }
+    swFreeModes(host, set->bands);
+    swFreeModeMix(host, set->mix);
+    swFree(host, set->waves, (size_t)set->waveCount * sizeof(swFreeWave));
+    swFree(host, set->copies, set->copiesSize);
+    swFree(host, set, sizeof *set);
+}
+
+void swReleaseSet(swWaves* waves, swWaveSet* set)
+{
+    set->useCount -= 1;
+    if (set->useCount > 0)
+    {
+        return;
+    }
+    if (set->mix != NULL)
+    {
+        swReleaseSet(waves, set->to);
+    }
+    set->nextRetired = waves->retired;
+    waves->retired = set;
+    waves->isTileListStale = true;
+}
+
+void swFreeRetiredSets(swWaves* waves)
+{
+    while (waves->retired != NULL)
+    {
+        swWaveSet* set = waves->retired;
+        waves->retired = set->nextRetired;
+        freeSet(waves, set);
+    }
+}
+
+// ---- the same def ----
+
+static bool isSameDef(const swWaveSystemDef* a, const swWaveSystemDef* b)
+{
+    if (a->method != b->method || a->minWavelength != b->minWavelength || a->maxWavelength != b->maxWavelength ||
+        a->chop != b->chop || a->loopPeriod != b->loopPeriod || a->seed != b->seed ||
+        !swIsSameSpectrum(&a->spectrum, &b->spectrum))
+    {
+        return false;
+    }
+    if (a->method == SW_WAVES_FFT)
+    {
+        return a->resolution == b->resolution && a->tileWaves == b->tileWaves;
+    }
+    return a->componentsPerOctave == b->componentsPerOctave && a->reverseWeight == b->reverseWeight &&
+           a->leastJacobian == b->leastJacobian && a->directionVariance == b->directionVariance &&
+           a->componentCount == b->componentCount &&
+           (a->componentCount == 0 ||
+            memcmp(a->components, b->components, (size_t)a->componentCount * sizeof(swWaveComponent)) == 0);
+}
+
+static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def)
+{
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
+        {
+            swWaveSet* set = waves->systems[slot].layers[i].set;
+            set = set->mix != NULL ? set->to : set;
+            if (isSameDef(&set->def, def))
+            {
+                return set;
+            }
+        }
+    }
+    return NULL;
+}
+
+// ---- making ----
+
+// The def with its own table and components.
+static bool copyDef(const swHost* host, const swWaveSystemDef* def, swWaveSet* set)
+{
+    set->def = *def;
+    const swSpectrumTable* table = def->spectrum.kind == SW_SPECTRUM_TABLE ? def->spectrum.table : NULL;
+    size_t frequencies = table != NULL ? (size_t)table->frequencyCount : 0;
+    size_t densities = table != NULL ? frequencies * (size_t)table->directionCount : 0;
+    size_t tableBytes = table != NULL ? (sizeof *table + 15) / 16 * 16 : 0;
+    size_t components = def->method == SW_WAVES_GERSTNER ? (size_t)def->componentCount : 0;
+    set->copiesSize = tableBytes + (2 * frequencies + densities) * sizeof(float) + components * sizeof(swWaveComponent);
+    set->def.spectrum.table = NULL;
+    set->def.components = NULL;
+    set->def.componentCount = (int)components;
+    if (set->copiesSize == 0)
+    {
+        return true;
+    }
+    char* memory = swAllocate(host, set->copiesSize);
+    set->copies = memory;
+    if (memory == NULL)
+    {
+        return false;
+    }
+    if (table != NULL)
+    {
+        float* floats = (float*)(void*)(memory + tableBytes);
+        swSpectrumTable* copy = (swSpectrumTable*)(void*)memory;
+        *copy = *table;
+        copy->frequencies = memcpy(floats, table->frequencies, frequencies * sizeof(float));
+        copy->bandwidths = memcpy(floats + frequencies, table->bandwidths, frequencies * sizeof(float));
+        copy->density = memcpy(floats + 2 * frequencies, table->density, densities * sizeof(float));
+        set->def.spectrum.table = copy;
+    }
+    if (components > 0)
+    {
+        set->def.components = memcpy(memory + set->copiesSize - components * sizeof(swWaveComponent), def->components,
+                                     components * sizeof(swWaveComponent));
+    }
+    return true;
+}
+
+static bool allocateTexels(swWaves* waves, swWaveSet* set)
+{
+    size_t size = getTexelBytes(set->def.resolution);
+    for (int band = 0; band < SW_SET_TILES; ++band)
+    {
+        if (set->bands[band].modeCount == 0)
+        {
+            continue;
+        }
+        set->tileCount += 1;
+        for (int field = 0; field < SW_TEXELS_COUNT; ++field)
+        {
+            if (!waves->hasTexels[field])
+            {
+                continue;
+            }
+            set->texels[field][band] = swAllocateZero(&waves->memory->host, size);
+            if (set->texels[field][band] == NULL)
+            {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// One part of the scratch for each worker, large enough for tiles of that resolution.
+static bool growScratch(swWaves* waves, int resolution)
+{
+    size_t needed = (swGetTileScratchSize(resolution) + 63) & ~(size_t)63;
+    if (needed <= waves->scratchSize || !waves->hasTexels[SW_TEXELS_DISPLACEMENT])
+    {
+        return true;
+    }
+    size_t workers = (size_t)waves->memory->host.workerCount;
+    void* scratch = swAllocate(&waves->memory->host, needed * workers);
+    if (scratch == NULL)
+    {
+        return false;
+    }
+    swFree(&waves->memory->host, waves->scratch, waves->scratchSize * workers);
+    waves->scratch = scratch;
+    waves->scratchSize = needed;
+    return true;
+}
+
+static swResult failSet(swWaves* waves, swWaveSet* set, swResult result)
+{
+    if (set != NULL)
+    {
+        freeSet(waves, set);
+    }
+    if (result == SW_ERROR_NO_MEMORY)
+    {
+        return swFailMemory(waves->memory, "the waves of a system");
+    }
+    return result;
+}
+
+static swResult makeWaves(swWaves* waves, swWaveSet* set)
+{
+    float gravity = waves->gravity;
+    float tension = waves->surfaceTension;
+    if (set->def.method == SW_WAVES_GERSTNER)
+    {
+        return swBuildFreeWaves(&waves->memory->host, &set->def, gravity, tension, &set->waves, &set->waveCount,
+                                set->bands);
+    }
+    swFillSplineResponse(set->def.resolution, set->response);
+    swResult result = growScratch(waves, set->def.resolution) ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
+    result =
+        result == SW_SUCCESS ? swBuildModes(&waves->memory->host, &set->def, gravity, tension, set->bands) : result;
+    if (result == SW_SUCCESS && !allocateTexels(waves, set))
+    {
+        result = SW_ERROR_NO_MEMORY;
+    }
+    return result;
+}
+
+static void numberSet(swWaves* waves, swWaveSet* set)
+{
+    waves->version += 1;
+    set->version = waves->version;
+    set->hash = swHashSet(set);
+    set->identity = swIdentifySet(set);
+    set->useCount = 1;
+}
+
+swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** out)
+{
+    swWaveSet* set = findSet(waves, def);
+    if (set != NULL)
+    {
+        set->useCount += 1;
+        *out = set;
+        return SW_SUCCESS;
+    }
+    set = swAllocateZero(&waves->memory->host, sizeof *set);
+    if (set == NULL || !copyDef(&waves->memory->host, def, set))
+    {
+        return failSet(waves, set, SW_ERROR_NO_MEMORY);
+    }
+    swResult result = makeWaves(waves, set);
+    if (result != SW_SUCCESS)
+    {
+        return failSet(waves, set, result);
+    }
+    numberSet(waves, set);
+    *out = set;
+    return SW_SUCCESS;
+}
+
+// Of a set that is itself a mix the amplitudes of now are taken. Uses `to` until it is released.
+swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to, swWaveSet** out)
+{
+    const swWaveSystemDef* a = &from->def;
+    const swWaveSystemDef* b = &to->def;
+    if (a->method != SW_WAVES_FFT || b->method != SW_WAVES_FFT || a->resolution != b->resolution ||
+        a->tileWaves != b->tileWaves || a->seed != b->seed)
+    {
+        return SW_ERROR_UNSUPPORTED;
+    }
+    swWaveSet* set = swAllocateZero(&waves->memory->host, sizeof *set);
+    if (set == NULL)
+    {
+        return failSet(waves, set, SW_ERROR_NO_MEMORY);
+    }
+    set->def = to->def;
+    memcpy(set->response, to->response, sizeof set->response);
+    swResult result = swMakeModeMix(&waves->memory->host, from->bands, to->bands, set->response, set->bands, &set->mix);
+    if (result == SW_SUCCESS && !allocateTexels(waves, set))
+    {
+        result = SW_ERROR_NO_MEMORY;
+    }
+    if (result != SW_SUCCESS)
+    {
+        return failSet(waves, set, result);
+    }
+    set->to = to;
+    to->useCount += 1;
+    numberSet(waves, set);
+    *out = set;
+    return SW_SUCCESS;
+}
+
+void swShareMix(swWaveSet* set, float share)
+{
+    swApplyModeMix(set->mix, share, set->bands);
+}
+
+// `set` is read, as a new one, or written.
+swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet** setPointer)
+{
+    const swHost* host = &waves->memory->host;
+    const swWaveSystemDef* def = &to->def;
+    swWaveSet* set = *setPointer;
+    if (!swIsReading(stream))
+    {
+        return swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
+    }
+    set = swAllocateZero(host, sizeof *set);
+    if (set == NULL)
+    {
+        return failSet(waves, set, SW_ERROR_NO_MEMORY);
+    }
+    set->def = *def;
+    memcpy(set->response, to->response, sizeof set->response);
+    swResult result = swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
+    if (result == SW_SUCCESS && !allocateTexels(waves, set))
+    {
+        result = SW_ERROR_NO_MEMORY;
+    }
+    if (result != SW_SUCCESS)
+    {
+        return failSet(waves, set, result);
+    }
+    set->to = to;
+    to->useCount += 1;
+    numberSet(waves, set);
+    *setPointer = set;
+    return SW_SUCCESS;
+}
