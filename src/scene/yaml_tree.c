@@ -99,7 +99,11 @@ bool swIsTreeDefault(const swTree* tree, int node)
     {
         return at->isDefault;
     }
-    bool isDefault = at->type == SW_TREE_MAPPING || at->first < 0;
+    bool isDefault = at->type == SW_TREE_MAPPING || at->first < 0 || at->isDefault;
+    if (at->type == SW_TREE_LIST)
+    {
+        return isDefault;
+    }
     for (int child = at->first; child >= 0 && isDefault; child = swGetTreeNode(tree, child)->next)
     {
         isDefault = swIsTreeDefault(tree, child);

@@ -21,7 +21,7 @@ typedef struct swTreeNode
     swTreeType type;
     const char* key; // of a mapping's value; outlives the tree
     size_t text;     // scalar: where in `chars` its text begins, ended by a zero
-    bool isDefault;  // scalar: a text without it says the same, so it need not be written
+    bool isDefault;  // scalar, list: a text without it says the same, so it need not be written
     bool isMain;     // what a mapping is about: it takes the place of the main value that it replaces
     bool isLine;     // written in one line, as in {a: 1, b: 2}
     int item;        // of a list's item: which of the text's list it is, from 0 on; -1: new
