@@ -16,10 +16,7 @@
 
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
-
-static const uint32_t touchCode[] =
-#include "touch.comp.inc"
-    ;
+#include "touch_shader.h"
 
 #define SLOTS 4
 #define MAX_PASSES 16
@@ -309,13 +306,7 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
 
 static void CreateTouch(Bench* bench, VkDeviceSize bytes, swPipeline* pipeline, swBuffer* words)
 {
-    const swComputeDef def = {
-        .shader = SW_SHADER(touchCode),
-        .bindingCount = 1,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .name = "touch",
-    };
-    Check(swCreateComputePipeline(bench->gpu, &def, pipeline), "no pipeline");
+    Check(swCreateComputePipeline(bench->gpu, &swTouchShader, NULL, pipeline), "no pipeline");
     Check(swCreateBuffer(bench->gpu, bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE, "words", words),
           "no buffer");
 }
@@ -332,12 +323,12 @@ static double MeasureBandwidth(Bench* bench)
     swPipeline pipeline;
     swBuffer words;
     CreateTouch(bench, bytes, &pipeline, &words);
-    const swBinding binding = swBindBuffer(&words);
+    const swTouchBindings bindings = {.words = swBindBuffer(&words)};
     Series times = {0};
     for (int i = 0; i < 10; ++i)
     {
         VkCommandBuffer commands = BeginSlot(bench, 0);
-        swBindPipeline(gpu, commands, &pipeline, &binding, NULL);
+        swBindTouch(gpu, commands, &pipeline, &bindings);
         gpu->vk.CmdDispatch(commands, columns, rows, 1);
         SubmitSlot(bench, 0);
         CollectSlot(bench, 0, &times);
@@ -357,12 +348,12 @@ static double MeasureBarrier(Bench* bench)
     swPipeline pipeline;
     swBuffer words;
     CreateTouch(bench, 16 * TOUCH_BYTES, &pipeline, &words);
-    const swBinding binding = swBindBuffer(&words);
+    const swTouchBindings bindings = {.words = swBindBuffer(&words)};
     Series times = {0};
     for (int i = 0; i < 20; ++i)
     {
         VkCommandBuffer commands = BeginSlot(bench, 0);
-        swBindPipeline(gpu, commands, &pipeline, &binding, NULL);
+        swBindTouch(gpu, commands, &pipeline, &bindings);
         for (int link = 0; link < CHAIN; ++link)
         {
             gpu->vk.CmdDispatch(commands, 16, 1, 1);
@@ -416,14 +407,14 @@ static Floor SlicesFloor(const swFrame* frame)
 {
     const swViewFrame* view = &frame->views[0];
     Floor least = {0};
-    double texels = (double)view->resolution * view->resolution;
-    for (int s = 0; s < view->sliceCount; ++s)
+    double texels = (double)view->stack.resolution * view->stack.resolution;
+    for (int s = 0; s < view->stack.sliceCount; ++s)
     {
         least.bytes += texels * 24.0;
         least.flops += texels * 2.0 * 27.0;
         for (int i = 0; i < frame->tileCount; ++i)
         {
-            bool isCarried = frame->tiles[i].minWavelength >= view->slices[s].minWavelength;
+            bool isCarried = frame->tiles[i].minWavelength >= view->stack.slices[s].minWavelength;
             least.flops += isCarried ? texels * 2.0 * 96.0 / SW_SLICE_HEIGHT : 0.0;
         }
     }
@@ -438,7 +429,7 @@ static Floor SlicesFloor(const swFrame* frame)
 static Floor FoamFloor(const swFrame* frame)
 {
     const swViewFrame* view = &frame->views[0];
-    double texels = (double)view->resolution * view->resolution * view->sliceCount;
+    double texels = (double)view->stack.resolution * view->stack.resolution * view->stack.sliceCount;
     return (Floor){.bytes = texels * (16.0 + 4.0 + 4.0), .flops = texels * 40.0};
 }
 

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "seaway/stage.h"
+
 #include "output.h"
 #include "common.h"
 
@@ -108,28 +110,13 @@ static bool ParseSize(const Verb* verb, const Option* option, const char* text)
 
 static bool ParseDevice(const Verb* verb, const Option* option, const char* text)
 {
-    static const struct
-    {
-        const char* word;
-        swDeviceChoice choice;
-    } words[] = {{"auto", SW_DEVICE_AUTO}, {"gpu", SW_DEVICE_GPU}, {"software", SW_DEVICE_SOFTWARE}};
     DeviceName* device = option->value;
-    for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); ++i)
-    {
-        if (strcmp(text, words[i].word) == 0)
-        {
-            *device = (DeviceName){words[i].choice, 0};
-            return true;
-        }
-    }
-    double index = 0.0;
-    if (!ParseNumber(text, &index) || index < 0.0 || index > 63.0 || index != floor(index))
+    if (!swParseStageDevice(text, &device->choice, &device->index))
     {
         Complain("%s: --%s is auto, gpu, software or a number that `seaway devices` lists, not \"%s\"", verb->name,
                  option->name, text);
         return false;
     }
-    *device = (DeviceName){SW_DEVICE_INDEX, (int)index};
     return true;
 }
 

@@ -45,15 +45,15 @@ static void PrintOctaves(const SeaMeasurement* sea)
     for (int octave = 16; octave > -5; --octave)
     {
         double shortest = ldexp(1.0, octave - 1), longest = ldexp(1.0, octave);
-        double low = fmax(FindFrequency(longest, sea->depth, gravity), first);
-        double high = fmin(FindFrequency(shortest, sea->depth, gravity), last);
+        double low = fmax(swGetWaveFrequency(longest, sea->depth, gravity), first);
+        double high = fmin(swGetWaveFrequency(shortest, sea->depth, gravity), last);
         double asked = low < high ? AskVariance(sea, low, high) : 0.0;
         if (asked > 1e-4 * total)
         {
             char name[64];
             snprintf(name, sizeof(name), "%.4g to %.4g m", shortest, longest);
             printf("%-18s %8.2f%%  %8.2f%%\n", name, 100.0 * asked / total,
-                   100.0 * FindVariance(&sea->bins, &sea->sums, low, high) / total);
+                   100.0 * swEstimateVariance(&sea->bins, &sea->sums, low, high) / total);
         }
     }
 }
@@ -92,7 +92,7 @@ static void PrintReport(const SeaMeasurement* sea)
 // Bins and densities, for those who plot themselves.
 static void WriteSpectra(Json* json, const SeaMeasurement* sea)
 {
-    float numbers[5][SEA_MAX_BINS];
+    float numbers[5][SW_MAX_SEA_BINS];
     for (int i = 0; i < sea->bins.count; ++i)
     {
         double width = sea->bins.high[i] - sea->bins.low[i];

@@ -3,30 +3,16 @@
 
 #include <stdlib.h>
 
+#include "seaway/stage.h"
+
 #include "common.h"
-#include "vulkan_calls.h"
 
 struct GpuAnswers
 {
-    swGpu* gpu;
+    swStage* stage;
     swGpuWorld* world;
     swGpuQuery* query;
-    VulkanCalls calls;
-    VkDevice device;
-    VkCommandPool pool;
-    VkCommandBuffer commands;
-    VkFence fence;
-    uint64_t frameIndex;
 };
-
-static bool Succeed(VkResult result, const char* what)
-{
-    if (result != VK_SUCCESS)
-    {
-        Complain("%s (Vulkan error %d)", what, (int)result);
-    }
-    return result == VK_SUCCESS;
-}
 
 static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const swWorld* world, const swGpuQueryDef* def)
 {
@@ -34,32 +20,9 @@ static swResult CreateSea(GpuAnswers* answers, const DeviceName* device, const s
     swGpuDef gpuDef = swDefaultGpuDef();
     gpuDef.choice = device->choice;
     gpuDef.deviceIndex = device->index;
-    swResult result = swCreateGpu(&host, &gpuDef, &answers->gpu);
-    result = result == SW_SUCCESS ? swCreateGpuWorld(answers->gpu, world, &answers->world) : result;
+    swResult result = swCreateStage(&host, &gpuDef, &answers->stage);
+    result = result == SW_SUCCESS ? swCreateGpuWorld(swStage_GetGpu(answers->stage), world, &answers->world) : result;
     return result == SW_SUCCESS ? swCreateGpuQuery(answers->world, def, &answers->query) : result;
-}
-
-static bool CreateCommands(GpuAnswers* answers)
-{
-    answers->device = swGpu_GetDevice(answers->gpu);
-    VulkanCalls* calls = &answers->calls;
-    if (!LoadInstanceCalls(calls, swGpu_GetInstance(answers->gpu)) || !LoadDeviceCalls(calls, answers->device))
-    {
-        return false;
-    }
-    const VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                              .queueFamilyIndex = swGpu_GetQueueFamily(answers->gpu)};
-    const VkFenceCreateInfo fenceInfo = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    if (!Succeed(calls->CreateCommandPool(answers->device, &poolInfo, NULL, &answers->pool), "no command pool") ||
-        !Succeed(calls->CreateFence(answers->device, &fenceInfo, NULL, &answers->fence), "no fence"))
-    {
-        return false;
-    }
-    const VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                              .commandPool = answers->pool,
-                                              .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-                                              .commandBufferCount = 1};
-    return Succeed(calls->AllocateCommandBuffers(answers->device, &info, &answers->commands), "no command buffer");
 }
 
 GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const swGpuQueryDef* def)
@@ -74,9 +37,6 @@ GpuAnswers* OpenGpuAnswers(const DeviceName* device, const swWorld* world, const
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the GPU cannot be asked; without --backend gpu the CPU answers");
-    }
-    if (result != SW_SUCCESS || !CreateCommands(answers))
-    {
         CloseGpuAnswers(answers);
         return NULL;
     }
@@ -89,51 +49,42 @@ void CloseGpuAnswers(GpuAnswers* answers)
     {
         return;
     }
-    if (answers->pool != VK_NULL_HANDLE)
+    if (answers->stage != NULL)
     {
-        answers->calls.DeviceWaitIdle(answers->device);
-        answers->calls.DestroyFence(answers->device, answers->fence, NULL);
-        answers->calls.DestroyCommandPool(answers->device, answers->pool, NULL);
+        swStage_Wait(answers->stage);
     }
     swDestroyGpuQuery(answers->query);
     swDestroyGpuWorld(answers->world);
-    swDestroyGpu(answers->gpu);
+    swDestroyStage(answers->stage);
     free(answers);
 }
 
-static bool RunFrame(GpuAnswers* answers)
+static swResult RunFrame(GpuAnswers* answers)
 {
-    VulkanCalls* calls = &answers->calls;
-    const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                            .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    if (!Succeed(calls->ResetCommandPool(answers->device, answers->pool, 0), "the commands could not be reset") ||
-        !Succeed(calls->BeginCommandBuffer(answers->commands, &begin), "the commands could not be begun"))
-    {
-        return false;
-    }
-    swResult result = swGpuWorld_Record(answers->world, answers->commands, answers->frameIndex);
+    swStageFrame frame;
+    swResult result = swStage_BeginFrame(answers->stage, &frame);
     if (result != SW_SUCCESS)
     {
-        ComplainAboutResult(result, "the passes could not be recorded");
-        return false;
+        return result;
     }
-    const VkSubmitInfo submit = {
-        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &answers->commands};
-    return Succeed(calls->EndCommandBuffer(answers->commands), "the commands could not be ended") &&
-           Succeed(calls->QueueSubmit(swGpu_GetQueue(answers->gpu), 1, &submit, answers->fence),
-                   "the device took no commands") &&
-           Succeed(calls->WaitForFences(answers->device, 1, &answers->fence, VK_TRUE, UINT64_MAX),
-                   "the device did not finish the query") &&
-           Succeed(calls->ResetFences(answers->device, 1, &answers->fence), "the fence could not be reset");
+    result = swGpuWorld_Record(answers->world, frame.commands, frame.index);
+    if (result != SW_SUCCESS)
+    {
+        swStage_DropFrame(answers->stage, &frame);
+        return result;
+    }
+    result = swStage_SubmitFrame(answers->stage, &frame, NULL);
+    return result == SW_SUCCESS ? swStage_Wait(answers->stage) : result;
 }
 
 static bool FetchResults(GpuAnswers* answers, swGpuQueryResults* results)
 {
-    if (!RunFrame(answers))
+    swResult result = RunFrame(answers);
+    if (result != SW_SUCCESS)
     {
+        ComplainAboutResult(result, "the device did not finish the query");
         return false;
     }
-    swGpu_SetFinishedFrame(answers->gpu, answers->frameIndex++);
     bool isThere = swGpuQuery_GetResults(answers->query, results);
     if (!isThere)
     {

@@ -22,8 +22,8 @@ static bool HasSystemWaves(const swScene* scene, const swWaveSystemDef* def)
         return def->weight * largest > LEAST_HEIGHT;
     }
     double gravity = (double)scene->world.gravity, depth = (double)def->spectrum.depth;
-    float low = (float)FindFrequency((double)def->maxWavelength, depth, gravity);
-    float high = (float)FindFrequency((double)def->minWavelength, depth, gravity);
+    float low = (float)swGetWaveFrequency((double)def->maxWavelength, depth, gravity);
+    float high = (float)swGetWaveFrequency((double)def->minWavelength, depth, gravity);
     swSeaState state;
     return def->weight > 0.0f && swSpectrum_GetSeaState(&def->spectrum, low, high, &state) == SW_SUCCESS &&
            def->weight * state.significantHeight > LEAST_HEIGHT;

@@ -22,10 +22,10 @@
 // What one seed gave.
 typedef struct SeedResult
 {
-    SeaSums groups[MEASURE_GROUPS];
-    SurfaceSums surface;
-    SeaPatches patches;
-    double whitecaps; // mean foam
+    swSeaSums groups[MEASURE_GROUPS];
+    swSurfaceSums surface;
+    swSeaPatches* patches; // NULL without directions
+    double whitecaps;      // mean foam
     swFoamState foam;
     bool isFine;
 } SeedResult;
@@ -46,7 +46,7 @@ static double FindComponent(const swScene* scene, const swWaveSystemDef* def, in
     const swWaveComponent* component = &def->components[index];
     double amplitude = (double)def->weight * (double)component->amplitude;
     *variance = 0.5 * amplitude * amplitude;
-    return FindFrequency((double)component->wavelength, (double)def->spectrum.depth, (double)scene->world.gravity);
+    return swGetWaveFrequency((double)component->wavelength, (double)def->spectrum.depth, (double)scene->world.gravity);
 }
 
 static double SumComponents(const swScene* scene, const swWaveSystemDef* def, double low, double high)
@@ -100,7 +100,7 @@ static void WidenByComponents(const swScene* scene, double* low, double* high)
     }
 }
 
-static int FindBin(const SeaBins* bins, double frequency)
+static int FindBin(const swSeaBins* bins, double frequency)
 {
     for (int i = 0; i < bins->count; ++i)
     {
@@ -157,8 +157,8 @@ static bool HasComponents(const swScene* scene)
 static void FindRange(const swScene* scene, const swWaveSystemDef* def, double* low, double* high)
 {
     double gravity = (double)scene->world.gravity, depth = (double)def->spectrum.depth;
-    *low = FindFrequency((double)def->maxWavelength, depth, gravity);
-    *high = FindFrequency((double)def->minWavelength, depth, gravity);
+    *low = swGetWaveFrequency((double)def->maxWavelength, depth, gravity);
+    *high = swGetWaveFrequency((double)def->minWavelength, depth, gravity);
 }
 
 static double FindPeakFrequency(const swScene* scene, const swSceneWaves* waves)
@@ -197,17 +197,17 @@ static bool ChooseBins(SeaMeasurement* sea)
     const swSpectrumDef* only = &scene->waves[0].def.spectrum;
     if (scene->wavesCount == 1 && only->kind == SW_SPECTRUM_TABLE)
     {
-        UseTableBins(only->table, &sea->bins);
-        longest = FindTableDuration(only->table);
+        swMakeTableBins(only->table, &sea->bins);
+        longest = swGetTableDuration(only->table);
     }
     else
     {
         low = fmax(low, 0.4 * first);
         high = fmin(high, 4.0 * last);
         WidenByComponents(scene, &low, &high);
-        UseGrowingBins(low, high, 0.05 * first, 0.03, &sea->bins);
+        swMakeGrowingBins(low, high, 0.05 * first, 0.03, &sea->bins);
     }
-    double period = 1.0 / first, length = FindWavelength(first, (double)INFINITY, (double)scene->world.gravity);
+    double period = 1.0 / first, length = swGetWavelength(first, (double)INFINITY, (double)scene->world.gravity);
     sea->gauges.gaugeCount = GAUGE_COUNT;
     sea->gauges.duration = sea->options.duration > 0.0 ? sea->options.duration : fmax(40.0 * period, longest);
     sea->gauges.area = sea->options.area > 0.0 ? sea->options.area : 40.0 * length;
@@ -231,7 +231,7 @@ static swWorld* CreateSea(const swHost* host, const SeaMeasurement* sea, int see
         scene->waves[i].isReplay = false; // the record nearest to the scene's time, for as long as it takes
         swWaveSystemDef* def = &scene->waves[i].def;
         def->seed += (uint32_t)seed * 1000u;
-        double shortest = FindWavelength(1.02 * last, (double)def->spectrum.depth, (double)scene->world.gravity);
+        double shortest = swGetWavelength(1.02 * last, (double)def->spectrum.depth, (double)scene->world.gravity);
         if (onlyBins && shortest > (double)def->minWavelength && shortest < (double)def->maxWavelength)
         {
             def->minWavelength = (float)shortest;
@@ -254,16 +254,16 @@ static bool LookAtSea(const Job* job, int index, SeedResult* seed)
     {
         swWorld_SetTime(world, sea->gauges.duration * i / SURFACE_TIMES);
         isFine = swWorld_Step(world, 0.0) == SW_SUCCESS &&
-                 LookAtSurface(world, sea->gauges.area, SURFACE_POINTS, &seed->surface);
+                 swLookAtSurface(world, sea->gauges.area, SURFACE_POINTS, &seed->surface) == SW_SUCCESS;
     }
     for (int i = 0; i < PATCHES_PER_SEED && isFine && sea->options.withDirections; ++i)
     {
         double begin = sea->gauges.duration * (i + 0.5) / PATCHES_PER_SEED;
-        isFine = LookAtPatches(world, begin, sea->depth, i, &seed->patches);
+        isFine = swLookAtPatches(world, begin, sea->depth, i, seed->patches) == SW_SUCCESS;
     }
     if (isFine)
     {
-        seed->whitecaps = MeasureFoam(world, 0.0, 0.0);
+        seed->whitecaps = swMeasureFoam(world, 0.0, 0.0);
         seed->foam = swWorld_GetFoamState(world);
         isFine = isfinite(seed->whitecaps);
     }
@@ -279,7 +279,8 @@ static void MeasureSeeds(void* context, int begin, int end, int worker)
     {
         SeedResult* seed = job->seeds + i;
         swWorld* world = CreateSea(job->host, sea, i, true);
-        seed->isFine = world != NULL && RecordSea(world, &sea->gauges, &sea->bins, MEASURE_GROUPS, seed->groups);
+        seed->isFine =
+            world != NULL && swRecordSea(world, &sea->gauges, &sea->bins, MEASURE_GROUPS, seed->groups) == SW_SUCCESS;
         swDestroyWorld(world);
         seed->isFine = seed->isFine && LookAtSea(job, i, seed);
         int doneCount = atomic_fetch_add(&job->doneCount, 1) + 1;
@@ -349,7 +350,7 @@ static void AddDirections(const SeaMeasurement* sea, const swWaveSystemDef* def,
 }
 
 // Several systems together, or waves by hand, from their densities at a few frequencies of each bin.
-static void AskBins(const SeaMeasurement* sea, SeaSums* sums)
+static void AskBins(const SeaMeasurement* sea, swSeaSums* sums)
 {
     enum
     {
@@ -364,7 +365,7 @@ static void AskBins(const SeaMeasurement* sea, SeaSums* sums)
         const swWaveSystemDef* def = &sea->scene->waves[i % sea->scene->wavesCount].def;
         double width = (sea->bins.high[bin] - sea->bins.low[bin]) / PARTS;
         double f = sea->bins.low[bin] + width * (part % PARTS + 0.5);
-        double k = 2.0 * SW_PI / FindWavelength(f, (double)def->spectrum.depth, (double)sea->scene->world.gravity);
+        double k = 2.0 * SW_PI / swGetWavelength(f, (double)def->spectrum.depth, (double)sea->scene->world.gravity);
         double density[DIRECTIONS] = {0.0};
         AddDirections(sea, def, f, DIRECTIONS, density);
         for (int j = 0; j < DIRECTIONS; ++j)
@@ -391,12 +392,12 @@ static bool AskSea(const SeaMeasurement* sea, swSeaState* state)
     }
     else
     {
-        SeaSums* sums = malloc(sizeof(SeaSums));
+        swSeaSums* sums = malloc(sizeof(swSeaSums));
         isFine = sums != NULL;
         if (isFine)
         {
             AskBins(sea, sums);
-            FindSeaState(&sea->bins, sums, state);
+            swEstimateSeaState(&sea->bins, sums, state);
         }
         free(sums);
     }
@@ -464,20 +465,20 @@ double AskVariance(const SeaMeasurement* sea, double low, double high)
 }
 
 // Of all seeds together, and how they differ.
-static void SumSeeds(SeaMeasurement* sea, const SeedResult* seeds, SurfaceSums* surface)
+static void SumSeeds(SeaMeasurement* sea, const SeedResult* seeds, swSurfaceSums* surface)
 {
     double mean = 0.0, square = 0.0;
     int count = sea->options.seeds;
     for (int i = 0; i < count; ++i)
     {
-        SeaSums alone = {0};
+        swSeaSums alone = {0};
         swSeaState state;
         for (int j = 0; j < MEASURE_GROUPS; ++j)
         {
-            AddSums(seeds[i].groups + j, &alone);
+            swAddSeaSums(seeds[i].groups + j, &alone);
         }
-        AddSums(&alone, &sea->sums);
-        FindSeaState(&sea->bins, &alone, &state);
+        swAddSeaSums(&alone, &sea->sums);
+        swEstimateSeaState(&sea->bins, &alone, &state);
         mean += (double)state.significantHeight / count;
         square += (double)state.significantHeight * (double)state.significantHeight / count;
         surface->count += seeds[i].surface.count;
@@ -488,21 +489,21 @@ static void SumSeeds(SeaMeasurement* sea, const SeedResult* seeds, SurfaceSums* 
         sea->whitecaps += seeds[i].whitecaps / sea->options.seeds;
         if (sea->options.withDirections)
         {
-            AddPatches(&seeds[i].patches, &sea->patches);
+            swAddSeaPatches(seeds[i].patches, sea->patches);
         }
     }
     sea->heightDeviation = sqrt(fmax(square - mean * mean, 0.0));
 }
 
 // Densities with the standard errors of their means over all groups.
-static void FindDensities(SeaMeasurement* sea, int groupCount, const SeaSums* groups)
+static void FindDensities(SeaMeasurement* sea, int groupCount, const swSeaSums* groups)
 {
     for (int i = 0; i < sea->bins.count; ++i)
     {
-        double mean = FindDensity(&sea->bins, &sea->sums, i), square = 0.0;
+        double mean = swEstimateDensity(&sea->bins, &sea->sums, i), square = 0.0;
         for (int j = 0; j < groupCount; ++j)
         {
-            double off = FindDensity(&sea->bins, groups + j, i) - mean;
+            double off = swEstimateDensity(&sea->bins, groups + j, i) - mean;
             square += off * off / groupCount;
         }
         sea->density[i] = mean;
@@ -510,11 +511,11 @@ static void FindDensities(SeaMeasurement* sea, int groupCount, const SeaSums* gr
     }
 }
 
-static bool FindResults(SeaMeasurement* sea, const SeedResult* seeds)
+static bool FindResults(const swHost* host, SeaMeasurement* sea, const SeedResult* seeds)
 {
-    SurfaceSums surface = {0};
+    swSurfaceSums surface = {0};
     int groupCount = sea->options.seeds * MEASURE_GROUPS;
-    SeaSums* groups = malloc((size_t)groupCount * sizeof(SeaSums));
+    swSeaSums* groups = malloc((size_t)groupCount * sizeof(swSeaSums));
     if (groups == NULL || !AskSea(sea, &sea->asked))
     {
         free(groups);
@@ -525,9 +526,9 @@ static bool FindResults(SeaMeasurement* sea, const SeedResult* seeds)
         groups[i] = seeds[i / MEASURE_GROUPS].groups[i % MEASURE_GROUPS];
     }
     SumSeeds(sea, seeds, &surface);
-    FindSeaState(&sea->bins, &sea->sums, &sea->measured);
+    swEstimateSeaState(&sea->bins, &sea->sums, &sea->measured);
     FindDensities(sea, groupCount, groups);
-    bool isFine = FindSeaError(&sea->bins, groupCount, groups, &sea->error);
+    bool isFine = swEstimateSeaError(host, &sea->bins, groupCount, groups, &sea->error) == SW_SUCCESS;
     free(groups);
     sea->measured.meanSquareSlope = (float)(surface.particleSlopeSquare / surface.count);
     sea->error.meanSquareSlope = NAN; // of all waves, not of the bins
@@ -543,25 +544,25 @@ static void DestroySeeds(SeedResult* seeds, int count)
 {
     for (int i = 0; i < count && seeds != NULL; ++i)
     {
-        DestroyPatches(&seeds[i].patches);
+        swDestroySeaPatches(seeds[i].patches);
     }
     free(seeds);
 }
 
-static SeedResult* CreateSeeds(SeaMeasurement* sea)
+static SeedResult* CreateSeeds(const swHost* host, SeaMeasurement* sea)
 {
     double gravity = (double)sea->scene->world.gravity;
-    double longest = FindWavelength(sea->bins.low[0], sea->depth, gravity);
-    double shortest = FindWavelength(sea->bins.high[sea->bins.count - 1], sea->depth, gravity);
+    double longest = swGetWavelength(sea->bins.low[0], sea->depth, gravity);
+    double shortest = swGetWavelength(sea->bins.high[sea->bins.count - 1], sea->depth, gravity);
     SeedResult* seeds = calloc((size_t)sea->options.seeds, sizeof(SeedResult));
     bool isFine = seeds != NULL;
     if (sea->options.withDirections)
     {
         longest = fmin(longest, 4096.0);
-        isFine = isFine && CreatePatches(shortest, longest, &sea->patches);
+        isFine = isFine && swCreateSeaPatches(host, shortest, longest, &sea->patches) == SW_SUCCESS;
         for (int i = 0; i < sea->options.seeds && isFine; ++i)
         {
-            isFine = CreatePatches(shortest, longest, &seeds[i].patches);
+            isFine = swCreateSeaPatches(host, shortest, longest, &seeds[i].patches) == SW_SUCCESS;
         }
     }
     if (!isFine)
@@ -615,8 +616,9 @@ SeaMeasurement* MeasureSea(const swScene* scene, const MeasureOptions* options)
         free(sea);
         return NULL;
     }
-    SeedResult* seeds = CreateSeeds(sea);
-    bool isFine = seeds != NULL && MeasureAll(sea, seeds) && FindResults(sea, seeds);
+    swHost host = MakeHost();
+    SeedResult* seeds = CreateSeeds(&host, sea);
+    bool isFine = seeds != NULL && MeasureAll(sea, seeds) && FindResults(&host, sea, seeds);
     DestroySeeds(seeds, options->seeds);
     if (!isFine)
     {
@@ -630,7 +632,7 @@ void DestroyMeasurement(SeaMeasurement* sea)
 {
     if (sea != NULL)
     {
-        DestroyPatches(&sea->patches);
+        swDestroySeaPatches(sea->patches);
     }
     free(sea);
 }

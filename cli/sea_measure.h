@@ -6,8 +6,7 @@
 
 #include <stdbool.h>
 
-#include "sea_estimate.h"
-#include "sea_patches.h"
+#include "seaway/measure.h"
 #include "seaway/scene.h"
 
 typedef struct MeasureOptions
@@ -26,8 +25,8 @@ typedef struct SeaMeasurement
 {
     const swScene* scene;
     MeasureOptions options;
-    SeaBins bins;
-    SeaGauges gauges;
+    swSeaBins bins;
+    swSeaGauges gauges;
     double depth; // the first system's, m
 
     swSeaState asked, measured;
@@ -37,9 +36,9 @@ typedef struct SeaMeasurement
     double surfaceHeight;             // 4 times the deviation of heights above points, m
     double surfaceSlope;              // mean square, of the true surface
     double heightDeviation;           // of Hs from seed to seed, m
-    double density[SEA_MAX_BINS], densityError[SEA_MAX_BINS]; // measured, m^2/Hz, and its standard error
-    SeaSums sums;
-    SeaPatches patches; // empty without directions
+    double density[SW_MAX_SEA_BINS], densityError[SW_MAX_SEA_BINS]; // measured, m^2/Hz, and its standard error
+    swSeaSums sums;
+    swSeaPatches* patches; // NULL without directions
 } SeaMeasurement;
 
 // Complains and returns NULL if the scene has no waves or memory is short. The scene has to outlive it.

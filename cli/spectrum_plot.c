@@ -51,10 +51,11 @@ static double AskBin(const SeaMeasurement* sea, int bin)
 
 static double FindLastFrequency(const SeaMeasurement* sea)
 {
-    const SeaBins* bins = &sea->bins;
-    double total = FindVariance(bins, &sea->sums, bins->low[0], bins->high[bins->count - 1]);
+    const swSeaBins* bins = &sea->bins;
+    double total = swEstimateVariance(bins, &sea->sums, bins->low[0], bins->high[bins->count - 1]);
     int last = 0;
-    while (last < bins->count - 1 && FindVariance(bins, &sea->sums, bins->low[0], bins->high[last]) < 0.99 * total)
+    while (last < bins->count - 1 &&
+           swEstimateVariance(bins, &sea->sums, bins->low[0], bins->high[last]) < 0.99 * total)
     {
         last += 1;
     }
@@ -138,7 +139,7 @@ static void WriteOctaves(FILE* file, const SeaMeasurement* sea, const SvgAxis* x
     for (int octave = 12; octave > -5; --octave)
     {
         double length = ldexp(1.0, octave);
-        double frequency = FindFrequency(length, sea->depth, (double)sea->scene->world.gravity);
+        double frequency = swGetWaveFrequency(length, sea->depth, (double)sea->scene->world.gravity);
         if (frequency <= x->low || frequency >= x->high)
         {
             continue;
@@ -183,7 +184,7 @@ static void WriteLine(FILE* file, const SeaMeasurement* sea, const double* value
 
 static void WriteCurves(FILE* file, const SeaMeasurement* sea, const double* asked, const SvgAxis* x, const SvgAxis* y)
 {
-    double low[SEA_MAX_BINS], high[SEA_MAX_BINS], ground[SEA_MAX_BINS];
+    double low[SW_MAX_SEA_BINS], high[SW_MAX_SEA_BINS], ground[SW_MAX_SEA_BINS];
     for (int i = 0; i < sea->bins.count; ++i)
     {
         double error = isfinite(sea->densityError[i]) ? 2.0 * sea->densityError[i] : 0.0;
@@ -209,13 +210,13 @@ static void WriteCurves(FILE* file, const SeaMeasurement* sea, const double* ask
 static SvgAxis FindFrequencyAxis(const SeaMeasurement* sea)
 {
     double last = FindLastFrequency(sea);
-    bool isWide = last > 6.0 * sea->bins.center[FindPeakBin(&sea->bins, &sea->sums)];
+    bool isWide = last > 6.0 * sea->bins.center[swFindPeakBin(&sea->bins, &sea->sums)];
     return (SvgAxis){.low = isWide ? sea->bins.low[0] : 0.0, .high = last, .isLogarithmic = isWide};
 }
 
 static void WriteEnergy(FILE* file, const SeaMeasurement* sea, SvgAxis x)
 {
-    double asked[SEA_MAX_BINS], most = 0.0;
+    double asked[SW_MAX_SEA_BINS], most = 0.0;
     for (int i = 0; i < sea->bins.count; ++i)
     {
         asked[i] = AskBin(sea, i);
@@ -246,7 +247,7 @@ static void FillRing(const SeaMeasurement* sea, Rings* rings, int ring)
         double theta = 2.0 * SW_PI * (sector + (i % parts + 0.5) / parts - 0.5) / SECTORS;
         double f = low + (high - low) * (i / parts % parts + 0.5) / parts;
         rings->measured[ring][sector] +=
-            FindPatchDensity(&sea->patches, f, theta, sea->depth, gravity) / (parts * parts);
+            swEstimatePatchDensity(sea->patches, f, theta, sea->depth, gravity) / (parts * parts);
     }
     for (int i = 0; i < SECTORS; ++i)
     {

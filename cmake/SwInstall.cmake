@@ -47,11 +47,17 @@ function(sw_install_library component)
 endfunction()
 
 sw_install_library(core DESCRIPTION "Ocean waves on the CPU: the surface, and queries of it" LIBRARIES -pthread -lm)
-set(SW_COMPONENTS core)
+sw_install_library(measure DESCRIPTION "Sea states and spectra measured on a sea" REQUIRES seaway-core LIBRARIES -lm)
+set(SW_COMPONENTS core measure)
 if(TARGET seaway_gpu)
     sw_install_library(gpu DESCRIPTION "The same waves on Vulkan 1.3, and the picture" REQUIRES seaway-core
         LIBRARIES -ldl -lm)
     list(APPEND SW_COMPONENTS gpu)
+endif()
+if(TARGET seaway_stage)
+    sw_install_library(stage DESCRIPTION "A device without a window, for tools and tests of Seaway" REQUIRES seaway-gpu
+        LIBRARIES -ldl)
+    list(APPEND SW_COMPONENTS stage)
 endif()
 if(TARGET seaway_scene)
     sw_install_library(scene DESCRIPTION "Scene files and measured spectra for Seaway" REQUIRES seaway-gpu

@@ -21,27 +21,58 @@ function(sw_setup_target target)
     endif()
 endfunction()
 
-# Compile GLSL files to SPIR-V as C initializers, shaders/<dir>/<name>.<stage> to <build>/spirv/<name>.<stage>.inc,
-# and add the folder to the target's includes.
-function(sw_embed_shaders target)
-    find_program(SW_GLSLC glslc)
+find_program(SW_GLSLC glslc)
+
+# SPIR-V of shaders/<dir>/<name>.<stage> as C initializers in <folder>/<name>.<stage>.inc, once optimised, which is what
+# is embedded, and once with its names, <name>.<stage>.named.
+function(sw_compile_shader folder shader)
     if(NOT SW_GLSLC)
         message(FATAL_ERROR "glslc was not found: run scripts/setup, or install Debian's package glslc")
     endif()
+    get_filename_component(name ${shader} NAME)
+    set(output ${folder}/${name}.inc)
+    set(glslc ${SW_GLSLC} --target-env=vulkan1.3 -mfmt=c -I ${PROJECT_SOURCE_DIR}/shaders)
+    add_custom_command(OUTPUT ${output} ${folder}/${name}.named
+        COMMAND ${glslc} -O -MD -MF ${output}.d -MT ${output} -o ${output} ${PROJECT_SOURCE_DIR}/shaders/${shader}
+        COMMAND ${glslc} -O0 -o ${folder}/${name}.named ${PROJECT_SOURCE_DIR}/shaders/${shader}
+        DEPENDS ${PROJECT_SOURCE_DIR}/shaders/${shader}
+        DEPFILE ${output}.d
+        COMMENT "GLSL ${shader}" VERBATIM)
+endfunction()
+
+# Shaders of the target, as SPIR-V that its sources include: <dir>/<name>.comp, or <dir>/<name>.vert+<dir>/<name>.frag
+# for the two stages of one pipeline. Of each comes <name>_shader.h, the fragment shader's name for two stages, which
+# names all that it binds; see scripts/reflect_spirv.py. A lone .vert or .frag is only compiled, to <name>.<stage>.inc.
+function(sw_embed_shaders target)
+    find_package(Python3 REQUIRED COMPONENTS Interpreter)
     set(folder ${CMAKE_CURRENT_BINARY_DIR}/spirv)
     file(MAKE_DIRECTORY ${folder})
+    set(reflect ${PROJECT_SOURCE_DIR}/scripts/reflect_spirv.py)
     set(outputs)
-    foreach(shader IN LISTS ARGN)
-        get_filename_component(name ${shader} NAME)
-        set(output ${folder}/${name}.inc)
-        add_custom_command(OUTPUT ${output}
-            COMMAND ${SW_GLSLC} --target-env=vulkan1.3 -O -mfmt=c -I ${PROJECT_SOURCE_DIR}/shaders
-                -MD -MF ${output}.d -MT ${output} -o ${output} ${PROJECT_SOURCE_DIR}/shaders/${shader}
-            DEPENDS ${PROJECT_SOURCE_DIR}/shaders/${shader}
-            DEPFILE ${output}.d
-            COMMENT "GLSL ${shader}" VERBATIM)
-        list(APPEND outputs ${output})
+    set(compiled)
+    foreach(entry IN LISTS ARGN)
+        string(REPLACE "+" ";" stages ${entry})
+        set(words)
+        foreach(shader IN LISTS stages)
+            if(NOT shader IN_LIST compiled)
+                sw_compile_shader(${folder} ${shader})
+                list(APPEND compiled ${shader})
+            endif()
+            get_filename_component(name ${shader} NAME)
+            get_filename_component(pipeline ${shader} NAME_WE)
+            list(APPEND words ${folder}/${name}.inc ${folder}/${name}.named)
+        endforeach()
+        list(APPEND outputs ${words})
+        if(entry MATCHES "\\+|\\.comp$")
+            set(header ${folder}/${pipeline}_shader.h)
+            add_custom_command(OUTPUT ${header}
+                COMMAND Python3::Interpreter ${reflect} ${pipeline} ${header} ${words}
+                DEPENDS ${reflect} ${words}
+                COMMENT "Bindings of ${pipeline}" VERBATIM)
+            list(APPEND outputs ${header})
+        endif()
     endforeach()
+    list(REMOVE_DUPLICATES outputs)
     add_custom_target(${target}_shaders DEPENDS ${outputs})
     add_dependencies(${target} ${target}_shaders)
     target_include_directories(${target} PRIVATE ${folder})

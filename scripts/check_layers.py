@@ -3,8 +3,8 @@
 """Hold the layers: who may include whom, and what every file of ours must have.
 
 Rules, each with a name that its messages carry:
-  layer    src/<half>/<module> includes only lower modules of its half, the seam (gpu: core/frame, core/math, core/base),
-           public headers and shaders/shared; programs and examples include public headers and their own folder only
+  layer    src/<half>/<module> includes only lower modules of its half, the seam (gpu: core/frame, core/lod, core/math,
+           core/base), public headers and shaders/shared; programs and examples include public headers and their own folder only
   system   the core includes the C library, threads and the compilers' vector headers, nothing else
   vulkan   no Vulkan name in src/core
   shaders  shaders/shared includes shared; lib includes shared and lib; the rest shared, lib and its own folder
@@ -25,7 +25,7 @@ CORE = {"base": 0, "math": 1, "frame": 2, "lod": 3, "spectra": 4, "records": 5, 
         "waves": 7, "input": 7, "fields": 7, "sim": 7, "surface": 8, "query": 9, "physics": 10, "world": 11, "api": 12}
 GPU = {"vk": 0, "layer": 1, "pass": 2, "query": 3, "draw": 4, "record": 5, "api": 6}
 COMPANIONS = {"files": 0, "measure": 0, "stage": 0, "share": 0, "scene": 1}
-SEAM = {"core/frame", "core/math", "core/base"}
+SEAM = {"core/frame", "core/lod", "core/math", "core/base"}
 CORE_SYSTEM = set("""assert.h errno.h float.h inttypes.h limits.h math.h pthread.h sched.h stdalign.h stdarg.h stdatomic.h
     stdbool.h stddef.h stdint.h stdio.h stdlib.h string.h threads.h time.h unistd.h
     xmmintrin.h emmintrin.h immintrin.h cpuid.h arm_neon.h sys/auxv.h""".split())
@@ -88,8 +88,8 @@ def may_include(root, path, target):
     if path.startswith("src/"):
         if target.startswith("shared/"):
             return True
-        if target.endswith(".inc") and "/" not in target:
-            return path.startswith("src/gpu/")  # SPIR-V of the build
+        if target.endswith((".inc", "_shader.h")) and "/" not in target:
+            return path.startswith("src/gpu/")  # made by the build: SPIR-V and its bindings
         if path.startswith("src/core/"):
             return target.startswith("core/") and check_core(path, target)
         if path.startswith("src/gpu/"):

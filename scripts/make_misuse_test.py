@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "query", "replay", "save"]
+HEADERS = ["base", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "query", "replay", "save", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -47,12 +47,21 @@ ALLOWED = {
     ("swMeasuredSea_Bracket", "seconds", "*"): "false says that there is none; infinity is before or after all",
     ("swGpuWorld_ReadLayer", "gpuWorld", "NULL"): "it is the device's world that knows whom to tell",
     ("swGpu_GetPassTimes", "times", "NULL"): "there is room for none",
+    ("swStage_DrawPicture", "stage", "NULL"): "it is the stage that knows whom to tell",
+    ("swStage_BeginDrawing", "depth", "NULL"): "drawing without depth",
+    ("swStage_SubmitFrame", "sync", "NULL"): "waits for nothing and signals nothing",
     ("swGpu_FitView", "def.*", "*"): "swCreateView() checks the def",
     ("swWorld_QueryHeightMap", "map.originX", "*"): "every point is bad, and NaN",
     ("swWorld_QueryHeightMap", "map.originZ", "*"): "every point is bad, and NaN",
     ("swWorld_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
     ("swCreateSceneSea", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("*", "spectrum.depth", "infinite"): "deep water",
+    ("swLookAtPatches", "depth", "infinite"): "deep water",
+    ("swLookAtPatches", "index", "-1"): "any place",
+    ("swEstimatePatchDensity", "frequency", "*"): "what cannot be answered is NaN",
+    ("swEstimatePatchDensity", "theta", "*"): "what cannot be answered is NaN",
+    ("swEstimatePatchDensity", "depth", "*"): "what cannot be answered is NaN; infinity is deep water",
+    ("swEstimatePatchDensity", "gravity", "*"): "what cannot be answered is NaN",
     ("*", "def.minWavelength", "infinite"): "leaves all waves out",
     ("*", "spectrum.octaves", "zeroed"): "counts with SW_SPECTRUM_OCTAVES only",
     ("*", "octaves.multiplier", "*"): "counts with SW_SPECTRUM_OCTAVES only",
@@ -264,11 +273,13 @@ class Writer:
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
 FIXED = {"swHost", "swWaveSystemId", "swPicture", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
-         "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView"}
+         "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
+         "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.
-COPIED = {"swPicture", "swHeightMapDef"}
+COPIED = {"swPicture", "swHeightMapDef", "swSeaGauges"}
 # Made with a host, which is told.
-OBJECTS = {"swWorld", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay", "swScene"}
+OBJECTS = {"swWorld", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay", "swScene",
+           "swStage", "swSeaPatches"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.
 FREES = set()
@@ -277,9 +288,9 @@ FREES = set()
 def main():
     folder, output = sys.argv[1:3]
     is_gpu, is_scene = "--gpu" in sys.argv, "--scene" in sys.argv
-    names = HEADERS + (["gpu", "draw"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
+    names = HEADERS + (["gpu", "draw", "stage"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
     known = {name[:-2] for name in os.listdir(folder) if name.endswith(".h")} - {"seaway"}
-    for name in known - set(HEADERS + ["gpu", "draw", "files", "scene"]):
+    for name in known - set(HEADERS + ["gpu", "draw", "stage", "files", "scene"]):
         sys.exit(f"make_misuse_test.py: {name}.h is in no list of headers here")
     Writer(*parse(folder, names)).write(output, is_gpu, is_scene)
 

@@ -99,6 +99,7 @@ SW_API const VkPhysicalDeviceFeatures2* swGpu_GetFeatures(swGpuFeatures* storage
 SW_API const char* const* swGpu_GetDeviceExtensions(uint32_t* count);
 
 /// What is in use, also when Seaway created it.
+SW_API PFN_vkGetInstanceProcAddr swGpu_GetInstanceProcAddr(const swGpu* gpu);
 SW_API VkInstance swGpu_GetInstance(const swGpu* gpu);
 SW_API VkPhysicalDevice swGpu_GetPhysicalDevice(const swGpu* gpu);
 SW_API VkDevice swGpu_GetDevice(const swGpu* gpu);
@@ -153,15 +154,6 @@ SW_API void swGpuWorld_Discard(swGpuWorld* gpuWorld, uint64_t frameIndex);
 
 /// Bytes of device memory in use, queries included.
 SW_API size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld);
-
-/// Layers that can be read back.
-typedef enum swLayer
-{
-    SW_LAYER_DISPLACEMENT, ///< 4 floats a texel: x, y, z, 0
-    SW_LAYER_DERIVATIVES,  ///< 4 floats a texel: gx, gz, J, 0, see swView_GetDerivatives()
-    SW_LAYER_FOAM,         ///< 1 float a texel
-    SW_LAYER_COUNT
-} swLayer;
 
 /// Read a slice's layer of the last recorded frame to the host. For tests and tools: submits to the device's queue and
 /// waits, so the recorded work must have been submitted. `texels` has room for resolution^2 * channels floats.

@@ -59,6 +59,15 @@ typedef struct swSliceInfo
     float fade;             ///< 0: shown; 1: faded into the next slice (finest slice only)
 } swSliceInfo;
 
+/// Quantities on a view's slices.
+typedef enum swLayer
+{
+    SW_LAYER_DISPLACEMENT, ///< 4 floats a texel: x, y, z, 0
+    SW_LAYER_DERIVATIVES,  ///< 4 floats a texel: gx, gz, J, 0, see swView_GetDerivatives()
+    SW_LAYER_FOAM,         ///< 1 float a texel
+    SW_LAYER_COUNT
+} swLayer;
+
 SW_API int swView_GetSliceCount(const swView* view);
 SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
 

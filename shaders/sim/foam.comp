@@ -18,7 +18,7 @@ layout(std430, binding = 0) readonly buffer Slices
 };
 layout(std430, binding = 1) readonly buffer Sources
 {
-    swFoamSource sources[]; // SW_FOAM_SOURCES a slice for the past, and one for the fold
+    swPastSource sources[]; // SW_PAST_SOURCES a slice for the past, and one for the fold
 };
 layout(binding = 2, rgba32f) uniform readonly image2DArray displacement;
 layout(binding = 3, r32f) uniform readonly image2DArray previous;
@@ -36,13 +36,13 @@ struct Tap
     bool isHeld;
 };
 
-Tap findTap(swFoamSource source, ivec2 at)
+Tap findTap(swPastSource source, ivec2 at)
 {
     Tap tap;
-    tap.texel.x = swFoamTap(source.shift, source.baseX, source.restX, at.x);
-    tap.texel.y = swFoamTap(source.shift, source.baseZ, source.restZ, at.y);
-    tap.along.x = swFoamTapFraction(source.shift, source.restX, at.x);
-    tap.along.y = swFoamTapFraction(source.shift, source.restZ, at.y);
+    tap.texel.x = swLayerTap(source.shift, source.baseX, source.restX, at.x);
+    tap.texel.y = swLayerTap(source.shift, source.baseZ, source.restZ, at.y);
+    tap.along.x = swLayerTapFraction(source.shift, source.restX, at.x);
+    tap.along.y = swLayerTapFraction(source.shift, source.restZ, at.y);
     ivec2 last = ivec2(resolution - (tap.along.x > 0.0 ? 2 : 1), resolution - (tap.along.y > 0.0 ? 2 : 1));
     tap.isHeld = all(greaterThanEqual(tap.texel, ivec2(0))) && all(lessThanEqual(tap.texel, last));
     return tap;
@@ -70,9 +70,9 @@ float jacobianAt(int slice, int x, int z)
 bool readPrevious(ivec3 at, out float foam)
 {
     foam = 0.0;
-    for (int i = 0; i < SW_FOAM_SOURCES; ++i)
+    for (int i = 0; i < SW_PAST_SOURCES; ++i)
     {
-        swFoamSource source = sources[at.z * (SW_FOAM_SOURCES + 1) + i];
+        swPastSource source = sources[at.z * (SW_PAST_SOURCES + 1) + i];
         if (source.slice < 0)
         {
             return false;
@@ -92,7 +92,7 @@ bool readPrevious(ivec3 at, out float foam)
 // J where the slice finds its folds; flat water beyond what is known.
 float readJacobian(ivec3 at)
 {
-    swFoamSource source = sources[at.z * (SW_FOAM_SOURCES + 1) + SW_FOAM_SOURCES];
+    swPastSource source = sources[at.z * (SW_PAST_SOURCES + 1) + SW_PAST_SOURCES];
     if (source.slice == at.z)
     {
         return jacobianAt(at.z, at.x, at.y);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/lod/stack.h"
+#include "core/lod/layer_stack.h"
 #include "core/sim/foam.h"
 #include "core/sim/whitecaps.h"
 #include "scenarios/scenario.h"
@@ -20,12 +20,10 @@
 // A stack with foam and without a world: J is 1 (flat) everywhere unless a test says otherwise.
 typedef struct FoamBed
 {
-    swStack stack;
-    swFoamClock state;
-    swViewFrame view;
+    swLayerStack layers;
+    swStackFrame view;
     float derivatives[SLICES * TEXELS * 4];
     float foam[2][SLICES * TEXELS];
-    int current;
 } FoamBed;
 
 static FoamBed bed;
@@ -46,35 +44,26 @@ static void SetJacobian(float jacobian)
 
 static void StepBed(swPos viewpoint, double seconds)
 {
-    swSlice previous[SW_MAX_SLICES];
-    bool isFirst = !bed.stack.isPlaced;
-    memcpy(previous, bed.stack.slices, sizeof previous);
-    swPlaceStack(&bed.stack, viewpoint, 0.0);
-    bed.view.sliceCount = SLICES;
-    bed.view.resolution = RESOLUTION;
-    bed.view.derivatives = bed.derivatives;
-    memcpy(bed.view.slices, bed.stack.slices, sizeof bed.view.slices);
-    memcpy(bed.view.previousSlices, isFirst ? bed.stack.slices : previous, sizeof previous);
-    swPlanFoam(&bed.state, (int64_t)floor(seconds * SW_TICKS_PER_SECOND + 0.5), &bed.view);
+    int64_t ticks = (int64_t)floor(seconds * SW_TICKS_PER_SECOND + 0.5);
+    swPlaceLayers(&bed.layers, viewpoint, 0.0, ticks, &bed.view);
+    bed.view.layers[SW_LAYER_DERIVATIVES].texels = bed.derivatives;
     for (int i = 0; i < SLICES; ++i)
     {
-        swFindFoamSources(&bed.view.slices[i], RESOLUTION, SLICES, bed.view.previousSlices, bed.view.foamSources[i]);
-    }
-    for (int i = 0; i < SLICES; ++i)
-    {
-        bed.view.foamBirth[i] = (swFoamBirth){.fold.slice = i, .rest.bend = 1.0f, .growth = 2.0f};
+        swFoamBirth birth = {.fold.slice = i, .rest.bend = 1.0f, .growth = 2.0f};
+        memcpy(bed.view.layers[SW_LAYER_FOAM].params[i], &birth, sizeof birth);
     }
     swHost host = swDefaultHost();
     swFrame frame = {.foam.fadeRate = FADE, .foamLaw = {.threshold = 0.5f, .cover = START}};
-    swStepFoam(&host, &frame, &bed.view, bed.foam[bed.current], bed.foam[bed.current ^ 1]);
-    bed.current ^= 1;
+    swLayerStep step = {.host = &host, .frame = &frame, .stack = &bed.view};
+    swStepLayers(&bed.layers, SW_LAYER_FOAM, 1, swStepFoam, &step, &bed.view);
 }
 
 static void MakeBed(float jacobian)
 {
     memset(&bed, 0, sizeof bed);
     swViewDef def = {.sliceCount = SLICES, .resolution = RESOLUTION, .finestTexel = 0.25f, .maxScaleLevel = 6};
-    bed.stack = swMakeStack(&def);
+    bed.layers = (swLayerStack){.stack = swMakeStack(&def), .hasTexels = true};
+    bed.layers.states[SW_LAYER_FOAM] = (swLayerState){.texels = {bed.foam[0], bed.foam[1]}};
     SetJacobian(jacobian);
     StepBed((swPos){0.0, 1.0, 0.0}, 0.0);
 }
@@ -87,7 +76,7 @@ static float Mark(double x, double z)
 
 static float* FoamAt(int slice, int row, int column)
 {
-    return &bed.foam[bed.current][(slice * RESOLUTION + row) * RESOLUTION + column];
+    return &bed.foam[bed.layers.states[SW_LAYER_FOAM].current][(slice * RESOLUTION + row) * RESOLUTION + column];
 }
 
 static double PositionOf(int64_t first, int index, double texel)
@@ -99,7 +88,7 @@ static void MarkBed(void)
 {
     for (int slice = 0; slice < SLICES; ++slice)
     {
-        const swSlice* s = &bed.stack.slices[slice];
+        const swSlice* s = &bed.layers.stack.slices[slice];
         for (int row = 0; row < RESOLUTION; ++row)
         {
             for (int column = 0; column < RESOLUTION; ++column)
@@ -121,7 +110,7 @@ static Survey SurveyBed(void)
     Survey survey = {0};
     for (int slice = 0; slice < SLICES; ++slice)
     {
-        const swSlice* s = &bed.stack.slices[slice];
+        const swSlice* s = &bed.layers.stack.slices[slice];
         for (int row = 0; row < RESOLUTION; ++row)
         {
             for (int column = 0; column < RESOLUTION; ++column)
@@ -146,7 +135,7 @@ static void FoamFadesOnCalmWater(void** state)
         MakeBed(1.0f);
         for (int i = 0; i < SLICES * TEXELS; ++i)
         {
-            bed.foam[bed.current][i] = 1.0f;
+            bed.foam[bed.layers.states[SW_LAYER_FOAM].current][i] = 1.0f;
         }
         for (int i = 0; i < rates[r]; ++i)
         {
@@ -197,15 +186,15 @@ static void FoamStartsInTheSteadyStateAndKeepsIt(void** state)
     }
     for (int i = 0; i < TEXELS; ++i)
     {
-        assert_float_equal(bed.foam[bed.current][i], steady, 1e-5f);
+        assert_float_equal(bed.foam[bed.layers.states[SW_LAYER_FOAM].current][i], steady, 1e-5f);
     }
     // A jump in time, back or far ahead, starts anew.
     SetJacobian(1.0f);
-    uint32_t resets = bed.state.resetCount;
+    uint32_t resets = bed.layers.states[SW_LAYER_FOAM].clock.resetCount;
     StepBed((swPos){0.0, 1.0, 0.0}, -0.1);
     assert_true(*FoamAt(0, 5, 5) == START); // the sea's mean, where nothing folds
     StepBed((swPos){0.0, 1.0, 0.0}, 100.0);
-    assert_int_equal(bed.state.resetCount, resets + 2);
+    assert_int_equal(bed.layers.states[SW_LAYER_FOAM].clock.resetCount, resets + 2);
 }
 
 static void FoamLiesStillWhileSlicesScroll(void** state)
@@ -244,7 +233,7 @@ static void FoamSurvivesAChangeOfScale(void** state)
     MakeBed(1.0f);
     MarkBed();
     StepBed((swPos){0.0, 12.0, 0.0}, 0.0); // finest slice is 16 m wide: 4 m and below is level 0, so this is level 1
-    assert_int_equal(bed.stack.scaleLevel, 1);
+    assert_int_equal(bed.layers.stack.scaleLevel, 1);
     Survey up = SurveyBed();
     print_message("one level up: %d exact, %d within 0.01, %d lost\n", up.exact, up.near, up.lost);
     // The new outermost slice has a past only in the quarter that the old one covered.
@@ -253,7 +242,7 @@ static void FoamSurvivesAChangeOfScale(void** state)
 
     MarkBed();
     StepBed((swPos){0.0, 1.0, 0.0}, 0.0);
-    assert_int_equal(bed.stack.scaleLevel, 0);
+    assert_int_equal(bed.layers.stack.scaleLevel, 0);
     Survey down = SurveyBed();
     print_message("one level down: %d exact, %d within 0.01, %d lost\n", down.exact, down.near, down.lost);
     assert_int_equal(down.lost, 0); // the new finest slice lies within the old one
@@ -268,7 +257,7 @@ static void AFarTeleportStartsFromTheSteadyState(void** state)
     StepBed((swPos){5000.0, 1.0, 0.0}, 0.0);
     for (int i = 0; i < SLICES * TEXELS; ++i)
     {
-        assert_float_equal(bed.foam[bed.current][i], STEADY, 1e-6f);
+        assert_float_equal(bed.foam[bed.layers.states[SW_LAYER_FOAM].current][i], STEADY, 1e-6f);
     }
 }
 
@@ -469,7 +458,7 @@ static void TheSeaBeyondTheSlicesHasAsMuchFoam(void** state)
         swWorld_Step(world, 0.1);
         mean += MeanFoamOf(view) / 40.0;
     }
-    double beyond = (double)swGetWorldFrame(world)->views[0].foamAtRest;
+    double beyond = (double)swGetWorldFrame(world)->foamLaw.cover;
     print_message("mean foam: %.4f in a slice of 8 m, %.4f beyond\n", mean, beyond);
     assert_true(beyond > 0.8 * mean && beyond < 1.25 * mean);
     swDestroyWorld(world);
@@ -489,11 +478,11 @@ static void AFoldThatIsSeenWholeBearsAsMuch(void** state)
     for (int i = 0; i < 300; ++i)
     {
         swWorld_Step(world, 0.1);
-        const swFoamBirth* birth = &frame->views[0].foamBirth[0];
+        swFoamBirth birth = swGetFoamBirth(&frame->views[0].stack, 0);
         for (int t = 0; t < 128 * 128 && i >= 100; ++t)
         {
-            float jacobian = frame->views[0].derivatives[4 * t + 2];
-            folds += (double)swFoamFold(jacobian, frame->foamLaw.threshold, birth->rest);
+            float jacobian = frame->views[0].stack.layers[SW_LAYER_DERIVATIVES].texels[4 * t + 2];
+            folds += (double)swFoamFold(jacobian, frame->foamLaw.threshold, birth.rest);
             foam += (double)swView_GetFoam(view, 0)[t];
         }
     }

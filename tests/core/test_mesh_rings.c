@@ -30,8 +30,8 @@ static double Random(void)
 static swViewFrame MakeFrame(int sliceCount, int resolution, int scaleLevel, double x, double z, float fade)
 {
     swViewFrame frame = {
-        .sliceCount = sliceCount,
-        .resolution = resolution,
+        .stack.sliceCount = sliceCount,
+        .stack.resolution = resolution,
         .viewpoint = {x, 2.0, z},
         .fade = fade,
         .scaleLevel = scaleLevel,
@@ -39,7 +39,7 @@ static swViewFrame MakeFrame(int sliceCount, int resolution, int scaleLevel, dou
     for (int i = 0; i < sliceCount; ++i)
     {
         double texel = ldexp(1.0, i + scaleLevel - 4);
-        frame.slices[i] = (swSlice){
+        frame.stack.slices[i] = (swSlice){
             .texel = texel,
             .firstX = (int64_t)floor(x / texel) - resolution / 2,
             .firstZ = (int64_t)floor(z / texel) - resolution / 2,

@@ -176,11 +176,11 @@ static void TimeJumpsFromEndToEnd(void** state)
     swWorld_SetTime(world, LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     assert_true(swWaveSystem_GetWeight(world, FIRST) == 1.0f); // what Set() asked for, long over
-    assert_null(world->systems[0].layers[0].set->mix);
-    assert_true(swFindViewFrame(view)->foamReset);
+    assert_null(world->waves.systems[0].layers[0].set->mix);
+    assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
     swWorld_SetTime(world, -LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
-    assert_true(swFindViewFrame(view)->foamReset);
+    assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
     assert_true(isfinite(swWorld_GetHeight(world, 1.0, 2.0)));
     swDestroyWorld(world);
 }
@@ -199,8 +199,8 @@ static void AStateThatCannotBeSavedIsRefused(void** state)
     {
         struct swWorld kept = *world;
         world->origin.x = way == 0 ? (double)NAN : world->origin.x;
-        world->systems[0].weight.to = way == 1 ? 11.0f : world->systems[0].weight.to;
-        world->systems[0].layers[0].fade.begin = way == 2 ? INT64_MIN : 0;
+        world->waves.systems[0].weight.to = way == 1 ? 11.0f : world->waves.systems[0].weight.to;
+        world->waves.systems[0].layers[0].fade.begin = way == 2 ? INT64_MIN : 0;
         int before = keeper.sentences;
         size_t size = 1;
         assert_int_equal(swWorld_Save(world, NULL, &size), SW_ERROR_LIMIT);
@@ -210,8 +210,8 @@ static void AStateThatCannotBeSavedIsRefused(void** state)
         assert_int_equal(swWorld_Save(world, room.data, &size), SW_ERROR_LIMIT);
         assert_int_equal(keeper.sentences, before + 2);
         world->origin = kept.origin;
-        world->systems[0].weight = kept.systems[0].weight;
-        world->systems[0].layers[0].fade = kept.systems[0].layers[0].fade;
+        world->waves.systems[0].weight = kept.waves.systems[0].weight;
+        world->waves.systems[0].layers[0].fade = kept.waves.systems[0].layers[0].fade;
     }
     print_message("%s\n", keeper.last);
     CheckSaved(&host, world);
@@ -401,10 +401,10 @@ static void ExpectRefusedRewind(const swWaveSystemDef* then, const swWaveSystemD
     swHost host = MakeHost(&keeper);
     swWorld* world = MakeWorld(&host, then);
     Saved saved = Save(world);
-    uint64_t hash = world->systems[0].layers[0].set->hash;
+    uint64_t hash = world->waves.systems[0].layers[0].set->hash;
     assert_int_equal(swWaveSystem_Set(world, FIRST, now, 0.0), SW_SUCCESS);
     assert_int_equal(swWorld_Step(world, 0.5), SW_SUCCESS);
-    bool isSame = world->systems[0].layers[0].set->hash == hash;
+    bool isSame = world->waves.systems[0].layers[0].set->hash == hash;
     print_message("%s: %s waves\n", what, isSame ? "the same" : "other");
     assert_true(isSame || !mustBeSame);
     assert_int_equal(swWorld_Rewind(world, saved.data, saved.size), SW_ERROR_UNSUPPORTED);

@@ -161,7 +161,7 @@ static void LayersExistOnlyWhereAskedFor(void** state)
     assert_null(swView_GetDerivatives(view, 0));
     assert_null(swView_GetFoam(view, 6));
     assert_int_equal(swView_GetSliceCount(view), 7);
-    assert_null(swGetWorldFrame(calm.world)->views[0].displacement);
+    assert_null(swGetWorldFrame(calm.world)->views[0].stack.layers[SW_LAYER_DISPLACEMENT].texels);
     DestroyScenario(&calm);
 }
 

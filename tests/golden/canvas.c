@@ -6,21 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gpu/vk/vk_device.h"
-#include "gpu/vk/vk_submit.h"
+#include <seaway/stage.h>
+
+#define MAX_PASSES 48
 
 struct Canvas
 {
     swHost host;
+    swStage* stage;
     swGpu* gpu;
-    swImage hdr, depth, output;
-    swBuffer readback;
+    swStageTargets targets;
+    swStageBuffer readback;
     uint32_t width, height;
-    PFN_vkCmdBeginRendering beginRendering;
-    PFN_vkCmdEndRendering endRendering;
-    PFN_vkCmdSetViewport setViewport;
-    PFN_vkCmdSetScissor setScissor;
-    uint64_t frameIndex;
 };
 
 // One sea and its twin.
@@ -37,18 +34,6 @@ static float Radians(float degrees)
     return degrees * (float)(SW_PI / 180.0);
 }
 
-static bool CreateTarget(Canvas* canvas, VkFormat format, VkImageUsageFlags usage, VkImageLayout layout,
-                         const char* name, swImage* image)
-{
-    const swImageDef def = {.format = format,
-                            .width = canvas->width,
-                            .height = canvas->height,
-                            .usage = usage,
-                            .layout = layout,
-                            .name = name};
-    return swCreateImage(canvas->gpu, &def, image) == SW_SUCCESS;
-}
-
 Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation)
 {
     Canvas* canvas = calloc(1, sizeof(*canvas));
@@ -62,27 +47,16 @@ Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation)
     swGpuDef def = swDefaultGpuDef();
     def.enableValidation = enableValidation;
     def.layers = SW_LAYERS_CORE; // where a shot has them
-    VkImageUsageFlags drawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    bool isReady = swCreateGpu(&canvas->host, &def, &canvas->gpu) == SW_SUCCESS &&
-                   CreateTarget(canvas, VK_FORMAT_R16G16B16A16_SFLOAT, drawn | VK_IMAGE_USAGE_SAMPLED_BIT,
-                                VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, "hdr", &canvas->hdr) &&
-                   CreateTarget(canvas, VK_FORMAT_D32_SFLOAT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, "depth", &canvas->depth) &&
-                   CreateTarget(canvas, VK_FORMAT_R8G8B8A8_SRGB, drawn, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                "output", &canvas->output) &&
-                   swCreateBuffer(canvas->gpu, 8ull * width * height, 0, SW_MEMORY_READBACK, "readback",
-                                  &canvas->readback) == SW_SUCCESS;
+    bool isReady = swCreateStage(&canvas->host, &def, &canvas->stage) == SW_SUCCESS &&
+                   swStage_CreateTargets(canvas->stage, width, height, 0, 0, &canvas->targets) == SW_SUCCESS &&
+                   swStage_CreateBuffer(canvas->stage, 8ull * width * height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                        &canvas->readback) == SW_SUCCESS;
     if (!isReady)
     {
         DestroyCanvas(canvas);
         return NULL;
     }
-    PFN_vkGetDeviceProcAddr get = canvas->gpu->vk.GetDeviceProcAddr;
-    VkDevice device = canvas->gpu->device;
-    canvas->beginRendering = (PFN_vkCmdBeginRendering)get(device, "vkCmdBeginRendering");
-    canvas->endRendering = (PFN_vkCmdEndRendering)get(device, "vkCmdEndRendering");
-    canvas->setViewport = (PFN_vkCmdSetViewport)get(device, "vkCmdSetViewport");
-    canvas->setScissor = (PFN_vkCmdSetScissor)get(device, "vkCmdSetScissor");
+    canvas->gpu = swStage_GetGpu(canvas->stage);
     return canvas;
 }
 
@@ -92,14 +66,12 @@ void DestroyCanvas(Canvas* canvas)
     {
         return;
     }
-    if (canvas->gpu)
+    if (canvas->stage)
     {
-        canvas->gpu->vk.DeviceWaitIdle(canvas->gpu->device);
-        swDestroyImage(canvas->gpu, &canvas->hdr);
-        swDestroyImage(canvas->gpu, &canvas->depth);
-        swDestroyImage(canvas->gpu, &canvas->output);
-        swDestroyBuffer(canvas->gpu, &canvas->readback);
-        swDestroyGpu(canvas->gpu);
+        swStage_Wait(canvas->stage);
+        swStage_DestroyTargets(canvas->stage, &canvas->targets);
+        swStage_DestroyBuffer(canvas->stage, &canvas->readback);
+        swDestroyStage(canvas->stage);
     }
     free(canvas);
 }
@@ -141,75 +113,6 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
            swCreateRenderer(sea->gpuWorld, &rendererDef, &sea->renderer) == SW_SUCCESS;
 }
 
-static void BeginRendering(const Canvas* canvas, VkCommandBuffer commands, const swImage* color, const swImage* depth)
-{
-    const VkRenderingAttachmentInfo colorInfo = {
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = color->view,
-        .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-    };
-    const VkRenderingAttachmentInfo depthInfo = {
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = depth ? depth->view : VK_NULL_HANDLE,
-        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-    };
-    const VkRenderingInfo info = {
-        .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = {{0, 0}, {canvas->width, canvas->height}},
-        .layerCount = 1,
-        .colorAttachmentCount = 1,
-        .pColorAttachments = &colorInfo,
-        .pDepthAttachment = depth ? &depthInfo : NULL,
-    };
-    const VkViewport viewport = {0.0f, 0.0f, (float)canvas->width, (float)canvas->height, 0.0f, 1.0f};
-    const VkRect2D scissor = {{0, 0}, {canvas->width, canvas->height}};
-    canvas->beginRendering(commands, &info);
-    canvas->setViewport(commands, 0, 1, &viewport);
-    canvas->setScissor(commands, 0, 1, &scissor);
-}
-
-static void Move(const Canvas* canvas, VkCommandBuffer commands, const swImage* image, VkImageLayout from,
-                 VkImageLayout to)
-{
-    VkAccessFlags2 all = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-    swImageBarrier(canvas->gpu, commands, image, from, to, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, all,
-                   VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, all);
-}
-
-static void RecordImages(Canvas* canvas, swRenderer* renderer, VkCommandBuffer commands, bool readHdr)
-{
-    const VkImageLayout none = VK_IMAGE_LAYOUT_UNDEFINED;
-    const VkImageLayout drawn = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    const VkImageLayout read = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    const VkImageLayout copied = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
-    Move(canvas, commands, &canvas->hdr, none, drawn);
-    Move(canvas, commands, &canvas->depth, none, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-    BeginRendering(canvas, commands, &canvas->hdr, &canvas->depth);
-    swRenderer_DrawSurface(renderer, commands);
-    swRenderer_DrawSky(renderer, commands);
-    canvas->endRendering(commands);
-    Move(canvas, commands, &canvas->hdr, drawn, read);
-    swRenderer_Expose(renderer, commands, canvas->hdr.view, 0.0f, true);
-    Move(canvas, commands, &canvas->output, none, drawn);
-    BeginRendering(canvas, commands, &canvas->output, NULL);
-    swRenderer_Tonemap(renderer, commands, canvas->hdr.view);
-    canvas->endRendering(commands);
-
-    const swImage* wanted = readHdr ? &canvas->hdr : &canvas->output;
-    Move(canvas, commands, wanted, readHdr ? read : drawn, copied);
-    const VkBufferImageCopy copy = {
-        .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
-        .imageExtent = {canvas->width, canvas->height, 1},
-    };
-    canvas->gpu->vk.CmdCopyImageToBuffer(commands, wanted->handle, copied, canvas->readback.handle, 1, &copy);
-    swBarrier(canvas->gpu, commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-              VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
-}
-
 static float HalfToFloat(uint16_t half)
 {
     int exponent = (half >> 10) & 31;
@@ -220,38 +123,52 @@ static float HalfToFloat(uint16_t half)
     return half & 0x8000 ? -value : value;
 }
 
-static bool RecordAll(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, VkCommandBuffer commands)
+static bool RecordAll(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, const swStageFrame* frame)
 {
-    bool isGood = swGpuWorld_Record(sea->gpuWorld, commands, canvas->frameIndex) == SW_SUCCESS;
-    if (isGood && picture)
+    if (swGpuWorld_Record(sea->gpuWorld, frame->commands, frame->index) != SW_SUCCESS)
     {
-        isGood = swRenderer_Prepare(sea->renderer, commands, picture, canvas->frameIndex) == SW_SUCCESS;
-        if (isGood)
-        {
-            RecordImages(canvas, sea->renderer, commands, readHdr);
-        }
+        return false;
     }
-    ++canvas->frameIndex;
-    return isGood;
+    if (!picture)
+    {
+        return true;
+    }
+    if (swRenderer_Prepare(sea->renderer, frame->commands, picture, frame->index) != SW_SUCCESS)
+    {
+        return false;
+    }
+    const swStageTargets* targets = &canvas->targets;
+    swStage_DrawPicture(canvas->stage, frame->commands, sea->renderer, targets, 0.0f, true);
+    swStage_CopyToHost(canvas->stage, frame->commands, readHdr ? &targets->hdr : &targets->output,
+                       readHdr ? SW_STAGE_USE_SAMPLED : SW_STAGE_USE_COLOR_TARGET, &canvas->readback);
+    return true;
 }
 
 // One frame, of the waves alone or with the picture.
 static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, bool isDroppedFirst)
 {
-    VkCommandBuffer commands;
-    bool isGood = true;
+    swStageFrame frame;
     if (isDroppedFirst)
     {
-        isGood =
-            swBeginSubmit(canvas->gpu, &commands) == SW_SUCCESS && RecordAll(canvas, sea, picture, readHdr, commands);
-        swGpuWorld_Discard(sea->gpuWorld, canvas->frameIndex - 1);
+        bool isRecorded =
+            swStage_BeginFrame(canvas->stage, &frame) == SW_SUCCESS && RecordAll(canvas, sea, picture, readHdr, &frame);
+        if (!isRecorded)
+        {
+            return false;
+        }
+        swStage_DropFrame(canvas->stage, &frame);
+        swGpuWorld_Discard(sea->gpuWorld, frame.index);
     }
-    if (!isGood || swBeginSubmit(canvas->gpu, &commands) != SW_SUCCESS)
+    if (swStage_BeginFrame(canvas->stage, &frame) != SW_SUCCESS)
     {
         return false;
     }
-    isGood = RecordAll(canvas, sea, picture, readHdr, commands);
-    return swEndSubmit(canvas->gpu) == SW_SUCCESS && isGood;
+    if (!RecordAll(canvas, sea, picture, readHdr, &frame))
+    {
+        swStage_DropFrame(canvas->stage, &frame);
+        return false;
+    }
+    return swStage_SubmitFrame(canvas->stage, &frame, NULL) == SW_SUCCESS && swStage_Wait(canvas->stage) == SW_SUCCESS;
 }
 
 static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels, float* hdr)
@@ -279,12 +196,12 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
     if (isGood && pixels)
     {
         isGood = RunFrame(canvas, sea, &picture, false, shot->dropsCommands);
-        memcpy(pixels, canvas->readback.mapped, count);
+        memcpy(pixels, canvas->readback.data, count);
     }
     if (isGood && hdr)
     {
         isGood = RunFrame(canvas, sea, &picture, true, shot->dropsCommands);
-        const uint16_t* halves = canvas->readback.mapped;
+        const uint16_t* halves = canvas->readback.data;
         for (size_t i = 0; i < count; ++i)
         {
             hdr[i] = HalfToFloat(halves[i]);
@@ -297,7 +214,7 @@ bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr)
 {
     Sea sea = {0};
     bool isGood = CreateSea(canvas, shot, &sea) && DrawSea(canvas, &sea, shot, pixels, hdr);
-    canvas->gpu->vk.DeviceWaitIdle(canvas->gpu->device);
+    swStage_Wait(canvas->stage);
     DestroySea(&sea);
     return isGood;
 }
@@ -314,8 +231,8 @@ int GetCanvasValidationCount(const Canvas* canvas)
 
 void PrintCanvasTimes(const Canvas* canvas)
 {
-    swPassTime times[SW_MAX_TIMED_PASSES];
-    int count = swGpu_GetPassTimes(canvas->gpu, times, SW_MAX_TIMED_PASSES);
+    swPassTime times[MAX_PASSES];
+    int count = swGpu_GetPassTimes(canvas->gpu, times, MAX_PASSES);
     for (int i = 0; i < count; ++i)
     {
         printf("%-16s %9.2f ms\n", times[i].name, (double)times[i].milliseconds);

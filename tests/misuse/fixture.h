@@ -12,11 +12,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "seaway/measure.h"
 #include "seaway/seaway.h"
 #if MISUSE_GPU
 #include "gpu/record/record.h"
-#include "gpu/vk/vk_submit.h"
-#include "seaway/draw.h"
+#include "seaway/stage.h"
 #endif
 #if MISUSE_SCENE
 #include "seaway/files.h"
@@ -44,7 +44,15 @@ typedef struct Fixture
     swSurfaceSamples samples;
     swVolumeSamples volume;
     swHeightMapDef map;
+    swSeaPatches* seaPatches;
+    swSeaBins bins;
+    swSeaGauges gauges;
 #if MISUSE_GPU
+    swStage* stage;
+    swStageTargets targets;
+    swStageImage image;
+    swStageBuffer buffer;
+    swStageFrame frame;
     swGpu* gpu;
     swGpuWorld* gpuWorld;
     swGpuQuery* gpuQuery;
@@ -79,7 +87,13 @@ typedef struct Fixture
 #define FIX_swSurfaceSamples (&f->samples)
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
+#define FIX_swSeaBins (&f->bins)
+#define FIX_swSeaGauges (&f->gauges)
 #define FIX_swPicture (&f->picture)
+#define FIX_swStageImage (&f->image)
+#define FIX_swStageBuffer (&f->buffer)
+#define FIX_swStageFrame (&f->frame)
+#define FIX_swStageTargets (&f->targets)
 #define FIX_swScene (f->scene)
 #define FIX_swSceneSea (&f->sceneSea)
 #define FIX_swSceneView (&f->sceneView)
@@ -185,6 +199,9 @@ static inline void MakeWorld(Fixture* f)
     Need(swCreateSeaReplay(f->world, &f->replayDef, &f->seaReplay), "replay");
     Need(swWorld_Step(f->world, 0.0), "step");
     f->map = (swHeightMapDef){.spacing = 1.0, .width = 4, .height = 4};
+    swMakeEqualBins(0.05, 0.3, 10, &f->bins);
+    f->gauges = (swSeaGauges){.area = 100.0, .gaugeCount = 4, .duration = 10.0};
+    Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }
 
@@ -192,20 +209,26 @@ static inline void MakeWorld(Fixture* f)
 static inline void MakeGpu(Fixture* f)
 {
     swGpuDef gpuDef = swDefaultGpuDef();
-    swResult result = swCreateGpu(&f->host, &gpuDef, &f->gpu);
+    swResult result = swCreateStage(&f->host, &gpuDef, &f->stage);
     if (result == SW_ERROR_NO_DEVICE)
     {
         printf("skipped: there is no Vulkan device\n");
         exit(77);
     }
     Need(result, "device");
+    f->gpu = swStage_GetGpu(f->stage);
+    Need(swStage_CreateTargets(f->stage, 64, 64, 0, 0, &f->targets), "targets");
+    Need(swStage_CreateBuffer(f->stage, 4 * 64 * 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &f->buffer), "buffer");
+    f->image = f->targets.output;
+    f->VkImageView = f->targets.hdr.view;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     swRendererDef rendererDef = swDefaultRendererDef();
     Need(swCreateGpuWorld(f->gpu, f->world, &f->gpuWorld), "world on the device");
     Need(swCreateGpuQuery(f->gpuWorld, &queryDef, &f->gpuQuery), "query");
     Need(swCreateRenderer(f->gpuWorld, &rendererDef, &f->renderer), "renderer");
-    Need(swBeginSubmit(f->gpu, &f->VkCommandBuffer), "commands");
-    Need(swGpuWorld_Record(f->gpuWorld, f->VkCommandBuffer, 0), "frame");
+    Need(swStage_BeginFrame(f->stage, &f->frame), "commands");
+    f->VkCommandBuffer = f->frame.commands;
+    Need(swGpuWorld_Record(f->gpuWorld, f->VkCommandBuffer, f->frame.index), "frame");
     f->picture = (swPicture){.view = f->view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
     f->picture.camera = swMakeCamera((swPos){0.0, 5.0, 0.0}, 0.0f, -0.1f, 0.0f, 1.0f, 64, 64);
     f->VkInstance = swGpu_GetInstance(f->gpu);

@@ -42,12 +42,12 @@ typedef struct MeasuredCase
 {
     swMeasuredRecord record;
     swWaveMethod method;
-    SeaBins bins;
+    swSeaBins bins;
     swSeaState asked;
-    double density[SEA_MAX_BINS]; // m^2/Hz
-    int askedPeak;                // bin
+    double density[SW_MAX_SEA_BINS]; // m^2/Hz
+    int askedPeak;                   // bin
     swSeaState states[SEED_COUNT];
-    SeaSums sums[SEED_COUNT];
+    swSeaSums sums[SEED_COUNT];
     bool isFine[SEED_COUNT];
 } MeasuredCase;
 
@@ -63,18 +63,18 @@ static swSpectrumDef MakeTableSpectrum(const MeasuredCase* measured)
 static void MeasureSeed(void* context, int seed)
 {
     MeasuredCase* measured = context;
-    SeaGauges gauges = {.area = 8000.0, .gaugeCount = 1024, .duration = 800.0};
-    gauges.duration = fmax(gauges.duration, FindTableDuration(&measured->record.table));
+    swSeaGauges gauges = {.area = 8000.0, .gaugeCount = 1024, .duration = 800.0};
+    gauges.duration = fmax(gauges.duration, swGetTableDuration(&measured->record.table));
     gauges.area *= 8.0; // a few long waves, and those of parallel tiles, beat over tens of kilometres
     swSpectrumDef spectrum = MakeTableSpectrum(measured);
     double highest = 1.02 * measured->bins.high[measured->bins.count - 1]; // shorter waves are not measured
     swWaveSystemDef def =
-        MakeWaves(&spectrum, FindWavelength(highest, (double)INFINITY, 9.81), 4096.0, 1u + (uint32_t)seed);
+        MakeWaves(&spectrum, swGetWavelength(highest, (double)INFINITY, 9.81), 4096.0, 1u + (uint32_t)seed);
     def.method = measured->method;
     def.componentsPerOctave = 32;
     swWorld* world = CreateTruthSea(&def);
-    measured->isFine[seed] = RecordSea(world, &gauges, &measured->bins, 1, &measured->sums[seed]);
-    FindSeaState(&measured->bins, &measured->sums[seed], &measured->states[seed]);
+    measured->isFine[seed] = swRecordSea(world, &gauges, &measured->bins, 1, &measured->sums[seed]) == SW_SUCCESS;
+    swEstimateSeaState(&measured->bins, &measured->sums[seed], &measured->states[seed]);
     swDestroyWorld(world);
 }
 
@@ -122,15 +122,15 @@ typedef struct Offsets
 // The peak of all seeds together: bins that it is off, and degrees of its direction, negative where that is not judged.
 static void FindPeak(const MeasuredCase* measured, Offsets* worst)
 {
-    SeaSums* all = calloc(1, sizeof(SeaSums));
+    swSeaSums* all = calloc(1, sizeof(swSeaSums));
     assert_non_null(all);
     for (int i = 0; i < Seeds(SEED_COUNT); ++i)
     {
-        AddSums(&measured->sums[i], all);
+        swAddSeaSums(&measured->sums[i], all);
     }
-    int peak = FindPeakBin(&measured->bins, all);
+    int peak = swFindPeakBin(&measured->bins, all);
     int asked = IsPeak(measured, peak) ? peak : measured->askedPeak;
-    SeaMoments moments = FindMoments(all, peak);
+    swDirectionMoments moments = swEstimateMoments(all, peak);
     free(all);
     bool isJudged = measured->record.meanDirection != NULL && (double)measured->record.r1[asked] >= 0.25;
     worst->peak = FindPeakOffset(measured, peak);
@@ -163,7 +163,7 @@ static Offsets FindWorst(const MeasuredCase* measured, int count)
 
 static double FindPeakLimit(const MeasuredCase* measured)
 {
-    const SeaBins* bins = &measured->bins;
+    const swSeaBins* bins = &measured->bins;
     double width = bins->high[measured->askedPeak] / bins->low[measured->askedPeak] - 1.0;
     return measured->method == SW_WAVES_GERSTNER && width < 3.0 * (exp2(0.5 / 32.0) - 1.0) ? 2.0 : 1.0;
 }
@@ -216,7 +216,7 @@ static MeasuredCase* MeasureCase(swWaveMethod method, const swMeasuredSea* sea, 
     assert_non_null(measured);
     measured->method = method;
     measured->record = swMeasuredSea_GetRecord(sea, index);
-    UseTableBins(&measured->record.table, &measured->bins);
+    swMakeTableBins(&measured->record.table, &measured->bins);
     FindAskedPeak(measured);
     swSpectrumDef spectrum = MakeTableSpectrum(measured);
     assert_int_equal(swSpectrum_GetSeaState(&spectrum, 0.0f, 0.0f, &measured->asked), SW_SUCCESS);

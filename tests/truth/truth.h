@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "sea_estimate.h"
+#include "seaway/measure.h"
 #include "seaway/seaway.h"
 
 #define DEGREE (SW_PI / 180.0)

@@ -123,8 +123,8 @@ static void MeasureShapes(const swWaveSystemDef* def, Shape* heights, Shape* cur
 // Integrals of k S, m, and of S, m^2, over the waves that the def makes.
 static double IntegrateSteepness(const swWaveSystemDef* def, double* variance)
 {
-    double low = FindFrequency((double)def->maxWavelength, (double)INFINITY, 9.81);
-    double high = FindFrequency((double)def->minWavelength, (double)INFINITY, 9.81), sum = 0.0;
+    double low = swGetWaveFrequency((double)def->maxWavelength, (double)INFINITY, 9.81);
+    double high = swGetWaveFrequency((double)def->minWavelength, (double)INFINITY, 9.81), sum = 0.0;
     const int count = 20000;
     for (int i = 0; i < count; ++i)
     {

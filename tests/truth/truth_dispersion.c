@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "sea_transform.h"
+#include "measure/measure_transform.h"
 
 #define SIDE 128 // samples along a tile
 #define DAY 86400.0
@@ -22,8 +22,8 @@ typedef struct Tile
     double side; // m
     swPosXZ* points;
     swVec3* displacement;
-    SeaComplex *roots, *line;
-    SeaComplex* times[3]; // spectra of heave
+    swMeasureComplex *roots, *line;
+    swMeasureComplex* times[3]; // spectra of heave
 } Tile;
 
 static Tile* CreateTile(const swWaveSystemDef* def)
@@ -42,19 +42,19 @@ static Tile* CreateTile(const swWaveSystemDef* def)
     tile->side = (double)bands[0].tileSide;
     tile->points = malloc(SIDE * SIDE * sizeof(swPosXZ));
     tile->displacement = malloc(SIDE * SIDE * sizeof(swVec3));
-    tile->roots = malloc(SIDE * sizeof(SeaComplex));
-    tile->line = malloc(SIDE * sizeof(SeaComplex));
+    tile->roots = malloc(SIDE * sizeof(swMeasureComplex));
+    tile->line = malloc(SIDE * sizeof(swMeasureComplex));
     assert_true(tile->points != NULL && tile->displacement != NULL && tile->roots != NULL && tile->line != NULL);
     for (int i = 0; i < 3; ++i)
     {
-        tile->times[i] = malloc(SIDE * SIDE * sizeof(SeaComplex));
+        tile->times[i] = malloc(SIDE * SIDE * sizeof(swMeasureComplex));
         assert_non_null(tile->times[i]);
     }
     for (int i = 0; i < SIDE * SIDE; ++i)
     {
         tile->points[i] = (swPosXZ){tile->side * (i % SIDE) / SIDE, tile->side * (i / SIDE) / SIDE};
     }
-    FillRoots(SIDE, tile->roots);
+    swFillRoots(SIDE, tile->roots);
     return tile;
 }
 
@@ -72,7 +72,7 @@ static void DestroyTile(Tile* tile)
     free(tile);
 }
 
-static void MeasureTile(Tile* tile, double time, SeaComplex* spectrum)
+static void MeasureTile(Tile* tile, double time, swMeasureComplex* spectrum)
 {
     swQueryDef query = swDefaultQueryDef();
     swWorld_SetTime(tile->world, time);
@@ -81,9 +81,9 @@ static void MeasureTile(Tile* tile, double time, SeaComplex* spectrum)
                            &(swSurfaceSamples){.displacement = tile->displacement}, NULL, NULL);
     for (int i = 0; i < SIDE * SIDE; ++i)
     {
-        spectrum[i] = (SeaComplex){(double)tile->displacement[i].y, 0.0};
+        spectrum[i] = (swMeasureComplex){(double)tile->displacement[i].y, 0.0};
     }
-    TransformSquare(spectrum, SIDE, tile->roots, tile->line);
+    swTransformSquare(spectrum, SIDE, tile->roots, tile->line);
 }
 
 static double GetWaveNumber(const Tile* tile, int index)
@@ -94,12 +94,12 @@ static double GetWaveNumber(const Tile* tile, int index)
     return TURN / tile->side * sqrt((double)(x * x + z * z));
 }
 
-static double GetPower(SeaComplex a)
+static double GetPower(swMeasureComplex a)
 {
     return a.re * a.re + a.im * a.im;
 }
 
-static double FindStrongest(const SeaComplex* spectrum)
+static double FindStrongest(const swMeasureComplex* spectrum)
 {
     double strongest = 0.0;
     for (int i = 0; i < SIDE * SIDE; ++i)
@@ -116,7 +116,7 @@ static double FindSpeedError(const Tile* tile, double dt, double depth, int* cou
     *count = 0;
     for (int i = 0; i < SIDE * SIDE; ++i)
     {
-        SeaComplex before = tile->times[0][i], now = tile->times[1][i], after = tile->times[2][i];
+        swMeasureComplex before = tile->times[0][i], now = tile->times[1][i], after = tile->times[2][i];
         if (GetPower(now) < 1e-6 * strongest)
         {
             continue;
@@ -124,7 +124,7 @@ static double FindSpeedError(const Tile* tile, double dt, double depth, int* cou
         double along = (before.re + after.re) * now.re + (before.im + after.im) * now.im;
         double measured = acos(fmin(fmax(0.5 * along / GetPower(now), -1.0), 1.0)) / dt;
         double k = GetWaveNumber(tile, i);
-        double asked = TURN * FindFrequency(TURN / k, depth, 9.81);
+        double asked = TURN * swGetWaveFrequency(TURN / k, depth, 9.81);
         worst = fmax(worst, fabs(measured / asked - 1.0));
         *count += 1;
     }
@@ -133,7 +133,7 @@ static double FindSpeedError(const Tile* tile, double dt, double depth, int* cou
 
 static void CheckSpeeds(double shortest, double depth)
 {
-    double period = 1.0 / FindFrequency(1.4 * shortest, depth, 9.81);
+    double period = 1.0 / swGetWaveFrequency(1.4 * shortest, depth, 9.81);
     swSpectrumDef spectrum = MakeSpectrum(SW_SPECTRUM_JONSWAP, 0.02 * shortest, period, 0.3, 1.0);
     swWaveSystemDef def = MakeWaves(&spectrum, shortest, 2.0 * shortest, 5);
     def.spectrum.depth = (float)depth;
@@ -178,7 +178,7 @@ typedef struct Follower
 
 } Follower;
 
-static double GetPhase(SeaComplex a)
+static double GetPhase(swMeasureComplex a)
 {
     return atan2(a.im, a.re);
 }
@@ -236,7 +236,7 @@ static void NoWaveDriftsInThirtyDays(void** state)
     for (int i = 0; i < count; ++i)
     {
         double length = TURN / GetWaveNumber(tile, followers[i].index);
-        double asked = TURN * FindFrequency(length, (double)INFINITY, 9.81);
+        double asked = TURN * swGetWaveFrequency(length, (double)INFINITY, 9.81);
         worst = fmax(worst, fabs(followers[i].omega / asked - 1.0));
     }
     char what[128];

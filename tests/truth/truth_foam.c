@@ -34,7 +34,7 @@ static void MeasureSeed(void* context, int seed)
     {
         abort();
     }
-    foam->means[seed] = MeasureFoam(world, 0.0, 0.0);
+    foam->means[seed] = swMeasureFoam(world, 0.0, 0.0);
     swDestroyWorld(world);
 }
 

@@ -18,24 +18,24 @@ typedef struct FormulaCase
     swSpectrumDef spectrum;
     swWaveMethod method;
     double peak; // Hz, only to choose bins
-    SeaBins bins;
-    SeaSums sums[SEED_COUNT];
+    swSeaBins bins;
+    swSeaSums sums[SEED_COUNT];
 } FormulaCase;
 
 static void MeasureFormula(void* context, int seed)
 {
     FormulaCase* formula = context;
-    double length = FindWavelength(formula->peak, (double)INFINITY, 9.81);
-    double shortest = FindWavelength(1.02 * formula->bins.high[formula->bins.count - 1], (double)INFINITY, 9.81);
+    double length = swGetWavelength(formula->peak, (double)INFINITY, 9.81);
+    double shortest = swGetWavelength(1.02 * formula->bins.high[formula->bins.count - 1], (double)INFINITY, 9.81);
     swWaveSystemDef def = MakeWaves(&formula->spectrum, shortest, 4096.0, 1u + (uint32_t)seed);
     def.method = formula->method;
     def.componentsPerOctave = 32;
     def.spectrum.direction = 2.39996f * (float)seed; // other waves of the lattice stand at the peak
     swWorld* world = CreateTruthSea(&def);
-    SeaGauges gauges = {.area = 120.0 * length,
-                        .gaugeCount = formula->method == SW_WAVES_FFT ? 192 : 32,
-                        .duration = 70.0 / formula->peak};
-    if (!RecordSea(world, &gauges, &formula->bins, 1, formula->sums + seed))
+    swSeaGauges gauges = {.area = 120.0 * length,
+                          .gaugeCount = formula->method == SW_WAVES_FFT ? 192 : 32,
+                          .duration = 70.0 / formula->peak};
+    if (swRecordSea(world, &gauges, &formula->bins, 1, formula->sums + seed) != SW_SUCCESS)
     {
         abort();
     }
@@ -49,12 +49,12 @@ static FormulaCase* MeasureSpectrum(const swSpectrumDef* spectrum, swWaveMethod 
     formula->spectrum = *spectrum;
     formula->method = method;
     formula->peak = peak;
-    UseEqualBins(0.4 * peak, 3.2 * peak, 140, &formula->bins);
+    swMakeEqualBins(0.4 * peak, 3.2 * peak, 140, &formula->bins);
     int count = Seeds(method == SW_WAVES_FFT ? 8 : SEED_COUNT); // few waves: more seeds
     RunJobs(MeasureFormula, formula, count);
     for (int i = 1; i < count; ++i)
     {
-        AddSums(formula->sums + i, formula->sums);
+        swAddSeaSums(formula->sums + i, formula->sums);
     }
     return formula;
 }
@@ -97,7 +97,7 @@ static double FindUnlikelihood(const FormulaCase* formula, double peak, double g
         if (f > 0.6 * formula->peak && f < 3.0 * formula->peak)
         {
             double shape = FindShape(f, peak, gamma);
-            ratios += FindDensity(&formula->bins, formula->sums, i) / shape;
+            ratios += swEstimateDensity(&formula->bins, formula->sums, i) / shape;
             logarithms += log(shape);
             count += 1;
         }
@@ -135,7 +135,7 @@ static void CheckRow(const char* number, const char* source, const Row* row, dou
 {
     FormulaCase* formula = MeasureSpectrum(spectrum, method, 1.0 / row->period);
     swSeaState state;
-    FindSeaState(&formula->bins, formula->sums, &state);
+    swEstimateSeaState(&formula->bins, formula->sums, &state);
     char what[128];
     snprintf(what, sizeof(what), "Hs, %s", name);
     FindWithin(&(Finding){number, what, source, "m", 3}, row->height, FindHeight(formula, &state), Loosen(0.01));
@@ -203,7 +203,7 @@ static void PeriodsOfADevelopedSeaHaveTheirRatios(void** state)
     spectrum.kind = SW_SPECTRUM_PIERSON_MOSKOWITZ;
     FormulaCase* formula = MeasureSpectrum(&spectrum, SW_WAVES_FFT, 1.0 / 7.4917);
     swSeaState sea;
-    FindSeaState(&formula->bins, formula->sums, &sea);
+    swEstimateSeaState(&formula->bins, formula->sums, &sea);
     // Of the frequencies that were recorded, in both.
     swSeaState asked;
     double low = formula->bins.low[0], high = formula->bins.high[formula->bins.count - 1];

@@ -24,7 +24,7 @@ static swWorld* CreateWave(const swWaveComponent* wave, double chop, double dept
 static double FindHeightError(swWorld* world, const swWaveComponent* wave, double depth, swPosXZ center, double time)
 {
     double k = TURN / (double)wave->wavelength,
-           omega = TURN * FindFrequency((double)wave->wavelength, depth, (double)9.81f);
+           omega = TURN * swGetWaveFrequency((double)wave->wavelength, depth, (double)9.81f);
     double x = k * cos((double)wave->direction), z = k * sin((double)wave->direction), worst = 0.0;
     static swPosXZ points[POINT_COUNT];
     static float heights[POINT_COUNT];

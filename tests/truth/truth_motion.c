@@ -88,12 +88,12 @@ static swWaveSystemDef MakeSea(swWaveMethod method)
 // Integral over the def's waves of 2 S times omega^n k^m exp(-2 k depth).
 static double IntegrateMotion(const swWaveSystemDef* def, int n, int m, double depth)
 {
-    double low = FindFrequency((double)def->maxWavelength, (double)INFINITY, 9.81);
-    double high = FindFrequency((double)def->minWavelength, (double)INFINITY, 9.81), sum = 0.0;
+    double low = swGetWaveFrequency((double)def->maxWavelength, (double)INFINITY, 9.81);
+    double high = swGetWaveFrequency((double)def->minWavelength, (double)INFINITY, 9.81), sum = 0.0;
     const int count = 4000;
     for (int i = 0; i < count; ++i)
     {
-        double f = low + (high - low) * (i + 0.5) / count, k = TURN / FindWavelength(f, (double)INFINITY, 9.81);
+        double f = low + (high - low) * (i + 0.5) / count, k = TURN / swGetWavelength(f, (double)INFINITY, 9.81);
         double energy = (double)swSpectrum_GetDensity(&def->spectrum, (float)f) * (high - low) / count;
         sum += 2.0 * energy * pow(TURN * f, n) * pow(k, m) * exp(-2.0 * k * depth);
     }

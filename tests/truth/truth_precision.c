@@ -31,7 +31,7 @@ static void QueryAround(const swWorld* world, swPosXZ center, float* heights)
 // Waves of one octave, steep as a gale's, with chop.
 static void CheckBand(int band)
 {
-    double shortest = ldexp(1.0, band - 4), period = 1.0 / FindFrequency(1.4 * shortest, (double)INFINITY, 9.81);
+    double shortest = ldexp(1.0, band - 4), period = 1.0 / swGetWaveFrequency(1.4 * shortest, (double)INFINITY, 9.81);
     swSpectrumDef spectrum = MakeSpectrum(SW_SPECTRUM_JONSWAP, 0.04 * shortest, period, 0.3, 2.0);
     swWaveSystemDef def = MakeWaves(&spectrum, shortest, 2.0 * shortest, 5);
     swWorld* world = CreateTruthSea(&def);

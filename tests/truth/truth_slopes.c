@@ -23,7 +23,7 @@
 typedef struct SlopeCase
 {
     swWaveSystemDef def;
-    SurfaceSums sums[SEED_COUNT];
+    swSurfaceSums sums[SEED_COUNT];
     float bands[SEED_COUNT]; // mean square slope that the system itself tells
 } SlopeCase;
 
@@ -44,7 +44,8 @@ static void MeasureSlopes(void* context, int seed)
     for (int i = 0; i < 4; ++i)
     {
         swWorld_SetTime(world, 37.0 * i);
-        if (swWorld_Step(world, 0.0) != SW_SUCCESS || !LookAtSurface(world, 3000.0, POINT_COUNT, slopes->sums + seed))
+        if (swWorld_Step(world, 0.0) != SW_SUCCESS ||
+            swLookAtSurface(world, 3000.0, POINT_COUNT, slopes->sums + seed) != SW_SUCCESS)
         {
             abort();
         }
@@ -83,7 +84,8 @@ static void CheckSea(const char* number, const char* name, const swSpectrumDef* 
     swWaveSystemDef def = swDefaultWaveSystemDef();
     def.spectrum = *spectrum;
     double bands = 0.0, wind = (double)spectrum->windSpeed, resolved = MeasureSurface(&def, &bands);
-    double low = FindFrequency(4096.0, (double)INFINITY, 9.81), high = FindFrequency(0.0625, (double)INFINITY, 9.81);
+    double low = swGetWaveFrequency(4096.0, (double)INFINITY, 9.81),
+           high = swGetWaveFrequency(0.0625, (double)INFINITY, 9.81);
     double ripples = 2.0 * (double)swRippleVariance((float)wind, (float)bands);
     swSeaState asked;
     assert_int_equal(swSpectrum_GetSeaState(spectrum, (float)low, (float)high, &asked), SW_SUCCESS);
@@ -141,7 +143,7 @@ static void TheUnifiedSpectrumHasTheSlopesOfTheGlitter(void** state)
     {
         swSpectrumDef spectrum = MakeUnified(winds[i]);
         swSeaState all;
-        float low = 0.01f, high = (float)FindFrequency(0.0015, (double)INFINITY, 9.81);
+        float low = 0.01f, high = (float)swGetWaveFrequency(0.0015, (double)INFINITY, 9.81);
         assert_int_equal(swSpectrum_GetSeaState(&spectrum, low, high, &all), SW_SUCCESS);
         char what[128];
         snprintf(what, sizeof(what), "Mean square slope of the unified spectrum down to 1.5 mm, U10 %.0f m/s",

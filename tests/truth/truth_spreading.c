@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "sea_patches.h"
+#include "seaway/measure.h"
 
 #define SEED_COUNT 160
 #define BIN_COUNT 8
@@ -18,22 +18,22 @@ typedef struct SpreadingCase
     swWaveSystemDef def;
     double peak;
     int gaugeCount;
-    SeaBins bins;
-    SeaSums sums[SEED_COUNT];
+    swSeaBins bins;
+    swSeaSums sums[SEED_COUNT];
 } SpreadingCase;
 
 static void MeasureSpreading(void* context, int seed)
 {
     SpreadingCase* spreading = context;
-    double length = FindWavelength(spreading->peak, (double)INFINITY, 9.81);
+    double length = swGetWavelength(spreading->peak, (double)INFINITY, 9.81);
     double highest = 1.05 * spreading->bins.high[spreading->bins.count - 1];
     swWaveSystemDef def = spreading->def;
-    def.minWavelength = (float)FindWavelength(highest, (double)INFINITY, 9.81);
+    def.minWavelength = (float)swGetWavelength(highest, (double)INFINITY, 9.81);
     def.seed = 1u + (uint32_t)seed;
     swWorld* world = CreateTruthSea(&def);
-    SeaGauges gauges = {
+    swSeaGauges gauges = {
         .area = 120.0 * length, .gaugeCount = spreading->gaugeCount, .duration = 60.0 / spreading->peak};
-    if (!RecordSea(world, &gauges, &spreading->bins, 1, spreading->sums + seed))
+    if (swRecordSea(world, &gauges, &spreading->bins, 1, spreading->sums + seed) != SW_SUCCESS)
     {
         abort();
     }
@@ -41,11 +41,11 @@ static void MeasureSpreading(void* context, int seed)
 }
 
 // Integral of D and its moments over the circle, by the trapezoid rule, which is exact for what is smooth and periodic.
-static double IntegrateModel(const swSpectrumDef* spectrum, double frequency, SeaMoments* moments)
+static double IntegrateModel(const swSpectrumDef* spectrum, double frequency, swDirectionMoments* moments)
 {
     const int count = 720;
     double sum = 0.0;
-    *moments = (SeaMoments){0};
+    *moments = (swDirectionMoments){0};
     for (int i = 0; i < count; ++i)
     {
         double theta = TURN * i / count;
@@ -60,17 +60,17 @@ static double IntegrateModel(const swSpectrumDef* spectrum, double frequency, Se
 }
 
 // What a buoy would find in a bin of the model, whose directions differ over the bin: moments of its cross spectra.
-static SeaMoments AverageModel(const swSpectrumDef* spectrum, double low, double high, double* integral)
+static swDirectionMoments AverageModel(const swSpectrumDef* spectrum, double low, double high, double* integral)
 {
     const int parts = 16;
-    SeaSums* sums = calloc(1, sizeof(SeaSums));
+    swSeaSums* sums = calloc(1, sizeof(swSeaSums));
     assert_non_null(sums);
     *integral = 1.0;
     for (int i = 0; i < parts; ++i)
     {
-        SeaMoments moments;
+        swDirectionMoments moments;
         double f = low + (high - low) * (i + 0.5) / parts, energy = (double)swSpectrum_GetDensity(spectrum, (float)f);
-        double k = TURN / FindWavelength(f, (double)INFINITY, 9.81), whole = IntegrateModel(spectrum, f, &moments);
+        double k = TURN / swGetWavelength(f, (double)INFINITY, 9.81), whole = IntegrateModel(spectrum, f, &moments);
         *integral = fabs(whole - 1.0) > fabs(*integral - 1.0) ? whole : *integral;
         sums->h[0] += energy;
         sums->hx[0] += energy * k * moments.a1;
@@ -79,12 +79,12 @@ static SeaMoments AverageModel(const swSpectrumDef* spectrum, double low, double
         sums->zz[0] += energy * k * k * 0.5 * (1.0 - moments.a2);
         sums->xz[0] += energy * k * k * 0.5 * moments.b2;
     }
-    SeaMoments found = FindMoments(sums, 0);
+    swDirectionMoments found = swEstimateMoments(sums, 0);
     free(sums);
     return found;
 }
 
-static double FindWorst(const SeaMoments* a, const SeaMoments* b)
+static double FindWorst(const swDirectionMoments* a, const swDirectionMoments* b)
 {
     return fmax(fmax(fabs(a->a1 - b->a1), fabs(a->b1 - b->b1)), fmax(fabs(a->a2 - b->a2), fabs(a->b2 - b->b2)));
 }
@@ -97,19 +97,20 @@ static void CheckSpreading(const char* name, const char* source, const swWaveSys
     spreading->def = *def;
     spreading->peak = peak;
     spreading->gaugeCount = gaugeCount;
-    UseEqualBins(0.7 * peak, 2.5 * peak, BIN_COUNT, &spreading->bins);
+    swMakeEqualBins(0.7 * peak, 2.5 * peak, BIN_COUNT, &spreading->bins);
     int count = Seeds(seeds);
     RunJobs(MeasureSpreading, spreading, count);
     for (int i = 1; i < count; ++i)
     {
-        AddSums(spreading->sums + i, spreading->sums);
+        swAddSeaSums(spreading->sums + i, spreading->sums);
     }
     double worst = 0.0, worstIntegral = 0.0;
     for (int i = 0; i < BIN_COUNT; ++i)
     {
         double integral = 0.0;
-        SeaMoments measured = FindMoments(spreading->sums, i);
-        SeaMoments model = AverageModel(&def->spectrum, spreading->bins.low[i], spreading->bins.high[i], &integral);
+        swDirectionMoments measured = swEstimateMoments(spreading->sums, i);
+        swDirectionMoments model =
+            AverageModel(&def->spectrum, spreading->bins.low[i], spreading->bins.high[i], &integral);
         worstIntegral = fmax(worstIntegral, fabs(integral - 1.0));
         worst = fmax(worst, FindWorst(&model, &measured));
         print_message("     %.3f Hz: a1 %.3f %.3f  b1 %.3f %.3f  a2 %.3f %.3f  b2 %.3f %.3f\n",
@@ -181,7 +182,7 @@ static void SeasSpreadByFrequencyAsPublished(void** state)
         double worst = 0.0;
         for (int j = 0; j < 7; ++j)
         {
-            SeaMoments moments;
+            swDirectionMoments moments;
             double f = ratios[j] * 1.03912 / TURN, s = models[i].exponents[j];
             IntegrateModel(&spectrum, f, &moments);
             // r1 is s / (s + 1) of a cosine; of sech^2 it has no short form, so that is held by its density ahead.
@@ -202,7 +203,7 @@ static void SeasSpreadByFrequencyAsPublished(void** state)
 typedef struct PatchCase
 {
     swSpectrumDef spectrum;
-    SeaPatches patches[12];
+    swSeaPatches* patches[12];
 } PatchCase;
 
 static void LookAtSquares(void* context, int seed)
@@ -210,8 +211,9 @@ static void LookAtSquares(void* context, int seed)
     PatchCase* looked = context;
     swWaveSystemDef def = MakeWaves(&looked->spectrum, 16.0, 1024.0, 1u + (uint32_t)seed);
     swWorld* world = CreateTruthSea(&def);
-    if (!CreatePatches(16.0, 512.0, looked->patches + seed) ||
-        !LookAtPatches(world, 50.0, (double)INFINITY, seed, looked->patches + seed))
+    swHost host = swDefaultHost();
+    if (swCreateSeaPatches(&host, 16.0, 512.0, &looked->patches[seed]) != SW_SUCCESS ||
+        swLookAtPatches(world, 50.0, (double)INFINITY, seed, looked->patches[seed]) != SW_SUCCESS)
     {
         abort();
     }
@@ -219,7 +221,7 @@ static void LookAtSquares(void* context, int seed)
 }
 
 // Energy and first moments of what the squares saw, over the frequencies of waves of 512 m to 16 m.
-static double SumSquares(const SeaPatches* patches, double low, double high, double* a1, double* b1)
+static double SumSquares(const swSeaPatches* patches, double low, double high, double* a1, double* b1)
 {
     enum
     {
@@ -232,7 +234,7 @@ static double SumSquares(const SeaPatches* patches, double low, double high, dou
     {
         double f = low + (high - low) * (i / DIRECTIONS + 0.5) / FREQUENCIES,
                theta = TURN * (i % DIRECTIONS) / DIRECTIONS;
-        double energy = FindPatchDensity(patches, f, theta, (double)INFINITY, 9.81) * (high - low) / FREQUENCIES *
+        double energy = swEstimatePatchDensity(patches, f, theta, (double)INFINITY, 9.81) * (high - low) / FREQUENCIES *
                         TURN / DIRECTIONS;
         sum += energy;
         *a1 += energy * cos(theta);
@@ -251,11 +253,11 @@ static void SquaresOfTheSurfaceSeeTheSameSea(void** state)
     RunJobs(LookAtSquares, looked, count);
     for (int i = 1; i < count; ++i)
     {
-        AddPatches(looked->patches + i, looked->patches);
+        swAddSeaPatches(looked->patches[i], looked->patches[0]);
     }
-    double low = FindFrequency(512.0, (double)INFINITY, 9.81), high = FindFrequency(16.0, (double)INFINITY, 9.81), a1,
-           b1;
-    double variance = SumSquares(looked->patches, low, high, &a1, &b1);
+    double low = swGetWaveFrequency(512.0, (double)INFINITY, 9.81),
+           high = swGetWaveFrequency(16.0, (double)INFINITY, 9.81), a1, b1;
+    double variance = SumSquares(looked->patches[0], low, high, &a1, &b1);
     swSeaState asked;
     assert_int_equal(swSpectrum_GetSeaState(&looked->spectrum, (float)low, (float)high, &asked), SW_SUCCESS);
     FindWithin(&(Finding){"V5", "Hs of the directional spectrum that squares of the surface show, s = 10", "4 sqrt(m0)",
@@ -267,7 +269,7 @@ static void SquaresOfTheSurfaceSeeTheSameSea(void** state)
              sqrt(2.0 * (1.0 - sqrt(a1 * a1 + b1 * b1) / variance)) / DEGREE, Loosen(1.0));
     for (int i = 0; i < count; ++i)
     {
-        DestroyPatches(looked->patches + i);
+        swDestroySeaPatches(looked->patches[i]);
     }
     free(looked);
 }

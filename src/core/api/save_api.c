@@ -127,15 +127,15 @@ swRestoreDef swDefaultRestoreDef(void)
 // Everything after the head into a world that has its def. All that is made counts against the budget.
 static swResult readState(swWorld* world, swStream* stream, size_t memoryBudget)
 {
-    world->memoryBudget = memoryBudget;
+    world->memory.budget = memoryBudget;
     swResult result = SW_SUCCESS;
-    if (world->memory > memoryBudget)
+    if (world->memory.held > memoryBudget)
     {
-        world->isOverBudget = true;
-        result = swFailMemory(world, "the world itself");
+        world->memory.isOverBudget = true;
+        result = swFailMemory(&world->memory, "the world itself");
     }
     result = result == SW_SUCCESS ? swStreamState(world, stream) : result;
-    world->memoryBudget = 0;
+    world->memory.budget = 0;
     if (result == SW_SUCCESS && stream->at != stream->size)
     {
         result = SW_ERROR_FORMAT;

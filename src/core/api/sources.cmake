@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/query_api.c
+    ${CMAKE_CURRENT_LIST_DIR}/replay_api.c
     ${CMAKE_CURRENT_LIST_DIR}/view_api.c
     ${CMAKE_CURRENT_LIST_DIR}/save_api.c
     ${CMAKE_CURRENT_LIST_DIR}/sea_api.c

@@ -4,53 +4,6 @@
 #include "core/base/misuse.h"
 #include "core/world/world.h"
 
-swViewDef swDefaultViewDef(void)
-{
-    return (swViewDef){
-        .sliceCount = 7,
-        .resolution = 384,
-        .finestTexel = 1.0f / 16.0f,
-        .maxScaleLevel = 10,
-        .internalValue = SW_DEF_COOKIE,
-    };
-}
-
-static bool isPowerOfTwoTexel(float texel)
-{
-    int exponent;
-    return texel >= 1.0f / 64.0f && texel <= 16.0f && frexpf(texel, &exponent) == 0.5f;
-}
-
-swResult swCheckViewDef(const swWorld* world, const swViewDef* def)
-{
-    const swHost* host = &world->host;
-    if (def->sliceCount < 2 || def->sliceCount > SW_MAX_SLICES)
-    {
-        return swFail(host, SW_ERROR_INVALID, "a view's slice count is %d; it must be in [2, %d]", def->sliceCount,
-                      SW_MAX_SLICES);
-    }
-    if (def->resolution < 64 || def->resolution > 1024 || def->resolution % 64 != 0)
-    {
-        return swFail(host, SW_ERROR_INVALID, "a view's resolution is %d; it must be a multiple of 64 in [64, 1024]",
-                      def->resolution);
-    }
-    if (!isPowerOfTwoTexel(def->finestTexel))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a view's finest texel is %g m; it must be a power of two in [1/64, 16]",
-                      (double)def->finestTexel);
-    }
-    if (def->maxScaleLevel < 0 || def->maxScaleLevel > 16)
-    {
-        return swFail(host, SW_ERROR_INVALID, "a view's highest scale level is %d; it must be in [0, 16]",
-                      def->maxScaleLevel);
-    }
-    if (def->enableCpuLayers && !world->def.enableQueries)
-    {
-        return swFail(host, SW_ERROR_INVALID, "a view asks for CPU layers in a world made without queries");
-    }
-    return SW_SUCCESS;
-}
-
 swResult swCreateView(swWorld* world, const swViewDef* def, swView** view)
 {
     if (view != NULL)
@@ -61,7 +14,7 @@ swResult swCreateView(swWorld* world, const swViewDef* def, swView** view)
                "swCreateView() needs a world and a place for the view");
     SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
                "swCreateView() needs a def made by swDefaultViewDef()");
-    swResult result = swCheckViewDef(world, def);
+    swResult result = swCheckViewDef(&world->host, def, world->def.enableQueries);
     return result == SW_SUCCESS ? swAddView(world, def, view) : result;
 }
 
@@ -116,61 +69,38 @@ swSliceInfo swView_GetSlice(const swView* view, int slice)
 {
     SW_REQUIRE(isSlice(view, slice), (swSliceInfo){0}, findViewHost(view),
                "a view was asked for its slice %d, which it does not have", slice);
-    const swSlice* s = &view->stack.slices[slice];
+    const swSlice* s = &view->layers.stack.slices[slice];
     return (swSliceInfo){
         .texel = s->texel,
         .firstX = s->firstX,
         .firstZ = s->firstZ,
         .resolution = view->def.resolution,
         .minWavelength = s->minWavelength,
-        .fade = slice == 0 ? view->stack.fade : 0.0f,
+        .fade = slice == 0 ? view->layers.stack.fade : 0.0f,
     };
 }
 
-typedef enum Layer
-{
-    LAYER_DISPLACEMENT,
-    LAYER_DERIVATIVES,
-    LAYER_FOAM
-} Layer;
-
-static const float* getLayer(const swView* view, Layer layer)
-{
-    switch (layer)
-    {
-    case LAYER_DISPLACEMENT:
-        return view->displacement;
-    case LAYER_DERIVATIVES:
-        return view->derivatives;
-    default:
-        return view->foam[view->foamIndex];
-    }
-}
-
-static const float* findLayer(const swView* view, int slice, Layer which, int channels)
+static const float* findLayer(const swView* view, int slice, swLayer layer)
 {
     SW_REQUIRE(isSlice(view, slice), NULL, findViewHost(view),
                "a view was asked for a layer of its slice %d, which it does not have", slice);
-    const float* layer = getLayer(view, which);
-    if (layer == NULL)
-    {
-        return NULL;
-    }
+    const float* texels = swGetLayerTexels(&view->layers, layer);
     size_t side = (size_t)view->def.resolution;
-    return layer + (size_t)slice * side * side * (size_t)channels;
+    size_t channels = (size_t)swCountChannels(swGetLayerInfo(layer)->format);
+    return texels != NULL ? texels + (size_t)slice * side * side * channels : NULL;
 }
 
 const float* swView_GetDisplacement(const swView* view, int slice)
 {
-    return findLayer(view, slice, LAYER_DISPLACEMENT, 4);
+    return findLayer(view, slice, SW_LAYER_DISPLACEMENT);
 }
 
 const float* swView_GetDerivatives(const swView* view, int slice)
 {
-    return findLayer(view, slice, LAYER_DERIVATIVES, 4);
+    return findLayer(view, slice, SW_LAYER_DERIVATIVES);
 }
 
 const float* swView_GetFoam(const swView* view, int slice)
 {
-    return findLayer(view, slice, LAYER_FOAM, 1);
+    return findLayer(view, slice, SW_LAYER_FOAM);
 }

@@ -33,6 +33,11 @@ swResult swFail(const swHost* host, swResult result, const char* format, ...) SW
 // Made by swDefaultHost(), complete, and with a sane number of workers.
 bool swIsHostValid(const swHost* host);
 
+typedef struct swWorld swWorld;
+
+// A world's host, NULL of no world. Implemented by world/.
+const swHost* swFindHost(const swWorld* world);
+
 // The host's parallel loop; nothing for count 0.
 void swParallelFor(const swHost* host, swTaskFcn task, void* taskContext, int count, int grain);
 

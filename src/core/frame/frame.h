@@ -11,9 +11,12 @@
 // [0, resolution) would start at -1: therefore texel (i, j) stores sample (i - 1, j - 1) mod resolution and the window
 // starts at column floor(s). The surface is the spline, not the coefficients: f(s) = sum B3(s - n) c_n.
 
+#include <string.h>
+
 #include "seaway/view.h"
 #include "seaway/waves.h"
 #include "core/base/seam.h"
+#include "core/frame/layers.h"
 #include "shared/foam.h"
 
 // One pair of opposite waves k and -k of a band, on the half plane (qz > 0, or qz == 0 and qx > 0) of integer bins.
@@ -99,40 +102,52 @@ typedef struct swSlice
     float minWavelength; // tiles with minWavelength >= this are in the slice
 } swSlice;
 
-// How one slice grows foam. Folds are looked up in slice `foldSlice`, the slice itself or a coarser one that leaves out
-// short waves; `fold` says where.
+// How one slice grows foam: what the foam layer's parameters hold. Folds are looked up in slice `fold.slice`, the slice
+// itself or a coarser one that leaves out short waves.
 typedef struct swFoamBirth
 {
-    swFoamSource fold;
+    swPastSource fold;
     swFoamRest rest; // waves that are not known
     float growth;    // per second and unit of fold
 } swFoamBirth;
+
+// Room for what a layer's maker tells both halves of a slice.
+#define SW_LAYER_PARAM_WORDS 16
+static_assert(sizeof(swFoamBirth) <= SW_LAYER_PARAM_WORDS * sizeof(uint32_t), "foam's parameters of a slice");
+
+// One layer in this frame.
+typedef struct swLayerFrame
+{
+    int steps;    // to take now, 0 .. mostSteps
+    float stepDt; // s
+    bool isReset; // first step, or a jump in time: nothing has a past
+    // For a reader that did not see every step: since it last looked, clock - then steps have passed, and there was a
+    // reset if resetCount differs. It keeps the slices that it last saw, see core/lod/scroll.h.
+    int64_t clock;
+    uint32_t resetCount;
+    uint32_t params[SW_MAX_SLICES][SW_LAYER_PARAM_WORDS]; // of each slice, written by the layer's swPlan function
+    const float* texels; // [slice][R][R][channels], NULL where the core does not make the layer
+} swLayerFrame;
+
+// A stack of slices in this frame, of a view or of a zone, and its layers.
+typedef struct swStackFrame
+{
+    int sliceCount;
+    int resolution;
+    swSlice slices[SW_MAX_SLICES];
+    swSlice previousSlices[SW_MAX_SLICES];                // of the step before
+    swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES]; // from previousSlices to slices
+    swLayerFrame layers[SW_LAYERS];
+} swStackFrame;
 
 typedef struct swViewFrame
 {
     const swView* view;   // identity only
     uint32_t viewVersion; // unique per created view; never reused
-    int sliceCount;
-    int resolution;
     swPos viewpoint;
     float fade; // of the finest slice into the next as the stack is about to double; also shows the last slice
     int scaleLevel;
-    swSlice slices[SW_MAX_SLICES];
-    swSlice previousSlices[SW_MAX_SLICES]; // of the step before, for layers that persist
-    int foamSteps;                         // foam steps to take now, 0 .. 4; n steps of dt are the same as one of n dt
-    float foamStepDt;                      // s
-    bool foamReset;                        // first step, or a jump in time: start from the steady state
-    // For a reader that did not see every step: since it last looked, (foamClock - then) / SW_FOAM_RATE seconds of foam
-    // have passed, and there was a reset if foamResetCount differs. It keeps the slices that it last saw and asks
-    // swFindFoamSources() itself.
-    int64_t foamClock;
-    uint32_t foamResetCount;
-    swFoamBirth foamBirth[SW_MAX_SLICES];                     // how each slice grows foam
-    float foamAtRest;                                         // the steady state beyond all slices, of all waves
-    swFoamSource foamSources[SW_MAX_SLICES][SW_FOAM_SOURCES]; // from previousSlices to slices
-    const float* displacement;                                // [slice][R][R][4], NULL without CPU layers
-    const float* derivatives;                                 // [slice][R][R][4]
-    const float* foam;                                        // [slice][R][R]
+    swStackFrame stack;
 } swViewFrame;
 
 // Ticks to multiply a tile's frequencies with, on either half.
@@ -197,9 +212,6 @@ static inline float swGetStrainVariance(const swStrain* strain)
 
 #define SW_MAX_VIEWS 16
 
-// Foam steps per second.
-#define SW_FOAM_RATE 30
-
 // What foam is born by, for the waves of this frame. See core/sim/whitecaps.h.
 typedef struct swFoamLaw
 {
@@ -230,21 +242,26 @@ typedef struct swFrame
     const swViewFrame* views;
 } swFrame;
 
+// The foam layer's parameters of slice `i`.
+static inline swFoamBirth swGetFoamBirth(const swStackFrame* stack, int i)
+{
+    swFoamBirth birth;
+    memcpy(&birth, stack->layers[SW_LAYER_FOAM].params[i], sizeof birth);
+    return birth;
+}
+
 SW_SEAM_BEGIN
 
 // The frame of the last step. Implemented by world/.
 const swFrame* swGetWorldFrame(const swWorld* world);
 const swHost* swGetWorldHost(const swWorld* world);
-// NULL of no world.
-const swHost* swFindHost(const swWorld* world);
 // Of the host's coordinates, in the sea.
 swPosXZ swGetWorldOrigin(const swWorld* world);
 
-// Where the texels of `slice` were in a previous stack of slices of the same resolution: fills SW_FOAM_SOURCES sources.
-void swFindFoamSources(const swSlice* slice, int resolution, int previousCount, const swSlice* previous,
-                       swFoamSource* sources);
+// What layers.inl says of a layer.
+const swLayerInfo* swGetLayerInfo(int layer);
 
 // What slice `i` of a view steps its foam with over `seconds`.
-swFoamSliceParams swGetFoamParams(const swFrame* frame, const swViewFrame* view, int i, float seconds, bool isSteady);
+swFoamSliceParams swGetFoamParams(const swFrame* frame, const swStackFrame* stack, int i, float seconds, bool isSteady);
 
 SW_SEAM_END

@@ -24,7 +24,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/lod/scroll.h"
 #include "core/math/scalar.h"
+#include "core/sim/foam.h"
 
 #define GROWN 1.0
 #define SHARE 0.41682 // the mean of 1 - exp(-GROWN h^3/2 / Gamma(5/2)) over exponential h
@@ -329,35 +331,37 @@ void swFindFoamLaw(swWhitecaps* whitecaps, swFrame* frame)
 // ---- slices ----
 
 // The slice where `slice` finds folds: the finest from itself on without waves shorter than foam counts.
-static int findFoldSlice(const swFrame* frame, const swViewFrame* view, int slice)
+static int findFoldSlice(const swFrame* frame, const swStackFrame* stack, int slice)
 {
     int found = slice;
-    while (found < view->sliceCount - 1 && view->slices[found].minWavelength < frame->foam.minWavelength)
+    while (found < stack->sliceCount - 1 && stack->slices[found].minWavelength < frame->foam.minWavelength)
     {
         found += 1;
     }
     return found;
 }
 
-void swPlanFoamBirth(const swFrame* frame, swViewFrame* view)
+void swPlanFoam(const swLayerPlan* plan)
 {
+    const swFrame* frame = plan->frame;
+    swStackFrame* stack = plan->stack;
     const swFoamLaw* law = &frame->foamLaw;
-    for (int i = 0; i < view->sliceCount; ++i)
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
-        int source = findFoldSlice(frame, view, i);
-        swFoamBirth* birth = &view->foamBirth[i];
-        swFoamSource fold[SW_FOAM_SOURCES];
-        swFindFoamSources(&view->slices[i], view->resolution, 1, &view->slices[source], fold);
+        int source = findFoldSlice(frame, stack, i);
+        swPastSource fold[SW_PAST_SOURCES];
+        swFindPastSources(&stack->slices[i], stack->resolution, 1, &stack->slices[source], fold);
         fold[0].slice = source;
-        birth->fold = fold[0];
-        float shortest = view->slices[source].minWavelength;
+        float shortest = stack->slices[source].minWavelength;
         swStrain strain = sumStrain(frame, frame->foam.minWavelength, shortest, NULL);
         float variance = swGetStrainVariance(&strain);
-        birth->rest = (swFoamRest){.deviation = sqrtf(variance), .bend = law->rest.bend};
+        swFoamBirth birth = {.fold = fold[0]};
+        birth.rest = (swFoamRest){.deviation = sqrtf(variance), .bend = law->rest.bend};
         float all = law->rest.deviation * law->rest.deviation;
         float share = all > 0.0f ? fminf(variance / all, 1.0f) : 1.0f;
         // A fold that is not seen whole does not fill a place at once: measured over slices of waves from 2 m up.
         float known = (1.0f - share) * (1.0f - share);
-        birth->growth = law->unknownGrowth + (law->growth - law->unknownGrowth) * known * known;
+        birth.growth = law->unknownGrowth + (law->growth - law->unknownGrowth) * known * known;
+        memcpy(stack->layers[SW_LAYER_FOAM].params[i], &birth, sizeof birth);
     }
 }

@@ -18,6 +18,3 @@ float swGetWhitecapCover(float wind);
 
 // Sets frame->foamLaw from the frame's waves, wind and foam def.
 void swFindFoamLaw(swWhitecaps* whitecaps, swFrame* frame);
-
-// How a slice grows foam that knows the waves of slice `foldSlice` and longer: of view->slices, which are placed.
-void swPlanFoamBirth(const swFrame* frame, swViewFrame* view);

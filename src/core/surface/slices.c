@@ -108,23 +108,29 @@ static void sampleRows(void* context, int begin, int end, int worker)
     }
 }
 
-void swSampleSlices(const swHost* host, const swWaveKernels* kernels, const swFrame* frame, const swViewFrame* view,
-                    float* displacement, float* derivatives)
+void swPlanSlices(const swLayerPlan* plan)
 {
-    size_t sliceSize = (size_t)view->resolution * (size_t)view->resolution * 4;
-    for (int i = 0; i < view->sliceCount; ++i)
+    (void)plan;
+}
+
+void swStepSlices(const swLayerStep* step)
+{
+    const swFrame* frame = step->frame;
+    const swStackFrame* stack = step->stack;
+    size_t sliceSize = (size_t)stack->resolution * (size_t)stack->resolution * 4;
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
         swSliceJob job = {
-            .kernels = kernels,
-            .slice = &view->slices[i],
-            .resolution = view->resolution,
+            .kernels = step->kernels,
+            .slice = &stack->slices[i],
+            .resolution = stack->resolution,
             .ticks = frame->ticks,
-            .waveCount = countLongWaves(frame, view->slices[i].minWavelength),
+            .waveCount = countLongWaves(frame, stack->slices[i].minWavelength),
             .waves = frame->waves,
-            .displacement = displacement + (size_t)i * sliceSize,
-            .derivatives = derivatives + (size_t)i * sliceSize,
+            .displacement = step->next[SW_LAYER_DISPLACEMENT] + (size_t)i * sliceSize,
+            .derivatives = step->next[SW_LAYER_DERIVATIVES] + (size_t)i * sliceSize,
         };
-        job.tileCount = swSelectSliceTiles(frame, view->slices[i].minWavelength, job.tiles);
-        swParallelFor(host, sampleRows, &job, view->resolution, 4);
+        job.tileCount = swSelectSliceTiles(frame, stack->slices[i].minWavelength, job.tiles);
+        swParallelFor(step->host, sampleRows, &job, stack->resolution, 4);
     }
 }

@@ -1,5 +1,14 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/ramp.c
+    ${CMAKE_CURRENT_LIST_DIR}/replay.c
+    ${CMAKE_CURRENT_LIST_DIR}/tile_list.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_hash.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_set.c
+    ${CMAKE_CURRENT_LIST_DIR}/wave_system.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves_save.c
     ${CMAKE_CURRENT_LIST_DIR}/wind_level.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.

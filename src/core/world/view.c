@@ -4,32 +4,10 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/surface/slices.h"
 
-static size_t countTexels(const swViewDef* def)
+swLayerStack swDescribeViewLayers(const swViewDef* def)
 {
-    return (size_t)def->sliceCount * (size_t)def->resolution * (size_t)def->resolution;
-}
-
-static void freeLayers(swView* view)
-{
-    const swHost* host = &view->world->countedHost;
-    size_t texels = countTexels(&view->def);
-    swFree(host, view->displacement, texels * 4 * sizeof(float));
-    swFree(host, view->derivatives, texels * 4 * sizeof(float));
-    swFree(host, view->foam[0], texels * sizeof(float));
-    swFree(host, view->foam[1], texels * sizeof(float));
-}
-
-static bool allocateLayers(swView* view)
-{
-    const swHost* host = &view->world->countedHost;
-    size_t texels = countTexels(&view->def);
-    view->displacement = swAllocateZero(host, texels * 4 * sizeof(float));
-    view->derivatives = swAllocateZero(host, texels * 4 * sizeof(float));
-    view->foam[0] = swAllocateZero(host, texels * sizeof(float));
-    view->foam[1] = swAllocateZero(host, texels * sizeof(float));
-    return view->displacement != NULL && view->derivatives != NULL && view->foam[0] != NULL && view->foam[1] != NULL;
+    return (swLayerStack){.stack = swMakeStack(def), .hasTexels = def->enableCpuLayers};
 }
 
 swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
@@ -38,23 +16,22 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     {
         return swFail(&world->host, SW_ERROR_LIMIT, "the world has %d views, which is the most", SW_MAX_VIEWS);
     }
-    swView* view = swAllocateZero(&world->countedHost, sizeof *view);
+    swView* view = swAllocateZero(&world->memory.host, sizeof *view);
     if (view == NULL)
     {
-        return swFailMemory(world, "a view");
+        return swFailMemory(&world->memory, "a view");
     }
     view->world = world;
     view->def = *def;
     view->viewpoint = (swPos){0.0, world->def.seaLevel, 0.0};
-    view->stack = swMakeStack(def);
-    if (def->enableCpuLayers && !allocateLayers(view))
+    view->layers = swDescribeViewLayers(def);
+    if (!swMakeLayers(&world->memory.host, &view->layers))
     {
-        freeLayers(view);
-        swFree(&world->countedHost, view, sizeof *view);
-        return swFailMemory(world, "the layers of a view's slices");
+        swFree(&world->memory.host, view, sizeof *view);
+        return swFailMemory(&world->memory, "the layers of a view's slices");
     }
-    world->version += 1;
-    view->version = world->version;
+    world->viewVersion += 1;
+    view->version = world->viewVersion;
     world->views[world->viewCount] = view;
     world->viewCount += 1;
     *viewOut = view;
@@ -80,8 +57,8 @@ void swRemoveView(swView* view)
                 (size_t)framesAfter * sizeof world->viewFrames[0]);
         world->frame.viewCount -= 1;
     }
-    freeLayers(view);
-    swFree(&world->countedHost, view, sizeof *view);
+    swFreeLayers(&world->memory.host, &view->layers);
+    swFree(&world->memory.host, view, sizeof *view);
 }
 
 swViewFrame* swFindViewFrame(const swView* view)
@@ -99,31 +76,13 @@ swViewFrame* swFindViewFrame(const swView* view)
 
 static void placeView(swWorld* world, int64_t elapsedTicks, swView* view, swViewFrame* frame)
 {
-    bool isFirst = !view->stack.isPlaced;
-    swSlice previous[SW_MAX_SLICES];
-    memcpy(previous, view->stack.slices, sizeof previous);
-    swPlaceStack(&view->stack, view->viewpoint, world->def.seaLevel);
-    *frame = (swViewFrame){
-        .view = view,
-        .viewVersion = view->version,
-        .sliceCount = view->def.sliceCount,
-        .resolution = view->def.resolution,
-        .viewpoint = view->viewpoint,
-        .fade = view->stack.fade,
-        .scaleLevel = view->stack.scaleLevel,
-        .displacement = view->displacement,
-        .derivatives = view->derivatives,
-    };
-    memcpy(frame->slices, view->stack.slices, sizeof frame->slices);
-    memcpy(frame->previousSlices, isFirst ? view->stack.slices : previous, sizeof frame->previousSlices);
-    swPlanFoam(&view->foamState, elapsedTicks, frame);
-    for (int i = 0; i < frame->sliceCount; ++i)
-    {
-        swFindFoamSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->previousSlices,
-                          frame->foamSources[i]);
-    }
-    swPlanFoamBirth(&world->frame, frame);
-    frame->foamAtRest = world->frame.foamLaw.cover;
+    swPlaceLayers(&view->layers, view->viewpoint, world->def.seaLevel, elapsedTicks, &frame->stack);
+    frame->view = view;
+    frame->viewVersion = view->version;
+    frame->viewpoint = view->viewpoint;
+    frame->fade = view->layers.stack.fade;
+    frame->scaleLevel = view->layers.stack.scaleLevel;
+    swPlanLayers(world, &view->layers, &frame->stack);
 }
 
 void swPlaceViews(swWorld* world, int64_t elapsedTicks)
@@ -135,20 +94,13 @@ void swPlaceViews(swWorld* world, int64_t elapsedTicks)
     world->frame.viewCount = world->viewCount;
 }
 
-void swStepLayers(swWorld* world)
+void swStepViews(swWorld* world)
 {
     for (int i = 0; i < world->viewCount; ++i)
     {
-        swView* view = world->views[i];
-        swViewFrame* frame = &world->viewFrames[i];
-        if (!view->def.enableCpuLayers)
+        if (world->views[i]->def.enableCpuLayers)
         {
-            continue;
+            swMakeFrameLayers(world, &world->views[i]->layers, &world->viewFrames[i].stack);
         }
-        swSampleSlices(&world->host, world->kernels, &world->frame, frame, view->displacement, view->derivatives);
-        const float* previous = view->foam[view->foamIndex];
-        view->foamIndex ^= 1;
-        swStepFoam(&world->host, &world->frame, frame, previous, view->foam[view->foamIndex]);
-        frame->foam = view->foam[view->foamIndex];
     }
 }

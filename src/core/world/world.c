@@ -3,27 +3,6 @@
 
 #include "core/base/host.h"
 
-static void* allocateCounted(void* context, size_t size, size_t alignment)
-{
-    swWorld* world = context;
-    size_t held = atomic_fetch_add(&world->memory, size) + size;
-    bool isOver = world->memoryBudget != 0 && held > world->memoryBudget;
-    void* memory = isOver ? NULL : world->host.allocate(world->host.memoryContext, size, alignment);
-    world->memory -= memory == NULL ? size : 0;
-    if (isOver)
-    {
-        world->isOverBudget = true;
-    }
-    return memory;
-}
-
-static void freeCounted(void* context, void* memory, size_t size)
-{
-    swWorld* world = context;
-    world->memory -= memory != NULL ? size : 0;
-    world->host.free(world->host.memoryContext, memory, size);
-}
-
 swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKernels* kernels, swWorld** worldOut)
 {
     swWorld* world = swAllocateZero(host, sizeof(swWorld));
@@ -32,36 +11,19 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
         return swFail(host, SW_ERROR_NO_MEMORY, "no memory for a world (%zu bytes)", sizeof(swWorld));
     }
     world->host = *host;
-    world->countedHost = *host;
-    world->countedHost.allocate = allocateCounted;
-    world->countedHost.free = freeCounted;
-    world->countedHost.memoryContext = world;
-    world->memory = sizeof(swWorld);
+    swBeginMemory(&world->memory, &world->host, sizeof(swWorld));
     world->def = *def;
     world->kernels = kernels;
+    swBeginWaves(&world->waves, &world->memory, kernels, def);
     world->systemIds = swMakeIdPool(SW_MAX_WAVE_SYSTEMS);
     world->frame = (swFrame){
         .seaLevel = def->seaLevel,
         .gravity = def->gravity,
         .foam = def->foam,
-        .tiles = world->tiles,
-        .waves = world->waves,
         .views = world->viewFrames,
     };
     *worldOut = world;
     return SW_SUCCESS;
-}
-
-swResult swFailMemory(const swWorld* world, const char* what)
-{
-    if (world->isOverBudget)
-    {
-        return swFail(&world->host, SW_ERROR_LIMIT,
-                      "%s would take the saved world beyond the %zu bytes of memory that it may hold "
-                      "(swRestoreDef::memoryBudget)",
-                      what, world->memoryBudget);
-    }
-    return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for %s", what);
 }
 
 void swFreeWorld(swWorld* world)
@@ -70,10 +32,31 @@ void swFreeWorld(swWorld* world)
     {
         swRemoveView(world->views[world->viewCount - 1]);
     }
-    swFreeAllSystems(world);
-    swFree(&world->countedHost, world->scratch, world->scratchSize * (size_t)world->host.workerCount);
+    swEndWaves(&world->waves);
     swHost host = world->host;
     swFree(&host, world, sizeof(swWorld));
+}
+
+swResult swCreateSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
+{
+    if (world->systemIds.count == SW_MAX_WAVE_SYSTEMS)
+    {
+        return swFail(&world->host, SW_ERROR_LIMIT, "the world has %d wave systems, which is the most",
+                      SW_MAX_WAVE_SYSTEMS);
+    }
+    *id = swAllocId(&world->systemIds);
+    swResult result = swAddSystem(&world->waves, id->index1 - 1, def);
+    if (result != SW_SUCCESS)
+    {
+        swFreeId(&world->systemIds, *id);
+    }
+    return result;
+}
+
+void swDestroySystem(swWorld* world, swId id)
+{
+    swRemoveSystem(&world->waves, id.index1 - 1);
+    swFreeId(&world->systemIds, id);
 }
 
 const swFrame* swGetWorldFrame(const swWorld* world)

@@ -78,6 +78,12 @@ const char* const* swGpu_GetDeviceExtensions(uint32_t* count)
     return swDeviceExtensions;
 }
 
+PFN_vkGetInstanceProcAddr swGpu_GetInstanceProcAddr(const swGpu* gpu)
+{
+    SW_REQUIRE(gpu != NULL, NULL, NULL, "swGpu_GetInstanceProcAddr() needs a swGpu");
+    return gpu->getInstanceProcAddr;
+}
+
 VkInstance swGpu_GetInstance(const swGpu* gpu)
 {
     SW_REQUIRE(gpu != NULL, VK_NULL_HANDLE, NULL, "swGpu_GetInstance() needs a swGpu");

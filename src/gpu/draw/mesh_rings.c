@@ -92,10 +92,10 @@ static float getLastWeight(const swViewFrame* frame)
 void swBuildMeshRings(const swViewFrame* frame, swMeshRings* rings)
 {
     memset(rings, 0, sizeof(*rings));
-    rings->ringCount = frame->sliceCount;
-    rings->quads = frame->resolution / 8;
+    rings->ringCount = frame->stack.sliceCount;
+    rings->quads = frame->stack.resolution / 8;
     rings->tileSide = rings->quads + 1;
-    rings->step = 2.0 * frame->slices[0].texel;
+    rings->step = 2.0 * frame->stack.slices[0].texel;
     rings->fade = frame->fade;
 
     int64_t anchorX = (int64_t)floor(frame->viewpoint.x / rings->step);
@@ -110,7 +110,7 @@ void swBuildMeshRings(const swViewFrame* frame, swMeshRings* rings)
     {
         int64_t scale = (int64_t)1 << ring;
         swBlock block = placeBlock(frame, rings->step * (double)scale, rings->quads);
-        const swSlice* slice = &frame->slices[ring];
+        const swSlice* slice = &frame->stack.slices[ring];
         rings->slices[ring] = (swMeshSlice){
             .originX = (int32_t)(block.x * scale - anchorX),
             .originZ = (int32_t)(block.z * scale - anchorZ),

@@ -118,8 +118,8 @@ static void setMesh(const swPicture* picture, const swFrame* frame, const swView
     p->ringCount = (uint32_t)rings->ringCount;
     p->tileCount = (uint32_t)rings->tileCount;
     p->tileSide = (uint32_t)rings->tileSide;
-    p->resolution = (uint32_t)view->resolution;
-    p->finestWavelength = view->slices[0].minWavelength;
+    p->resolution = (uint32_t)view->stack.resolution;
+    p->finestWavelength = view->stack.slices[0].minWavelength;
 
     // Flat where queries and hulls are looked at closely; bent from a quarter of the way to the horizon on.
     double height = fmax((double)p->cameraHeight, 1.0);
@@ -208,7 +208,7 @@ void swBuildPicture(const swPicture* inHost, swPosXZ origin, const swFrame* fram
     setBands(frame, detailSide, built);
     setFreeWaves(frame, built);
     setTime(picture, built);
-    built->params.foamAtRest = view->foamAtRest;
+    built->params.foamAtRest = frame->foamLaw.cover;
 }
 
 swResult swUploadPicture(swGpu* gpu, swPictureFrame* built)

@@ -4,72 +4,41 @@
 #include <math.h>
 #include <string.h>
 
-static const uint32_t transmittanceCode[] =
-#include "sky_transmittance.comp.inc"
-    ;
-static const uint32_t multipleCode[] =
-#include "sky_multiple.comp.inc"
-    ;
-static const uint32_t viewCode[] =
-#include "sky_view.comp.inc"
-    ;
-static const uint32_t airCode[] =
-#include "sky_air.comp.inc"
-    ;
-static const uint32_t lightCode[] =
-#include "sky_light.comp.inc"
-    ;
-static const uint32_t mapCode[] =
-#include "sky_map.comp.inc"
-    ;
-static const uint32_t halveCode[] =
-#include "halve.comp.inc"
-    ;
-static const uint32_t fullscreenCode[] =
-#include "fullscreen.vert.inc"
-    ;
-static const uint32_t skyCode[] =
-#include "sky.frag.inc"
-    ;
-
-#define SW_STORAGE VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-#define SW_SAMPLED VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-#define SW_WRITTEN VK_DESCRIPTOR_TYPE_STORAGE_IMAGE
+#include "halve_shader.h"
+#include "sky_air_shader.h"
+#include "sky_light_shader.h"
+#include "sky_map_shader.h"
+#include "sky_multiple_shader.h"
+#include "sky_shader.h"
+#include "sky_transmittance_shader.h"
+#include "sky_view_shader.h"
 
 static swResult createSkyPipelines(swGpu* gpu, const swRendererDef* def, swSky* sky)
 {
     const struct
     {
+        const swShader* shader;
         swPipeline* pipeline;
-        swComputeDef def;
     } computes[] = {
-        {&sky->transmittancePipeline,
-         {SW_SHADER(transmittanceCode), 2, {SW_STORAGE, SW_WRITTEN}, .name = "sky transmittance"}},
-        {&sky->multiplePipeline,
-         {SW_SHADER(multipleCode), 3, {SW_STORAGE, SW_SAMPLED, SW_WRITTEN}, .name = "sky multiple scattering"}},
-        {&sky->viewPipeline,
-         {SW_SHADER(viewCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_WRITTEN}, .name = "sky view"}},
-        {&sky->airPipeline,
-         {SW_SHADER(airCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_WRITTEN}, .name = "sky air"}},
-        {&sky->lightPipeline,
-         {SW_SHADER(lightCode), 4, {SW_STORAGE, SW_SAMPLED, SW_SAMPLED, SW_STORAGE}, .name = "sky light"}},
-        {&sky->mapPipeline,
-         {SW_SHADER(mapCode), 4, {SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_WRITTEN}, .name = "sky map"}},
-        {&sky->halvePipeline, {SW_SHADER(halveCode), 2, {SW_WRITTEN, SW_WRITTEN}, .name = "halve"}},
+        {&swSkyTransmittanceShader, &sky->transmittancePipeline},
+        {&swSkyMultipleShader, &sky->multiplePipeline},
+        {&swSkyViewShader, &sky->viewPipeline},
+        {&swSkyAirShader, &sky->airPipeline},
+        {&swSkyLightShader, &sky->lightPipeline},
+        {&swSkyMapShader, &sky->mapPipeline},
+        {&swHalveShader, &sky->halvePipeline},
     };
     for (size_t i = 0; i < sizeof(computes) / sizeof(computes[0]); ++i)
     {
-        swResult result = swCreateComputePipeline(gpu, &computes[i].def, computes[i].pipeline);
+        swResult result = swCreateComputePipeline(gpu, computes[i].shader, NULL, computes[i].pipeline);
         if (result != SW_SUCCESS)
         {
             return result;
         }
     }
     const swGraphicsDef draw = {
-        .vertex = SW_SHADER(fullscreenCode),
-        .fragment = SW_SHADER(skyCode),
-        .bindingCount = 4,
-        .types = {SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED},
+        .vertex = &swSkyVertex,
+        .fragment = &swSkyFragment,
         .colorFormat = def->colorFormat,
         .depthFormat = def->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -175,12 +144,12 @@ void swRecordMips(swGpu* gpu, VkCommandBuffer commands, const swPipeline* halve,
 {
     for (uint32_t mip = 1; mip < image->mips; ++mip)
     {
-        const swBinding bindings[] = {
-            swBindView(gpu, image->mipViews[mip - 1], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
-            swBindView(gpu, image->mipViews[mip], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+        const swHalveBindings bindings = {
+            .source = swBindView(gpu, image->mipViews[mip - 1], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+            .target = swBindView(gpu, image->mipViews[mip], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
         };
         swComputeBarrier(gpu, commands);
-        swBindPipeline(gpu, commands, halve, bindings, NULL);
+        swBindHalve(gpu, commands, halve, &bindings);
         uint32_t width = image->width >> mip;
         uint32_t height = image->height >> mip;
         gpu->vk.CmdDispatch(commands, (width + 7) / 8, (height + 7) / 8, 1);
@@ -189,13 +158,17 @@ void swRecordMips(swGpu* gpu, VkCommandBuffer commands, const swPipeline* halve,
 
 static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
 {
-    const swBinding first[] = {params, swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP)};
-    swBindPipeline(gpu, commands, &sky->transmittancePipeline, first, NULL);
+    swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
+    const swSkyTransmittanceBindings first = {.picture = params, .target = transmittance};
+    swBindSkyTransmittance(gpu, commands, &sky->transmittancePipeline, &first);
     gpu->vk.CmdDispatch(commands, SW_SKY_TRANSMITTANCE_WIDTH / 8, SW_SKY_TRANSMITTANCE_HEIGHT / 8, 1);
     swComputeBarrier(gpu, commands);
-    const swBinding second[] = {params, swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
-                                swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP)};
-    swBindPipeline(gpu, commands, &sky->multiplePipeline, second, NULL);
+    const swSkyMultipleBindings second = {
+        .picture = params,
+        .transmittance = transmittance,
+        .target = swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP),
+    };
+    swBindSkyMultiple(gpu, commands, &sky->multiplePipeline, &second);
     gpu->vk.CmdDispatch(commands, SW_SKY_MULTIPLE_SIDE / 8, SW_SKY_MULTIPLE_SIDE / 8, 1);
     swComputeBarrier(gpu, commands);
 }
@@ -203,26 +176,45 @@ static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, sw
 static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
 {
     swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
+    swBinding multiple = swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP);
     swBinding view = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X);
-    swBinding bindings[4] = {params, transmittance, swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP), view};
-    swBindPipeline(gpu, commands, &sky->viewPipeline, bindings, NULL);
+    const swSkyViewBindings seen = {
+        .picture = params,
+        .transmittance = transmittance,
+        .multiple = multiple,
+        .target = view,
+    };
+    swBindSkyView(gpu, commands, &sky->viewPipeline, &seen);
     gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 2);
-    bindings[3] = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP);
-    swBindPipeline(gpu, commands, &sky->airPipeline, bindings, NULL);
+    const swSkyAirBindings air = {
+        .picture = params,
+        .transmittance = transmittance,
+        .multiple = multiple,
+        .target = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
+    };
+    swBindSkyAir(gpu, commands, &sky->airPipeline, &air);
     gpu->vk.CmdDispatch(commands, SW_SKY_AIR_SIDE / 8, SW_SKY_AIR_SIDE / 8, 1);
     swComputeBarrier(gpu, commands);
-    const swBinding light[] = {params, transmittance, view, swBindBuffer(&sky->light)};
-    swBindPipeline(gpu, commands, &sky->lightPipeline, light, NULL);
+    const swSkyLightBindings light = {
+        .picture = params,
+        .transmittance = transmittance,
+        .skyView = view,
+        .light = swBindBuffer(&sky->light),
+    };
+    swBindSkyLight(gpu, commands, &sky->lightPipeline, &light);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swComputeBarrier(gpu, commands);
 }
 
 static void recordMap(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
 {
-    const swBinding bindings[] = {
-        params, swBindBuffer(&sky->light), swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
-        swBindView(gpu, sky->map.mipViews[0], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP)};
-    swBindPipeline(gpu, commands, &sky->mapPipeline, bindings, NULL);
+    const swSkyMapBindings bindings = {
+        .picture = params,
+        .light = swBindBuffer(&sky->light),
+        .skyView = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
+        .target = swBindView(gpu, sky->map.mipViews[0], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
+    };
+    swBindSkyMap(gpu, commands, &sky->mapPipeline, &bindings);
     gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 1);
     swRecordMips(gpu, commands, &sky->halvePipeline, &sky->map);
 }
@@ -286,14 +278,14 @@ void swForgetSky(swSky* sky)
 
 void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture)
 {
-    const swBinding bindings[] = {
-        swBindUpload(&picture->paramsUpload),
-        swBindBuffer(&sky->light),
-        swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
-        swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
+    const swSkyBindings bindings = {
+        .picture = swBindUpload(&picture->paramsUpload),
+        .light = swBindBuffer(&sky->light),
+        .skyView = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
+        .transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
     };
     swBeginPass(gpu, commands, "sky");
-    swBindPipeline(gpu, commands, &sky->drawPipeline, bindings, NULL);
+    swBindSky(gpu, commands, &sky->drawPipeline, &bindings);
     gpu->vk.CmdDraw(commands, 3, 1, 0, 0);
     swEndPass(gpu, commands);
 }

@@ -13,14 +13,12 @@ list(APPEND SW_SHADERS
     sky/sky_air.comp
     sky/sky_light.comp
     sky/sky_map.comp
-    sky/fullscreen.vert
-    sky/sky.frag
+    sky/fullscreen.vert+sky/sky.frag
     surface/surface_cull.comp
-    surface/surface.vert
-    surface/surface.frag
+    surface/surface.vert+surface/surface.frag
     post/halve.comp
     post/expose.comp
-    post/tonemap.frag)
+    sky/fullscreen.vert+post/tonemap.frag)
 
 # The foam's texture is made by a program of ours, while building.
 add_executable(seaway_foam_texture ${PROJECT_SOURCE_DIR}/generators/foam_texture.c)

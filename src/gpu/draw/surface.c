@@ -3,15 +3,8 @@
 
 #include <string.h>
 
-static const uint32_t cullCode[] =
-#include "surface_cull.comp.inc"
-    ;
-static const uint32_t vertexCode[] =
-#include "surface.vert.inc"
-    ;
-static const uint32_t fragmentCode[] =
-#include "surface.frag.inc"
-    ;
+#include "surface_cull_shader.h"
+#include "surface_shader.h"
 
 // RGBA, SW_FOAM_TEXTURE_SIDE squared. See generators/foam_texture.c.
 static const uint8_t foamPixels[] = {
@@ -19,27 +12,16 @@ static const uint8_t foamPixels[] = {
 };
 static_assert(sizeof(foamPixels) == 4 * SW_FOAM_TEXTURE_SIDE * SW_FOAM_TEXTURE_SIDE, "the foam texture has its size");
 
-#define SW_STORAGE VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-#define SW_SAMPLED VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-
 static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swSurface* surface)
 {
-    const swComputeDef cull = {
-        .shader = SW_SHADER(cullCode),
-        .bindingCount = 5,
-        .types = {SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_STORAGE},
-        .name = "surface cull",
+    swResult result = swCreateComputePipeline(gpu, &swSurfaceCullShader, NULL, &surface->cullPipeline);
+    const swSurfaceConstants constants = {
+        .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
     };
-    swResult result = swCreateComputePipeline(gpu, &cull, &surface->cullPipeline);
-    const uint32_t constants[] = {gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0};
     swGraphicsDef draw = {
-        .constantCount = 1,
-        .constants = constants,
-        .vertex = SW_SHADER(vertexCode),
-        .fragment = SW_SHADER(fragmentCode),
-        .bindingCount = 13,
-        .types = {SW_STORAGE, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_STORAGE, SW_STORAGE, SW_SAMPLED, SW_SAMPLED,
-                  SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_SAMPLED, SW_STORAGE},
+        .vertex = &swSurfaceVertex,
+        .fragment = &swSurfaceFragment,
+        .constants = &constants,
         .colorFormat = def->colorFormat,
         .depthFormat = def->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -180,14 +162,17 @@ void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, c
         swRecordImageUpload(gpu, commands, &surface->foamUpload, &surface->foamTexture);
         swRecordMips(gpu, commands, halve, &surface->foamTexture);
     }
-    const swBinding bindings[] = {
-        swBindUpload(&picture->paramsUpload), swBindUpload(&picture->slicesUpload), swBindUpload(&picture->tilesUpload),
-        swBindBuffer(&surface->visible),      swBindBuffer(&surface->arguments),
+    const swSurfaceCullBindings bindings = {
+        .picture = swBindUpload(&picture->paramsUpload),
+        .slices = swBindUpload(&picture->slicesUpload),
+        .tiles = swBindUpload(&picture->tilesUpload),
+        .visible = swBindBuffer(&surface->visible),
+        .arguments = swBindBuffer(&surface->arguments),
     };
     swBeginPass(gpu, commands, "surface_cull");
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT, 0,
               VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT);
-    swBindPipeline(gpu, commands, &surface->cullPipeline, bindings, NULL);
+    swBindSurfaceCull(gpu, commands, &surface->cullPipeline, &bindings);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
@@ -199,24 +184,24 @@ void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, c
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
                    const swGpuWorld* gpuWorld, const swGpuView* view, const swPictureFrame* picture)
 {
-    const swBinding bindings[] = {
-        swBindUpload(&picture->paramsUpload),
-        swBindUpload(&picture->slicesUpload),
-        swBindBuffer(&surface->visible),
-        swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-        swBindUpload(&picture->bandsUpload),
-        swBindBuffer(&sky->light),
-        swBindImage(gpu, &view->derivatives, SW_SAMPLER_LINEAR_CLAMP),
-        swBindImage(gpu, swGetFoamImage(view), SW_SAMPLER_LINEAR_CLAMP),
-        swBindImage(gpu, &gpuWorld->detail, SW_SAMPLER_LINEAR_REPEAT),
-        swBindImage(gpu, &sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
-        swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
-        swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_LINEAR_REPEAT),
-        swBindUpload(&picture->wavesUpload),
+    const swSurfaceBindings bindings = {
+        .picture = swBindUpload(&picture->paramsUpload),
+        .slices = swBindUpload(&picture->slicesUpload),
+        .tiles = swBindBuffer(&surface->visible),
+        .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+        .bands = swBindUpload(&picture->bandsUpload),
+        .light = swBindBuffer(&sky->light),
+        .derivatives = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
+        .foamLayer = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_LINEAR_CLAMP),
+        .detail = swBindImage(gpu, &gpuWorld->detail, SW_SAMPLER_LINEAR_REPEAT),
+        .skyMap = swBindImage(gpu, &sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
+        .air = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
+        .foamTexture = swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_LINEAR_REPEAT),
+        .waves = swBindUpload(&picture->wavesUpload),
     };
     bool isWire = picture->params.debugMode == SW_DEBUG_WIREFRAME && surface->wirePipeline.handle != VK_NULL_HANDLE;
     swBeginPass(gpu, commands, "surface");
-    swBindPipeline(gpu, commands, isWire ? &surface->wirePipeline : &surface->drawPipeline, bindings, NULL);
+    swBindSurface(gpu, commands, isWire ? &surface->wirePipeline : &surface->drawPipeline, &bindings);
     gpu->vk.CmdBindIndexBuffer(commands, surface->indices.handle, 0, VK_INDEX_TYPE_UINT16);
     gpu->vk.CmdDrawIndexedIndirect(commands, surface->arguments.handle, 0, 1, 0);
     swEndPass(gpu, commands);

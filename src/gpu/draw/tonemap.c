@@ -3,18 +3,9 @@
 
 #include <math.h>
 
-static const uint32_t exposeCode[] =
-#include "expose.comp.inc"
-    ;
-static const uint32_t fullscreenCode[] =
-#include "fullscreen.vert.inc"
-    ;
-static const uint32_t tonemapCode[] =
-#include "tonemap.frag.inc"
-    ;
+#include "expose_shader.h"
+#include "tonemap_shader.h"
 
-#define SW_STORAGE VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-#define SW_SAMPLED VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
 #define SW_ADAPTATION_TIME 0.7f // s
 
 static bool encodesItself(VkFormat format)
@@ -34,23 +25,12 @@ static bool encodesItself(VkFormat format)
 
 swResult swCreateTonemap(swGpu* gpu, const swRendererDef* def, swTonemap* tonemap)
 {
-    const swComputeDef expose = {
-        .shader = SW_SHADER(exposeCode),
-        .bindingCount = 2,
-        .types = {SW_SAMPLED, SW_STORAGE},
-        .pushSize = sizeof(float),
-        .name = "expose",
-    };
-    swResult result = swCreateComputePipeline(gpu, &expose, &tonemap->exposePipeline);
-    const uint32_t constants[] = {encodesItself(def->outputFormat)};
+    swResult result = swCreateComputePipeline(gpu, &swExposeShader, NULL, &tonemap->exposePipeline);
+    const swTonemapConstants constants = {.targetEncodes = encodesItself(def->outputFormat) ? 1 : 0};
     const swGraphicsDef draw = {
-        .vertex = SW_SHADER(fullscreenCode),
-        .fragment = SW_SHADER(tonemapCode),
-        .bindingCount = 2,
-        .types = {SW_SAMPLED, SW_STORAGE},
-        .pushSize = 3 * sizeof(float),
-        .constantCount = 1,
-        .constants = constants,
+        .vertex = &swTonemapVertex,
+        .fragment = &swTonemapFragment,
+        .constants = &constants,
         .colorFormat = def->outputFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
         .name = "tonemap",
@@ -96,16 +76,17 @@ void swForgetExposure(swTonemap* tonemap, uint64_t frameIndex)
 void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, VkImageView hdr, float dt,
                       bool immediate)
 {
-    const swBinding bindings[] = {
-        swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
-        swBindBuffer(&tonemap->exposure),
+    const swExposeBindings bindings = {
+        .hdr = swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
+        .exposure = swBindBuffer(&tonemap->exposure),
     };
+    static_assert(sizeof(float) == SW_EXPOSE_PUSH_SIZE, "what expose.comp is given");
     float keep = immediate ? 0.0f : expf(-fmaxf(dt, 0.0f) / SW_ADAPTATION_TIME);
     swBeginPass(gpu, commands, "expose");
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
               VK_ACCESS_2_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
               VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
-    swBindPipeline(gpu, commands, &tonemap->exposePipeline, bindings, &keep);
+    swBindExpose(gpu, commands, &tonemap->exposePipeline, &bindings, &keep);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_READ_BIT);
@@ -115,13 +96,14 @@ void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, 
 void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonemap, VkImageView hdr, float time,
                    float stops, bool isRaw)
 {
-    const swBinding bindings[] = {
-        swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
-        swBindBuffer(&tonemap->exposure),
+    const swTonemapBindings bindings = {
+        .hdr = swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
+        .exposure = swBindBuffer(&tonemap->exposure),
     };
+    static_assert(3 * sizeof(float) == SW_TONEMAP_PUSH_SIZE, "what tonemap.frag is given");
     const float push[3] = {time, stops, isRaw ? 1.0f : 0.0f};
     swBeginPass(gpu, commands, "tonemap");
-    swBindPipeline(gpu, commands, &tonemap->tonemapPipeline, bindings, push);
+    swBindTonemap(gpu, commands, &tonemap->tonemapPipeline, &bindings, push);
     gpu->vk.CmdDraw(commands, 3, 1, 0, 0);
     swEndPass(gpu, commands);
 }

@@ -47,21 +47,34 @@ static void makeHalves(void* context, int begin, int end, int worker)
     }
 }
 
+static swResult uploadHalves(swGpu* gpu, const float* texels, size_t count, swUpload* upload)
+{
+    swResult result = swReserveUpload(gpu, count * sizeof(uint16_t), upload);
+    if (result == SW_SUCCESS)
+    {
+        HalfJob job = {.from = texels, .to = upload->data};
+        swParallelFor(&gpu->host, makeHalves, &job, (int)(count / CHUNK), 4); // a slice has at least 64 x 64 texels
+    }
+    return result;
+}
+
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
 {
     size_t texels = (size_t)view->sliceCount * (size_t)view->resolution * (size_t)view->resolution;
-    swResult result =
-        swUploadData(gpu, frame->displacement, texels * 4 * sizeof(float), &view->layerUploads[SW_LAYER_DISPLACEMENT]);
-    result = result == SW_SUCCESS
-                 ? swReserveUpload(gpu, texels * 4 * sizeof(uint16_t), &view->layerUploads[SW_LAYER_DERIVATIVES])
-                 : result;
-    if (result != SW_SUCCESS)
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_LAYERS && result == SW_SUCCESS; ++i)
     {
-        return result;
+        const float* from = frame->stack.layers[i].texels;
+        swTexelFormat format = swGetLayerInfo(i)->format;
+        size_t count = texels * (format == SW_TEXEL_R32F ? 1 : 4);
+        if (from != NULL)
+        {
+            result = format == SW_TEXEL_RGBA16F
+                         ? uploadHalves(gpu, from, count, &view->layers[i].upload)
+                         : swUploadData(gpu, from, count * sizeof(float), &view->layers[i].upload);
+        }
     }
-    HalfJob job = {.from = frame->derivatives, .to = view->layerUploads[SW_LAYER_DERIVATIVES].data};
-    swParallelFor(&gpu->host, makeHalves, &job, (int)(texels * 4 / CHUNK), 4); // a slice has at least 64 x 64 texels
-    return swUploadData(gpu, frame->foam, texels * sizeof(float), &view->layerUploads[SW_LAYER_FOAM]);
+    return result;
 }
 
 static void copyLayer(swGpu* gpu, VkCommandBuffer commands, const swUpload* from, const swImage* to)
@@ -76,7 +89,11 @@ static void copyLayer(swGpu* gpu, VkCommandBuffer commands, const swUpload* from
 
 void swRecordCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view)
 {
-    copyLayer(gpu, commands, &view->layerUploads[SW_LAYER_DISPLACEMENT], &view->displacement);
-    copyLayer(gpu, commands, &view->layerUploads[SW_LAYER_DERIVATIVES], &view->derivatives);
-    copyLayer(gpu, commands, &view->layerUploads[SW_LAYER_FOAM], swGetFoamImage(view));
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        if (view->frame->stack.layers[i].texels != NULL)
+        {
+            copyLayer(gpu, commands, &view->layers[i].upload, swGetLayerImage(view, i));
+        }
+    }
 }

@@ -3,35 +3,41 @@
 
 #include <string.h>
 
+static const VkFormat formats[] = {
+    [SW_TEXEL_R32F] = VK_FORMAT_R32_SFLOAT,
+    [SW_TEXEL_RGBA32F] = VK_FORMAT_R32G32B32A32_SFLOAT,
+    [SW_TEXEL_RGBA16F] = VK_FORMAT_R16G16B16A16_SFLOAT,
+};
+
+// Simulated fields live in zones.
+static bool isInView(int layer)
+{
+    return swGetLayerInfo(layer)->kind != SW_LAYER_IS_SIMULATED;
+}
+
 static swResult createImages(swGpu* gpu, swGpuView* view)
 {
-    const struct
+    for (int i = 0; i < SW_LAYERS; ++i)
     {
-        swImage* image;
-        VkFormat format;
-        const char* name;
-    } images[] = {
-        {&view->displacement, VK_FORMAT_R32G32B32A32_SFLOAT, "displacement"},
-        {&view->derivatives, VK_FORMAT_R16G16B16A16_SFLOAT, "derivatives"},
-        {&view->foam[0], VK_FORMAT_R32_SFLOAT, "foam 0"},
-        {&view->foam[1], VK_FORMAT_R32_SFLOAT, "foam 1"},
-    };
-    for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
-    {
+        const swLayerInfo* info = swGetLayerInfo(i);
         const swImageDef def = {
-            .format = images[i].format,
+            .format = formats[info->format],
             .width = (uint32_t)view->resolution,
             .height = (uint32_t)view->resolution,
             .layers = (uint32_t)view->sliceCount,
             .isArray = true,
             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
             .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = images[i].name,
+            .name = info->name,
         };
-        swResult result = swCreateImage(gpu, &def, images[i].image);
-        if (result != SW_SUCCESS)
+        int count = !isInView(i) ? 0 : info->hasPast ? 2 : 1;
+        for (int k = 0; k < count; ++k)
         {
-            return result;
+            swResult result = swCreateImage(gpu, &def, &view->layers[i].images[k]);
+            if (result != SW_SUCCESS)
+            {
+                return result;
+            }
         }
     }
     return SW_SUCCESS;
@@ -42,8 +48,8 @@ swResult swMakeGpuView(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
     *view = (swGpuView){
         .viewVersion = frame->viewVersion,
         .view = frame->view,
-        .sliceCount = frame->sliceCount,
-        .resolution = frame->resolution,
+        .sliceCount = frame->stack.sliceCount,
+        .resolution = frame->stack.resolution,
     };
     swResult result = createImages(gpu, view);
     if (result != SW_SUCCESS)
@@ -57,78 +63,105 @@ swResult swMakeGpuView(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
 
 void swRetireGpuView(swGpu* gpu, swGpuView* view)
 {
-    swRetireImage(gpu, &view->displacement);
-    swRetireImage(gpu, &view->derivatives);
-    swRetireImage(gpu, &view->foam[0]);
-    swRetireImage(gpu, &view->foam[1]);
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        swRetireImage(gpu, &view->layers[i].images[0]);
+        swRetireImage(gpu, &view->layers[i].images[1]);
+    }
     *view = (swGpuView){0};
 }
 
 void swDestroyGpuView(swGpu* gpu, swGpuView* view)
 {
-    swDestroyImage(gpu, &view->displacement);
-    swDestroyImage(gpu, &view->derivatives);
-    swDestroyImage(gpu, &view->foam[0]);
-    swDestroyImage(gpu, &view->foam[1]);
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        swDestroyImage(gpu, &view->layers[i].images[0]);
+        swDestroyImage(gpu, &view->layers[i].images[1]);
+    }
 }
 
 size_t swGetGpuViewMemory(const swGpuView* view)
 {
-    return (size_t)(view->displacement.memory.size + view->derivatives.memory.size + view->foam[0].memory.size +
-                    view->foam[1].memory.size);
+    VkDeviceSize size = 0;
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        size += view->layers[i].images[0].memory.size + view->layers[i].images[1].memory.size;
+    }
+    return (size_t)size;
 }
 
 void swBeginGpuView(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
 {
-    if (!view->foam[0].isInitialized)
+    if (!view->hasBegun)
     {
         view->firstFrame = gpu->frameIndex;
+        view->hasBegun = true;
     }
-    swInitializeImage(gpu, commands, &view->displacement);
-    swInitializeImage(gpu, commands, &view->derivatives);
-    swInitializeImage(gpu, commands, &view->foam[0]);
-    swInitializeImage(gpu, commands, &view->foam[1]);
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        for (int k = 0; k < 2 && view->layers[i].images[k].handle != VK_NULL_HANDLE; ++k)
+        {
+            swInitializeImage(gpu, commands, &view->layers[i].images[k]);
+        }
+    }
 }
 
-void swCommitGpuFoam(uint64_t frameIndex, const swViewFrame* frame, swGpuView* view)
+void swPlanGpuView(swGpuView* view)
 {
-    if (!view->foamMoves)
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        if (isInView(i) && swGetLayerInfo(i)->hasPast)
+        {
+            view->layers[i].due = swFindCatchUp(&view->layers[i].mark.at, i, &view->frame->stack);
+            view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore;
+        }
+    }
+}
+
+void swCommitGpuView(uint64_t frameIndex, swGpuView* view)
+{
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        swGpuLayer* layer = &view->layers[i];
+        if (layer->due.isDue)
+        {
+            memmove(layer->earlier + 1, layer->earlier, sizeof(layer->earlier) - sizeof(layer->earlier[0]));
+            layer->earlier[0] = layer->mark;
+            layer->mark.frameIndex = frameIndex;
+            layer->mark.index ^= 1;
+            swMoveMark(&layer->mark.at, i, &view->frame->stack);
+        }
+    }
+}
+
+// Images that each frame writes anew are simply begun again. A layer with a past goes back to what the last frame
+// before left, which lies untouched in the other image, or begins again if that frame is too long ago.
+static void discardLayer(swGpuLayer* layer, uint64_t frameIndex)
+{
+    if (!layer->mark.at.hasPast || layer->mark.frameIndex < frameIndex)
     {
         return;
     }
-    memmove(view->earlier + 1, view->earlier, sizeof(view->earlier) - sizeof(view->earlier[0]));
-    view->earlier[0] = view->mark;
-    swFoamMark* mark = &view->mark;
-    bool isBehind = mark->resetCount == frame->foamResetCount && mark->clock > frame->foamClock &&
-                    mark->clock - frame->foamClock <= SW_FOAM_RATE;
-    mark->frameIndex = frameIndex;
-    mark->hasFoam = true;
-    mark->index ^= 1;
-    mark->clock = isBehind ? mark->clock : frame->foamClock;
-    mark->resetCount = frame->foamResetCount;
-    memcpy(mark->slices, frame->slices, sizeof(mark->slices));
+    swGpuLayerMark found = {0};
+    for (int i = SW_LAYER_MARKS - 1; i >= 0; --i)
+    {
+        bool isBefore = layer->earlier[i].at.hasPast && layer->earlier[i].frameIndex < frameIndex;
+        found = isBefore ? layer->earlier[i] : found;
+        layer->earlier[i].at.hasPast = isBefore;
+    }
+    layer->mark = found;
 }
 
-// Images that each frame writes anew are simply begun again. Foam has a past: it goes back to what the last frame
-// before left, which lies untouched in the other image, or begins again if that frame is too long ago.
 void swDiscardGpuView(swGpuView* view, uint64_t frameIndex)
 {
-    view->displacement.isInitialized = false;
-    view->derivatives.isInitialized = false;
-    if (view->firstFrame >= frameIndex)
+    view->hasBegun = view->hasBegun && view->firstFrame < frameIndex;
+    for (int i = 0; i < SW_LAYERS; ++i)
     {
-        view->foam[0].isInitialized = false;
-        view->foam[1].isInitialized = false;
-    }
-    if (view->mark.hasFoam && view->mark.frameIndex >= frameIndex)
-    {
-        swFoamMark found = {0};
-        for (int i = SW_FOAM_MARKS - 1; i >= 0; --i)
+        if (!swGetLayerInfo(i)->hasPast || !view->hasBegun)
         {
-            bool isBefore = view->earlier[i].hasFoam && view->earlier[i].frameIndex < frameIndex;
-            found = isBefore ? view->earlier[i] : found;
-            view->earlier[i].hasFoam = isBefore;
+            view->layers[i].images[0].isInitialized = false;
+            view->layers[i].images[1].isInitialized = false;
         }
-        view->mark = found;
+        discardLayer(&view->layers[i], frameIndex);
     }
 }

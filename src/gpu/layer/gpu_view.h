@@ -3,48 +3,52 @@
 
 // The images of a view's layers: made, written in turns, read back, and brought from the core.
 
-#include "core/frame/frame.h"
+#include "core/lod/layer_clock.h"
 #include "gpu/vk/vk_device.h"
 
-// How many foam-making frames back a view can be taken: as many as may be in flight.
-#define SW_FOAM_MARKS SW_MAX_FRAMES_IN_FLIGHT
+// How many frames back in which a layer stepped a view can be taken: as many as may be in flight.
+#define SW_LAYER_MARKS SW_MAX_FRAMES_IN_FLIGHT
 
-// Where a view's foam stands after a recorded frame.
-typedef struct swFoamMark
+// Where a layer with a past stands after a recorded frame.
+typedef struct swGpuLayerMark
 {
-    bool hasFoam;
+    swLayerMark at;
     uint64_t frameIndex;
-    int index;     // of the image that holds it
-    int64_t clock; // of the frame that foam was brought to, see swViewFrame
-    uint32_t resetCount;
-    swSlice slices[SW_MAX_SLICES]; // where the foam lies
-} swFoamMark;
+    int index; // of the image that holds it
+} swGpuLayerMark;
 
-// Layers of one view. Array layer = slice; texel centres are the lattice points, so point (column, row) of a slice is
-// at uv = ((column + 0.5) / R, (row + 0.5) / R).
+typedef struct swGpuLayer
+{
+    swImage images[2];                      // the second of layers with a past only, which are written in turns
+    swGpuLayerMark mark;                    // of the last recorded frame
+    swGpuLayerMark earlier[SW_LAYER_MARKS]; // of those before, newest first
+
+    // Set by each swGpuWorld_Record(), valid for this frame.
+    swLayerCatchUp due; // of layers with a past
+    swUpload upload;    // of what the core made
+} swGpuLayer;
+
+// Layers of one view, as layers.inl lists them. Array layer = slice; texel centres are the lattice points, so point
+// (column, row) of a slice is at uv = ((column + 0.5) / R, (row + 0.5) / R). The fourth component of the displacement
+// holds J in full precision, by which foam grows.
 typedef struct swGpuView
 {
     uint32_t viewVersion; // of the view it belongs to
     bool isUsed;
     const swView* view; // identity only
     int sliceCount, resolution;
-    swImage displacement;              // RGBA32F: x, y, z, J; foam grows by J in full precision
-    swImage derivatives;               // RGBA16F: gx, gz, J, 0
-    swImage foam[2];                   // R32F, written in turns
-    uint64_t firstFrame;               // the one that begins the images
-    swFoamMark mark;                   // of the last recorded frame
-    swFoamMark earlier[SW_FOAM_MARKS]; // of those before, newest first
+    bool hasBegun; // a recorded frame, firstFrame, begins the images
+    uint64_t firstFrame;
+    swGpuLayer layers[SW_LAYERS];
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     swUpload sliceLists;  // swSliceList[sliceCount]
     swUpload sliceTiles;  // swSliceTile[]
     swUpload sliceWaves;  // swSliceWave[]
     swUpload foamParams;  // swFoamSliceParams[sliceCount]
-    swUpload foamSources; // swFoamSource[sliceCount * SW_FOAM_SOURCES]
-    bool foamMoves;       // the foam pass has something to do
+    swUpload foamSources; // swPastSource[sliceCount * (SW_PAST_SOURCES + 1)]
     const swViewFrame* frame;
     bool isCore; // the core made the layers, they are only copied
-    swUpload layerUploads[SW_LAYER_COUNT];
 } swGpuView;
 
 // Make the images of a view that is new; an entry that is in use keeps its own.
@@ -55,8 +59,10 @@ void swRetireGpuView(swGpu* gpu, swGpuView* view);
 void swDestroyGpuView(swGpu* gpu, swGpuView* view);
 // Record what new images need, once.
 void swBeginGpuView(swGpu* gpu, VkCommandBuffer commands, swGpuView* view);
-// The foam pass was recorded.
-void swCommitGpuFoam(uint64_t frameIndex, const swViewFrame* frame, swGpuView* view);
+// Find what each layer with a past has to make up for in this frame.
+void swPlanGpuView(swGpuView* view);
+// The passes were recorded.
+void swCommitGpuView(uint64_t frameIndex, swGpuView* view);
 // Take back what frame `frameIndex` and all later frames did, which will not run.
 void swDiscardGpuView(swGpuView* view, uint64_t frameIndex);
 // Bytes of device memory.
@@ -67,14 +73,21 @@ swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* vi
 void swRecordCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view);
 
 // Copy one slice of a layer to the host; waits.
-swResult swReadLayer(swGpu* gpu, const swGpuView* view, swLayer layer, int slice, float* texels);
+swResult swReadLayer(swGpu* gpu, const swGpuView* view, int layer, int slice, float* texels);
 // Copy one layer and mip of an image of four half floats to the host, as floats; waits.
 swResult swReadHalves(swGpu* gpu, const swImage* image, uint32_t layer, uint32_t mip, float* texels);
 // Copy a part of a buffer to the host; waits.
 swResult swReadBuffer(swGpu* gpu, const swBuffer* buffer, VkDeviceSize offset, VkDeviceSize size, void* data);
 
-// Foam of the last recorded frame.
-static inline const swImage* swGetFoamImage(const swGpuView* view)
+// A layer as the last recorded frame left it; while recording, as it was before if it has a past.
+static inline const swImage* swGetLayerImage(const swGpuView* view, int layer)
 {
-    return &view->foam[view->mark.index];
+    return &view->layers[layer].images[view->layers[layer].mark.index];
+}
+
+// The image that a pass writes.
+static inline const swImage* swGetNextLayerImage(const swGpuView* view, int layer)
+{
+    int turn = swGetLayerInfo(layer)->hasPast ? 1 : 0;
+    return &view->layers[layer].images[view->layers[layer].mark.index ^ turn];
 }

@@ -86,27 +86,19 @@ static swResult readFloats(swGpu* gpu, const swImage* image, uint32_t layer, siz
     return result;
 }
 
-swResult swReadLayer(swGpu* gpu, const swGpuView* view, swLayer layer, int slice, float* texels)
+swResult swReadLayer(swGpu* gpu, const swGpuView* view, int layer, int slice, float* texels)
 {
-    size_t count = (size_t)view->resolution * (size_t)view->resolution;
-    swResult result = SW_ERROR_INVALID;
-    switch (layer)
+    const swImage* image = swGetLayerImage(view, layer);
+    swTexelFormat format = swGetLayerInfo(layer)->format;
+    if (format == SW_TEXEL_RGBA16F)
     {
-    case SW_LAYER_DISPLACEMENT:
-        result = readFloats(gpu, &view->displacement, (uint32_t)slice, 4, texels);
-        for (size_t i = 0; i < count && result == SW_SUCCESS; ++i)
-        {
-            texels[4 * i + 3] = 0.0f; // J is the library's own business
-        }
-        break;
-    case SW_LAYER_DERIVATIVES:
-        result = swReadHalves(gpu, &view->derivatives, (uint32_t)slice, 0, texels);
-        break;
-    case SW_LAYER_FOAM:
-        result = readFloats(gpu, swGetFoamImage(view), (uint32_t)slice, 1, texels);
-        break;
-    case SW_LAYER_COUNT:
-        break;
+        return swReadHalves(gpu, image, (uint32_t)slice, 0, texels);
+    }
+    swResult result = readFloats(gpu, image, (uint32_t)slice, format == SW_TEXEL_R32F ? 1 : 4, texels);
+    size_t count = (size_t)view->resolution * (size_t)view->resolution;
+    for (size_t i = 0; i < count && result == SW_SUCCESS && layer == SW_LAYER_DISPLACEMENT; ++i)
+    {
+        texels[4 * i + 3] = 0.0f; // J is the library's own business
     }
     return result;
 }

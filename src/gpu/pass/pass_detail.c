@@ -2,25 +2,11 @@
 // One dispatch: a workgroup for each block of detail texels of each tile, all mips.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t detailCode[] =
-#include "detail.comp.inc"
-    ;
+#include "detail_shader.h"
 
 swResult swCreateDetail(swGpu* gpu, swPasses* passes)
 {
-    swComputeDef def = {
-        .shader = SW_SHADER(detailCode),
-        .bindingCount = 2 + SW_DETAIL_MIPS,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .pushSize = sizeof(uint32_t),
-        .name = "detail",
-    };
-    for (uint32_t mip = 0; mip < SW_DETAIL_MIPS; ++mip)
-    {
-        def.types[2 + mip] = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    }
-    return swCreateComputePipeline(gpu, &def, &passes->detail);
+    return swCreateComputePipeline(gpu, &swDetailShader, NULL, &passes->detail);
 }
 
 void swRecordDetail(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
@@ -31,17 +17,26 @@ void swRecordDetail(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     }
     swGpu* gpu = gpuWorld->gpu;
     const swImage* detail = &gpuWorld->detail;
-    swBinding bindings[2 + SW_DETAIL_MIPS] = {
-        swBindUpload(&gpuWorld->tileParams),
-        swBindBuffer(&gpuWorld->texels),
-    };
+    swBinding mips[SW_DETAIL_MIPS];
     for (uint32_t mip = 0; mip < SW_DETAIL_MIPS; ++mip)
     {
-        bindings[2 + mip] = swBindView(gpu, detail->mipViews[mip], detail->layout, SW_SAMPLER_NEAREST_CLAMP);
+        mips[mip] = swBindView(gpu, detail->mipViews[mip], detail->layout, SW_SAMPLER_NEAREST_CLAMP);
     }
+    static_assert(SW_DETAIL_MIPS == 6, "detail.comp has a binding for each");
+    const swDetailBindings bindings = {
+        .tiles = swBindUpload(&gpuWorld->tileParams),
+        .texels = swBindBuffer(&gpuWorld->texels),
+        .mip0 = mips[0],
+        .mip1 = mips[1],
+        .mip2 = mips[2],
+        .mip3 = mips[3],
+        .mip4 = mips[4],
+        .mip5 = mips[5],
+    };
+    static_assert(sizeof(uint32_t) == SW_DETAIL_PUSH_SIZE, "what detail.comp is given");
     uint32_t side = detail->width;
     swBeginPass(gpu, commands, "detail");
-    swBindPipeline(gpu, commands, &gpuWorld->passes.detail, bindings, &side);
+    swBindDetail(gpu, commands, &gpuWorld->passes.detail, &bindings, &side);
     gpu->vk.CmdDispatch(commands, side / SW_DETAIL_BLOCK, side / SW_DETAIL_BLOCK, (uint32_t)gpuWorld->tileCount);
     swEndPass(gpu, commands);
 }

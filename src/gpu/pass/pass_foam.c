@@ -2,10 +2,7 @@
 // One dispatch a view for all its slices; a view whose foam stays as it is has none.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t foamCode[] =
-#include "foam.comp.inc"
-    ;
+#include "foam_shader.h"
 
 swResult swCreateFoam(swGpu* gpu, swPasses* passes)
 {
@@ -13,15 +10,7 @@ swResult swCreateFoam(swGpu* gpu, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    const swComputeDef def = {
-        .shader = SW_SHADER(foamCode),
-        .bindingCount = 5,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
-        .pushSize = sizeof(int32_t),
-        .name = "foam",
-    };
-    return swCreateComputePipeline(gpu, &def, &passes->foam);
+    return swCreateComputePipeline(gpu, &swFoamShader, NULL, &passes->foam);
 }
 
 void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
@@ -31,20 +20,21 @@ void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!view->isUsed || view->isCore || !view->foamMoves)
+        if (!view->isUsed || !view->layers[SW_LAYER_FOAM].due.isDue)
         {
             continue;
         }
-        const swBinding bindings[] = {
-            swBindUpload(&view->foamParams),
-            swBindUpload(&view->foamSources),
-            swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->foam[view->mark.index], SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->foam[view->mark.index ^ 1], SW_SAMPLER_NEAREST_CLAMP),
+        const swFoamBindings bindings = {
+            .slices = swBindUpload(&view->foamParams),
+            .sources = swBindUpload(&view->foamSources),
+            .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+            .previous = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
+            .nextFoam = swBindImage(gpu, swGetNextLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
         };
+        static_assert(sizeof(int32_t) == SW_FOAM_PUSH_SIZE, "what foam.comp is given");
         int32_t resolution = view->resolution;
         uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;
-        swBindPipeline(gpu, commands, &gpuWorld->passes.foam, bindings, &resolution);
+        swBindFoam(gpu, commands, &gpuWorld->passes.foam, &bindings, &resolution);
         gpu->vk.CmdDispatch(commands, blocks, blocks, (uint32_t)view->sliceCount);
     }
     swEndPass(gpu, commands);

@@ -2,10 +2,7 @@
 // One dispatch a query of rays; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t rayQueryCode[] =
-#include "ray_query.comp.inc"
-    ;
+#include "ray_query_shader.h"
 
 swResult swCreateRayQuery(swGpu* gpu, swPasses* passes)
 {
@@ -13,33 +10,24 @@ swResult swCreateRayQuery(swGpu* gpu, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    swComputeDef def = {
-        .shader = SW_SHADER(rayQueryCode),
-        .bindingCount = 7,
-        .pushSize = sizeof(swRayParams),
-        .name = "ray_query",
-    };
-    for (uint32_t i = 0; i < def.bindingCount; ++i)
-    {
-        def.types[i] = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    }
-    return swCreateComputePipeline(gpu, &def, &passes->rayQuery);
+    return swCreateComputePipeline(gpu, &swRayQueryShader, NULL, &passes->rayQuery);
 }
 
 static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
+    static_assert(sizeof(swRayParams) == SW_RAY_QUERY_PUSH_SIZE, "what ray_query.comp is given");
     swRayParams params = query->rays;
-    const swBinding bindings[] = {
-        swBindUpload(&query->tiles),
-        swBindUpload(&query->waves),
-        swBindBuffer(&gpuWorld->texels),
-        swBindPoints(query, &params.source),
-        swBindPlane(query, query->planes.heights),
-        swBindPlane(query, query->planes.hits),
-        swBindPlane(query, query->planes.normals),
+    const swRayQueryBindings bindings = {
+        .tiles = swBindUpload(&query->tiles),
+        .waves = swBindUpload(&query->waves),
+        .texels = swBindBuffer(&gpuWorld->texels),
+        .points = swBindPoints(query, &params.source),
+        .heights = swBindPlane(query, query->planes.heights),
+        .hits = swBindPlane(query, query->planes.hits),
+        .normals = swBindPlane(query, query->planes.normals),
     };
-    swBindPipeline(gpu, commands, &gpuWorld->passes.rayQuery, bindings, &params);
+    swBindRayQuery(gpu, commands, &gpuWorld->passes.rayQuery, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
 }
 

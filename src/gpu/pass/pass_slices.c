@@ -2,10 +2,7 @@
 // One dispatch a view for all its slices; nothing waits between views.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t slicesCode[] =
-#include "slices.comp.inc"
-    ;
+#include "slices_shader.h"
 
 swResult swCreateSlices(swGpu* gpu, swPasses* passes)
 {
@@ -13,15 +10,7 @@ swResult swCreateSlices(swGpu* gpu, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    const swComputeDef def = {
-        .shader = SW_SHADER(slicesCode),
-        .bindingCount = 6,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .name = "slices",
-    };
-    return swCreateComputePipeline(gpu, &def, &passes->slices);
+    return swCreateComputePipeline(gpu, &swSlicesShader, NULL, &passes->slices);
 }
 
 void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
@@ -35,16 +24,16 @@ void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
         {
             continue;
         }
-        const swBinding bindings[] = {
-            swBindUpload(&view->sliceLists),
-            swBindUpload(&view->sliceTiles),
-            swBindBuffer(&gpuWorld->texels),
-            swBindImage(gpu, &view->displacement, SW_SAMPLER_NEAREST_CLAMP),
-            swBindImage(gpu, &view->derivatives, SW_SAMPLER_NEAREST_CLAMP),
-            swBindUpload(&view->sliceWaves),
+        const swSlicesBindings bindings = {
+            .lists = swBindUpload(&view->sliceLists),
+            .tiles = swBindUpload(&view->sliceTiles),
+            .texels = swBindBuffer(&gpuWorld->texels),
+            .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+            .derivatives = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DERIVATIVES), SW_SAMPLER_NEAREST_CLAMP),
+            .waves = swBindUpload(&view->sliceWaves),
         };
         uint32_t resolution = (uint32_t)view->resolution;
-        swBindPipeline(gpu, commands, &gpuWorld->passes.slices, bindings, NULL);
+        swBindSlices(gpu, commands, &gpuWorld->passes.slices, &bindings);
         gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
                             (uint32_t)view->sliceCount);
     }

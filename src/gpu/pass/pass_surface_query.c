@@ -2,10 +2,7 @@
 // One dispatch a query of the surface or of the water below it; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t surfaceQueryCode[] =
-#include "surface_query.comp.inc"
-    ;
+#include "surface_query_shader.h"
 
 static bool hasMotion(uint32_t outputs)
 {
@@ -20,38 +17,28 @@ swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    swComputeDef def = {
-        .shader = SW_SHADER(surfaceQueryCode),
-        .bindingCount = 9,
-        .pushSize = sizeof(swQueryParams),
-        .constantCount = 1,
-        .constants = &withMotion,
-        .name = "surface_query",
-    };
-    for (uint32_t i = 0; i < def.bindingCount; ++i)
-    {
-        def.types[i] = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    }
-    return swCreateComputePipeline(gpu, &def, pipeline);
+    const swSurfaceQueryConstants constants = {.withMotion = withMotion};
+    return swCreateComputePipeline(gpu, &swSurfaceQueryShader, &constants, pipeline);
 }
 
 static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
+    static_assert(sizeof(swQueryParams) == SW_SURFACE_QUERY_PUSH_SIZE, "what surface_query.comp is given");
     swQueryParams params = query->params;
-    const swBinding bindings[] = {
-        swBindUpload(&query->tiles),
-        swBindUpload(&query->waves),
-        swBindBuffer(&gpuWorld->texels),
-        swBindPoints(query, &params.source),
-        swBindPlane(query, query->planes.heights),
-        swBindPlane(query, query->planes.sideways),
-        swBindPlane(query, query->planes.normals),
-        swBindPlane(query, query->planes.velocities),
-        swBindPlane(query, query->planes.accelerations),
+    const swSurfaceQueryBindings bindings = {
+        .tiles = swBindUpload(&query->tiles),
+        .waves = swBindUpload(&query->waves),
+        .texels = swBindBuffer(&gpuWorld->texels),
+        .points = swBindPoints(query, &params.source),
+        .heights = swBindPlane(query, query->planes.heights),
+        .sideways = swBindPlane(query, query->planes.sideways),
+        .normals = swBindPlane(query, query->planes.normals),
+        .velocities = swBindPlane(query, query->planes.velocities),
+        .accelerations = swBindPlane(query, query->planes.accelerations),
     };
     const swPipeline* pipeline = &gpuWorld->passes.surfaceQuery[hasMotion(params.outputs) ? 1 : 0];
-    swBindPipeline(gpu, commands, pipeline, bindings, &params);
+    swBindSurfaceQuery(gpu, commands, pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
 }
 

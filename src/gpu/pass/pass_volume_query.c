@@ -2,10 +2,7 @@
 // One dispatch a query of the water below, after its surface was searched; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t volumeQueryCode[] =
-#include "volume_query.comp.inc"
-    ;
+#include "volume_query_shader.h"
 
 swResult swCreateVolumeQuery(swGpu* gpu, swPasses* passes)
 {
@@ -13,17 +10,7 @@ swResult swCreateVolumeQuery(swGpu* gpu, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    swComputeDef def = {
-        .shader = SW_SHADER(volumeQueryCode),
-        .bindingCount = 9,
-        .pushSize = sizeof(swVolumeParams),
-        .name = "volume_query",
-    };
-    for (uint32_t i = 0; i < def.bindingCount; ++i)
-    {
-        def.types[i] = i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    }
-    return swCreateComputePipeline(gpu, &def, &passes->volumeQuery);
+    return swCreateComputePipeline(gpu, &swVolumeQueryShader, NULL, &passes->volumeQuery);
 }
 
 static swBinding bindLevels(const swGpuQuery* query)
@@ -39,19 +26,20 @@ static swBinding bindLevels(const swGpuQuery* query)
 static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
+    static_assert(sizeof(swVolumeParams) == SW_VOLUME_QUERY_PUSH_SIZE, "what volume_query.comp is given");
     swVolumeParams params = query->volume;
-    const swBinding bindings[] = {
-        swBindUpload(&query->volumeTiles),
-        swBindUpload(&query->waves),
-        swBindBuffer(&gpuWorld->volumeWaves),
-        swBindPoints(query, &params.source),
-        bindLevels(query),
-        swBindPlane(query, query->planes.heights),
-        swBindPlane(query, query->planes.depths),
-        swBindPlane(query, query->planes.velocities),
-        swBindPlane(query, query->planes.accelerations),
+    const swVolumeQueryBindings bindings = {
+        .tiles = swBindUpload(&query->volumeTiles),
+        .freeWaves = swBindUpload(&query->waves),
+        .waves = swBindBuffer(&gpuWorld->volumeWaves),
+        .points = swBindPoints(query, &params.source),
+        .levels = bindLevels(query),
+        .heights = swBindPlane(query, query->planes.heights),
+        .depths = swBindPlane(query, query->planes.depths),
+        .velocities = swBindPlane(query, query->planes.velocities),
+        .accelerations = swBindPlane(query, query->planes.accelerations),
     };
-    swBindPipeline(gpu, commands, &gpuWorld->passes.volumeQuery, bindings, &params);
+    swBindVolumeQuery(gpu, commands, &gpuWorld->passes.volumeQuery, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_VOLUME_POINTS);
 }
 

@@ -2,10 +2,7 @@
 // One dispatch: a workgroup for each block of modes of each tile. Only in frames with a query of the water below.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t volumeWavesCode[] =
-#include "volume_waves.comp.inc"
-    ;
+#include "volume_waves_shader.h"
 
 swResult swCreateVolumeWaves(swGpu* gpu, swPasses* passes)
 {
@@ -13,14 +10,7 @@ swResult swCreateVolumeWaves(swGpu* gpu, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    const swComputeDef def = {
-        .shader = SW_SHADER(volumeWavesCode),
-        .bindingCount = 3,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .name = "volume_waves",
-    };
-    return swCreateComputePipeline(gpu, &def, &passes->volumeWaves);
+    return swCreateComputePipeline(gpu, &swVolumeWavesShader, NULL, &passes->volumeWaves);
 }
 
 void swRecordVolumeWaves(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
@@ -35,13 +25,13 @@ void swRecordVolumeWaves(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
     {
         most = gpuWorld->params[i].modeCount > most ? gpuWorld->params[i].modeCount : most;
     }
-    const swBinding bindings[] = {
-        swBindUpload(&gpuWorld->tileParams),
-        swBindBuffer(&gpuWorld->modes),
-        swBindBuffer(&gpuWorld->volumeWaves),
+    const swVolumeWavesBindings bindings = {
+        .tiles = swBindUpload(&gpuWorld->tileParams),
+        .modes = swBindBuffer(&gpuWorld->modes),
+        .waves = swBindBuffer(&gpuWorld->volumeWaves),
     };
     swBeginPass(gpu, commands, "volume_waves");
-    swBindPipeline(gpu, commands, &gpuWorld->passes.volumeWaves, bindings, NULL);
+    swBindVolumeWaves(gpu, commands, &gpuWorld->passes.volumeWaves, &bindings);
     gpu->vk.CmdDispatch(commands, (most + SW_VOLUME_MODES - 1) / SW_VOLUME_MODES, (uint32_t)gpuWorld->tileCount, 1);
     swEndPass(gpu, commands);
 }

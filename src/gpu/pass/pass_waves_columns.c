@@ -2,10 +2,7 @@
 // One dispatch a tile resolution: a workgroup for each block of columns of each tile and field.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t wavesColumnsCode[] =
-#include "waves_columns.comp.inc"
-    ;
+#include "waves_columns_shader.h"
 
 swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes)
 {
@@ -14,27 +11,23 @@ swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    const uint32_t constants[] = {(uint32_t)resolution, 6 * (uint32_t)resolution / 4};
-    const swComputeDef def = {
-        .shader = SW_SHADER(wavesColumnsCode),
-        .bindingCount = 5,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .pushSize = sizeof(swWavesParams),
-        .constantCount = 2,
-        .constants = constants,
-        .name = "waves_columns",
+    const swWavesColumnsConstants constants = {
+        .fftSize = (uint32_t)resolution,
+        .workgroupX = 6 * (uint32_t)resolution / 4,
     };
-    return swCreateComputePipeline(gpu, &def, pipeline);
+    return swCreateComputePipeline(gpu, &swWavesColumnsShader, &constants, pipeline);
 }
 
 void swRecordWavesColumns(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
 {
+    static_assert(sizeof(swWavesParams) == SW_WAVES_COLUMNS_PUSH_SIZE, "what waves_columns.comp is given");
     swGpu* gpu = gpuWorld->gpu;
-    const swBinding bindings[] = {
-        swBindUpload(&gpuWorld->tileParams), swBindUpload(&gpuWorld->order),  swBindBuffer(&gpuWorld->roots),
-        swBindBuffer(&gpuWorld->lines),      swBindBuffer(&gpuWorld->texels),
+    const swWavesColumnsBindings bindings = {
+        .tiles = swBindUpload(&gpuWorld->tileParams),
+        .order = swBindUpload(&gpuWorld->order),
+        .roots = swBindBuffer(&gpuWorld->roots),
+        .lines = swBindBuffer(&gpuWorld->lines),
+        .texels = swBindBuffer(&gpuWorld->texels),
     };
     swBeginPass(gpu, commands, "waves_columns");
     for (int size = 0; size < SW_TILE_SIZES; ++size)
@@ -43,7 +36,7 @@ void swRecordWavesColumns(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
         {
             uint32_t blockCount = (16u << size) / SW_COLUMN_BLOCK;
             swWavesParams params = swMakeWavesParams(gpuWorld, size);
-            swBindPipeline(gpu, commands, &gpuWorld->passes.wavesColumns[size], bindings, &params);
+            swBindWavesColumns(gpu, commands, &gpuWorld->passes.wavesColumns[size], &bindings, &params);
             gpu->vk.CmdDispatch(commands, blockCount, gpuWorld->groupCount[size], gpuWorld->fields.count);
         }
     }

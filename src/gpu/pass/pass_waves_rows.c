@@ -2,10 +2,7 @@
 // One dispatch a tile resolution: a workgroup for each row of each tile and field.
 
 #include "gpu/pass/passes.h"
-
-static const uint32_t wavesRowsCode[] =
-#include "waves_rows.comp.inc"
-    ;
+#include "waves_rows_shader.h"
 
 swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes)
 {
@@ -14,27 +11,24 @@ swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes)
     {
         return SW_SUCCESS;
     }
-    const uint32_t constants[] = {(uint32_t)resolution, 3 * (uint32_t)resolution / 4};
-    const swComputeDef def = {
-        .shader = SW_SHADER(wavesRowsCode),
-        .bindingCount = 6,
-        .types = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                  VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER},
-        .pushSize = sizeof(swWavesParams),
-        .constantCount = 2,
-        .constants = constants,
-        .name = "waves_rows",
+    const swWavesRowsConstants constants = {
+        .fftSize = (uint32_t)resolution,
+        .workgroupX = 3 * (uint32_t)resolution / 4,
     };
-    return swCreateComputePipeline(gpu, &def, pipeline);
+    return swCreateComputePipeline(gpu, &swWavesRowsShader, &constants, pipeline);
 }
 
 void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
 {
+    static_assert(sizeof(swWavesParams) == SW_WAVES_ROWS_PUSH_SIZE, "what waves_rows.comp is given");
     swGpu* gpu = gpuWorld->gpu;
-    const swBinding bindings[] = {
-        swBindUpload(&gpuWorld->tileParams), swBindUpload(&gpuWorld->order), swBindBuffer(&gpuWorld->rows),
-        swBindBuffer(&gpuWorld->modes),      swBindBuffer(&gpuWorld->roots), swBindBuffer(&gpuWorld->lines),
+    const swWavesRowsBindings bindings = {
+        .tiles = swBindUpload(&gpuWorld->tileParams),
+        .order = swBindUpload(&gpuWorld->order),
+        .rows = swBindBuffer(&gpuWorld->rows),
+        .modes = swBindBuffer(&gpuWorld->modes),
+        .roots = swBindBuffer(&gpuWorld->roots),
+        .lines = swBindBuffer(&gpuWorld->lines),
     };
     swBeginPass(gpu, commands, "waves_rows");
     for (int size = 0; size < SW_TILE_SIZES; ++size)
@@ -43,7 +37,7 @@ void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
         {
             uint32_t rowCount = (16u << size) / 4 + 1;
             swWavesParams params = swMakeWavesParams(gpuWorld, size);
-            swBindPipeline(gpu, commands, &gpuWorld->passes.wavesRows[size], bindings, &params);
+            swBindWavesRows(gpu, commands, &gpuWorld->passes.wavesRows[size], &bindings, &params);
             gpu->vk.CmdDispatch(commands, rowCount, gpuWorld->groupCount[size], gpuWorld->fields.count);
         }
     }

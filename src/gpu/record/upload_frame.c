@@ -10,6 +10,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/lod/scroll.h"
 #include "core/math/scalar.h"
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
@@ -136,11 +137,11 @@ static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWa
     }
 }
 
-static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame, swGpuView* view)
+static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, swGpuView* view)
 {
     swGpu* gpu = gpuWorld->gpu;
     swSliceList lists[SW_MAX_SLICES] = {0};
-    size_t slices = (size_t)viewFrame->sliceCount;
+    size_t slices = (size_t)stack->sliceCount;
     size_t mostTiles = slices * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
     size_t mostWaves = slices * (size_t)(frame->waveCount > 0 ? frame->waveCount : 1);
     swResult result = swReserveUpload(gpu, mostTiles * sizeof(swSliceTile), &view->sliceTiles);
@@ -151,9 +152,9 @@ static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const s
     }
     uint32_t tileCount = 0;
     uint32_t waveCount = 0;
-    for (int i = 0; i < viewFrame->sliceCount; ++i)
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
-        const swSlice* slice = &viewFrame->slices[i];
+        const swSlice* slice = &stack->slices[i];
         swSliceList* list = &lists[i];
         swSliceTile* tiles = (swSliceTile*)view->sliceTiles.data + tileCount;
         list->first = tileCount;
@@ -167,39 +168,22 @@ static swResult uploadSlices(swGpuWorld* gpuWorld, const swFrame* frame, const s
     return swUploadData(gpu, lists, sizeof(lists), &view->sliceLists);
 }
 
-static bool slicesMoved(const swGpuView* view, const swViewFrame* frame)
+static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, swGpuView* view)
 {
-    for (int i = 0; i < frame->sliceCount; ++i)
-    {
-        const swSlice* a = &view->mark.slices[i];
-        const swSlice* b = &frame->slices[i];
-        if (a->level != b->level || a->firstX != b->firstX || a->firstZ != b->firstZ)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-static swResult uploadFoam(swGpuWorld* gpuWorld, const swFrame* frame, const swViewFrame* viewFrame, swGpuView* view)
-{
-    int64_t passed = viewFrame->foamClock - view->mark.clock;
-    bool isSteady = !view->mark.hasFoam || view->mark.resetCount != viewFrame->foamResetCount || passed < -SW_FOAM_RATE;
-    int64_t steps = isSteady || passed < 0 ? 0 : passed; // a world that went back a little meets its foam again
-    view->foamMoves = isSteady || steps != 0 || slicesMoved(view, viewFrame);
-    if (!view->foamMoves)
+    const swGpuLayer* foam = &view->layers[SW_LAYER_FOAM];
+    if (!foam->due.isDue)
     {
         return SW_SUCCESS;
     }
-    float seconds = (float)steps / (float)SW_FOAM_RATE;
+    float seconds = (float)foam->due.steps / (float)SW_FOAM_RATE;
     swFoamSliceParams params[SW_MAX_SLICES] = {0};
-    swFoamSource sources[SW_MAX_SLICES][SW_FOAM_SOURCES + 1] = {0};
-    for (int i = 0; i < viewFrame->sliceCount; ++i)
+    swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES + 1] = {0};
+    for (int i = 0; i < stack->sliceCount; ++i)
     {
-        params[i] = swGetFoamParams(frame, viewFrame, i, seconds, isSteady);
-        swFindFoamSources(&viewFrame->slices[i], viewFrame->resolution, isSteady ? 0 : viewFrame->sliceCount,
-                          view->mark.slices, sources[i]);
-        sources[i][SW_FOAM_SOURCES] = viewFrame->foamBirth[i].fold;
+        params[i] = swGetFoamParams(frame, stack, i, seconds, foam->due.isReset);
+        swFindPastSources(&stack->slices[i], stack->resolution, foam->due.isReset ? 0 : stack->sliceCount,
+                          foam->mark.at.slices, sources[i]);
+        sources[i][SW_PAST_SOURCES] = swGetFoamBirth(stack, i).fold;
     }
     swResult result = swUploadData(gpuWorld->gpu, params, sizeof(params), &view->foamParams);
     result = result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, sources, sizeof(sources), &view->foamSources) : result;
@@ -216,16 +200,16 @@ static swResult prepareView(swGpuWorld* gpuWorld, const swFrame* frame, const sw
         return result;
     }
     view->frame = viewFrame;
-    view->isCore = gpu->usesCoreLayers && viewFrame->displacement != NULL;
+    view->isCore = gpu->usesCoreLayers && viewFrame->stack.layers[SW_LAYER_DISPLACEMENT].texels != NULL;
+    swPlanGpuView(view);
     if (view->isCore)
     {
-        view->foamMoves = false;
         return swPrepareCoreLayers(gpu, viewFrame, view);
     }
     result = swCreateSlices(gpu, &gpuWorld->passes);
     result = result == SW_SUCCESS ? swCreateFoam(gpu, &gpuWorld->passes) : result;
-    result = result == SW_SUCCESS ? uploadSlices(gpuWorld, frame, viewFrame, view) : result;
-    return result == SW_SUCCESS ? uploadFoam(gpuWorld, frame, viewFrame, view) : result;
+    result = result == SW_SUCCESS ? uploadSlices(gpuWorld, frame, &viewFrame->stack, view) : result;
+    return result == SW_SUCCESS ? uploadFoam(gpuWorld, frame, &viewFrame->stack, view) : result;
 }
 
 swResult swPrepareFrame(swGpuWorld* gpuWorld, const swFrame* frame)
@@ -266,7 +250,7 @@ void swCommitFrame(swGpuWorld* gpuWorld, const swFrame* frame)
         swGpuView* view = &gpuWorld->views[i];
         if (view->isUsed)
         {
-            swCommitGpuFoam(gpuWorld->frameIndex, view->frame, view);
+            swCommitGpuView(gpuWorld->frameIndex, view);
         }
     }
 }

@@ -4,60 +4,61 @@
 #include "core/base/assert.h"
 #include "gpu/vk/vk_device.h"
 
-// Specialisation constants 0 .. n - 1.
 typedef struct Constants
 {
     VkSpecializationMapEntry entries[SW_MAX_CONSTANTS];
     VkSpecializationInfo info;
 } Constants;
 
-// A pipeline that wants more than there is room for is a mistake in the caller.
-static swResult checkCounts(const swGpu* gpu, const char* name, uint32_t bindings, uint32_t pushBytes,
-                            uint32_t constants)
+// A shader that wants more than there is room for is a mistake in the caller.
+static swResult checkShader(const swGpu* gpu, const swShader* shader, const void* constants)
 {
-    bool isGood = bindings <= SW_MAX_BINDINGS && pushBytes <= SW_MAX_PUSH_BYTES && constants <= SW_MAX_CONSTANTS;
+    bool isGood = shader->bindingCount <= SW_MAX_BINDINGS && shader->pushSize <= SW_MAX_PUSH_BYTES &&
+                  shader->constantCount <= SW_MAX_CONSTANTS && (shader->constantCount == 0) == (constants == NULL);
     SW_ASSERT(isGood);
-    return isGood
-               ? SW_SUCCESS
-               : swFail(&gpu->host, SW_ERROR_INVALID,
-                        "the pipeline %s asks for %u bindings, %u bytes of push constants and %u constants; the most "
-                        "are %d, %d and %d",
-                        name, bindings, pushBytes, constants, SW_MAX_BINDINGS, SW_MAX_PUSH_BYTES, SW_MAX_CONSTANTS);
+    return isGood ? SW_SUCCESS
+                  : swFail(&gpu->host, SW_ERROR_INVALID,
+                           "the pipeline %s has %u bindings, %u bytes of push constants and %u constants, %s; the most "
+                           "are %d, %d and %d",
+                           shader->name, shader->bindingCount, shader->pushSize, shader->constantCount,
+                           constants != NULL ? "given" : "not given", SW_MAX_BINDINGS, SW_MAX_PUSH_BYTES,
+                           SW_MAX_CONSTANTS);
 }
 
-static void fillConstants(Constants* out, uint32_t count, const uint32_t* values)
+static void fillConstants(const swShader* shader, const void* values, Constants* out)
 {
-    for (uint32_t i = 0; i < count; ++i)
+    for (uint32_t i = 0; i < shader->constantCount; ++i)
     {
-        out->entries[i] = (VkSpecializationMapEntry){i, i * (uint32_t)sizeof(uint32_t), sizeof(uint32_t)};
+        out->entries[i] =
+            (VkSpecializationMapEntry){shader->constantIds[i], i * (uint32_t)sizeof(uint32_t), sizeof(uint32_t)};
     }
     out->info = (VkSpecializationInfo){
-        .mapEntryCount = count,
+        .mapEntryCount = shader->constantCount,
         .pMapEntries = out->entries,
-        .dataSize = count * sizeof(uint32_t),
+        .dataSize = shader->constantCount * sizeof(uint32_t),
         .pData = values,
     };
 }
 
-static VkResult createModule(swGpu* gpu, swShader shader, VkShaderModule* module)
+static VkResult createModule(swGpu* gpu, const swShader* shader, VkShaderModule* module)
 {
     const VkShaderModuleCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-        .codeSize = shader.size,
-        .pCode = shader.words,
+        .codeSize = shader->size,
+        .pCode = shader->words,
     };
     return gpu->vk.CreateShaderModule(gpu->device, &info, NULL, module);
 }
 
-// Set layout and pipeline layout from types and pushSize.
 static VkResult createLayouts(swGpu* gpu, swPipeline* pipeline)
 {
+    const swShader* shader = pipeline->shader;
     VkDescriptorSetLayoutBinding bindings[SW_MAX_BINDINGS];
-    for (uint32_t i = 0; i < pipeline->bindingCount; ++i)
+    for (uint32_t i = 0; i < shader->bindingCount; ++i)
     {
         bindings[i] = (VkDescriptorSetLayoutBinding){
-            .binding = i,
-            .descriptorType = pipeline->types[i],
+            .binding = shader->bindings[i].number,
+            .descriptorType = shader->bindings[i].type,
             .descriptorCount = 1,
             .stageFlags = pipeline->stages,
         };
@@ -65,7 +66,7 @@ static VkResult createLayouts(swGpu* gpu, swPipeline* pipeline)
     const VkDescriptorSetLayoutCreateInfo setInfo = {
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
         .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-        .bindingCount = pipeline->bindingCount,
+        .bindingCount = shader->bindingCount,
         .pBindings = bindings,
     };
     VkResult result = gpu->vk.CreateDescriptorSetLayout(gpu->device, &setInfo, NULL, &pipeline->setLayout);
@@ -73,30 +74,15 @@ static VkResult createLayouts(swGpu* gpu, swPipeline* pipeline)
     {
         return result;
     }
-    const VkPushConstantRange range = {.stageFlags = pipeline->stages, .size = pipeline->pushSize};
+    const VkPushConstantRange range = {.stageFlags = pipeline->stages, .size = shader->pushSize};
     const VkPipelineLayoutCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
         .setLayoutCount = 1,
         .pSetLayouts = &pipeline->setLayout,
-        .pushConstantRangeCount = pipeline->pushSize > 0 ? 1 : 0,
+        .pushConstantRangeCount = shader->pushSize > 0 ? 1 : 0,
         .pPushConstantRanges = &range,
     };
     return gpu->vk.CreatePipelineLayout(gpu->device, &info, NULL, &pipeline->layout);
-}
-
-static void beginPipeline(swPipeline* pipeline, VkPipelineBindPoint bindPoint, VkShaderStageFlags stages,
-                          uint32_t bindingCount, const VkDescriptorType* types, uint32_t pushSize)
-{
-    *pipeline = (swPipeline){
-        .bindPoint = bindPoint,
-        .stages = stages,
-        .bindingCount = bindingCount,
-        .pushSize = pushSize,
-    };
-    for (uint32_t i = 0; i < pipeline->bindingCount; ++i)
-    {
-        pipeline->types[i] = types[i];
-    }
 }
 
 static swResult finishPipeline(swGpu* gpu, VkResult result, const char* name, swPipeline* pipeline)
@@ -110,21 +96,23 @@ static swResult finishPipeline(swGpu* gpu, VkResult result, const char* name, sw
     return SW_SUCCESS;
 }
 
-swResult swCreateComputePipeline(swGpu* gpu, const swComputeDef* def, swPipeline* pipeline)
+swResult swCreateComputePipeline(swGpu* gpu, const swShader* shader, const void* values, swPipeline* pipeline)
 {
-    *pipeline = (swPipeline){0};
-    swResult checked = checkCounts(gpu, def->name, def->bindingCount, def->pushSize, def->constantCount);
+    *pipeline = (swPipeline){
+        .bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE,
+        .stages = VK_SHADER_STAGE_COMPUTE_BIT,
+        .shader = shader,
+    };
+    swResult checked = checkShader(gpu, shader, values);
     if (checked != SW_SUCCESS)
     {
         return checked;
     }
-    beginPipeline(pipeline, VK_PIPELINE_BIND_POINT_COMPUTE, VK_SHADER_STAGE_COMPUTE_BIT, def->bindingCount, def->types,
-                  def->pushSize);
     Constants constants;
-    fillConstants(&constants, def->constantCount, def->constants);
+    fillConstants(shader, values, &constants);
     VkShaderModule module = VK_NULL_HANDLE;
     VkResult result = createLayouts(gpu, pipeline);
-    result = result == VK_SUCCESS ? createModule(gpu, def->shader, &module) : result;
+    result = result == VK_SUCCESS ? createModule(gpu, shader, &module) : result;
     if (result == VK_SUCCESS)
     {
         const VkComputePipelineCreateInfo info = {
@@ -139,7 +127,7 @@ swResult swCreateComputePipeline(swGpu* gpu, const swComputeDef* def, swPipeline
         result = gpu->vk.CreateComputePipelines(gpu->device, gpu->pipelineCache, 1, &info, NULL, &pipeline->handle);
     }
     gpu->vk.DestroyShaderModule(gpu->device, module, NULL);
-    return finishPipeline(gpu, result, def->name, pipeline);
+    return finishPipeline(gpu, result, shader->name, pipeline);
 }
 
 static VkPipelineColorBlendAttachmentState blendState(swBlend blend)
@@ -251,20 +239,22 @@ static VkResult createGraphics(swGpu* gpu, const swGraphicsDef* def, VkShaderMod
 
 swResult swCreateGraphicsPipeline(swGpu* gpu, const swGraphicsDef* def, swPipeline* pipeline)
 {
-    *pipeline = (swPipeline){0};
-    swResult checked = checkCounts(gpu, def->name, def->bindingCount, def->pushSize, def->constantCount);
+    *pipeline = (swPipeline){
+        .bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS,
+        .stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
+        .shader = def->vertex,
+    };
+    swResult checked = checkShader(gpu, def->vertex, def->constants);
     if (checked != SW_SUCCESS)
     {
         return checked;
     }
-    beginPipeline(pipeline, VK_PIPELINE_BIND_POINT_GRAPHICS, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
-                  def->bindingCount, def->types, def->pushSize);
     Constants constants;
-    fillConstants(&constants, def->constantCount, def->constants);
+    fillConstants(def->vertex, def->constants, &constants);
     VkShaderModule vertex = VK_NULL_HANDLE, fragment = VK_NULL_HANDLE;
     VkResult result = createLayouts(gpu, pipeline);
     result = result == VK_SUCCESS ? createModule(gpu, def->vertex, &vertex) : result;
-    if (result == VK_SUCCESS && def->fragment.words != NULL)
+    if (result == VK_SUCCESS && def->fragment != NULL)
     {
         result = createModule(gpu, def->fragment, &fragment);
     }
@@ -314,30 +304,32 @@ void swBindPipeline(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipe
     VkWriteDescriptorSet writes[SW_MAX_BINDINGS];
     VkDescriptorBufferInfo buffers[SW_MAX_BINDINGS];
     VkDescriptorImageInfo images[SW_MAX_BINDINGS];
-    for (uint32_t i = 0; i < pipeline->bindingCount; ++i)
+    const swShader* shader = pipeline->shader;
+    for (uint32_t i = 0; i < shader->bindingCount; ++i)
     {
         const swBinding* binding = &bindings[i];
+        bool isImage = isImageType(shader->bindings[i].type);
+        SW_ASSERT(isImage ? binding->view != VK_NULL_HANDLE : binding->buffer != VK_NULL_HANDLE); // was left out
         buffers[i] = (VkDescriptorBufferInfo){binding->buffer, binding->offset,
                                               binding->range > 0 ? binding->range : VK_WHOLE_SIZE};
         images[i] = (VkDescriptorImageInfo){binding->sampler, binding->view, binding->layout};
-        bool isImage = isImageType(pipeline->types[i]);
         writes[i] = (VkWriteDescriptorSet){
             .sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
-            .dstBinding = i,
+            .dstBinding = shader->bindings[i].number,
             .descriptorCount = 1,
-            .descriptorType = pipeline->types[i],
+            .descriptorType = shader->bindings[i].type,
             .pImageInfo = isImage ? &images[i] : NULL,
             .pBufferInfo = isImage ? NULL : &buffers[i],
         };
     }
     gpu->vk.CmdBindPipeline(commands, pipeline->bindPoint, pipeline->handle);
-    if (pipeline->bindingCount > 0)
+    if (shader->bindingCount > 0)
     {
-        gpu->vk.CmdPushDescriptorSetKHR(commands, pipeline->bindPoint, pipeline->layout, 0, pipeline->bindingCount,
+        gpu->vk.CmdPushDescriptorSetKHR(commands, pipeline->bindPoint, pipeline->layout, 0, shader->bindingCount,
                                         writes);
     }
-    if (pipeline->pushSize > 0)
+    if (shader->pushSize > 0)
     {
-        gpu->vk.CmdPushConstants(commands, pipeline->layout, pipeline->stages, 0, pipeline->pushSize, push);
+        gpu->vk.CmdPushConstants(commands, pipeline->layout, pipeline->stages, 0, shader->pushSize, push);
     }
 }

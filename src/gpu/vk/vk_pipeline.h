@@ -2,7 +2,7 @@
 #pragma once
 
 // Pipelines from embedded SPIR-V. Every pipeline has one descriptor set (set 0) that is pushed with each bind, push
-// constants of at most 128 bytes, and specialisation constants 0 .. n - 1 of 32 bits.
+// constants of at most 128 bytes, and specialisation constants of 32 bits.
 
 #include "gpu/vk/vk_buffer.h"
 #include "gpu/vk/vk_image.h"
@@ -12,17 +12,28 @@
 #define SW_MAX_PUSH_BYTES 128
 #define SW_MAX_CONSTANTS 16
 
-// SPIR-V words. In a .c file:
-//   static const uint32_t slicesCode[] =
-//   #include "slices.comp.inc"
-//       ;
-//   ... .shader = SW_SHADER(slicesCode)
+// A shader as the build reflects it: scripts/reflect_spirv.py writes a header with one of these for every shader, a
+// struct with a binding for each name, another with its specialisation constants, and a function that binds by them:
+//   #include "foam_shader.h"
+//   swCreateComputePipeline(gpu, &swFoamShader, NULL, &pipeline);
+//   swBindFoam(gpu, commands, &pipeline, &(swFoamBindings){.slices = ...}, &push);
+// The stages of a graphics pipeline share bindings and constants, so both have all of them.
 typedef struct swShader
 {
-    const uint32_t* words;
-    size_t size; // bytes
+    const char* name;
+    const uint32_t* words; // SPIR-V
+    size_t size;           // bytes
+    VkShaderStageFlags stage;
+    uint32_t pushSize;
+    uint32_t bindingCount; // ascending by number
+    struct
+    {
+        uint32_t number;
+        VkDescriptorType type;
+    } bindings[SW_MAX_BINDINGS];
+    uint32_t constantCount;
+    uint32_t constantIds[SW_MAX_CONSTANTS]; // of the struct's members, in order
 } swShader;
-#define SW_SHADER(words) ((swShader){(words), sizeof(words)})
 
 typedef struct swPipeline
 {
@@ -31,24 +42,12 @@ typedef struct swPipeline
     VkDescriptorSetLayout setLayout;
     VkPipelineBindPoint bindPoint;
     VkShaderStageFlags stages;
-    uint32_t bindingCount;
-    VkDescriptorType types[SW_MAX_BINDINGS];
-    uint32_t pushSize;
+    const swShader* shader; // whose bindings and push constants are the pipeline's
 } swPipeline;
 
-typedef struct swComputeDef
-{
-    swShader shader;
-    uint32_t bindingCount; // binding b has types[b]
-    VkDescriptorType types[SW_MAX_BINDINGS];
-    uint32_t pushSize;
-    uint32_t constantCount; // specialisation constants
-    const uint32_t* constants;
-    const char* name;
-} swComputeDef;
-
+// `constants` is the shader's struct of specialisation constants, NULL if it has none.
 // @return SW_ERROR_INVALID, and an assert, for more than the limits above; likewise below
-swResult swCreateComputePipeline(swGpu* gpu, const swComputeDef* def, swPipeline* pipeline);
+swResult swCreateComputePipeline(swGpu* gpu, const swShader* shader, const void* constants, swPipeline* pipeline);
 
 typedef enum swBlend
 {
@@ -63,16 +62,12 @@ typedef enum swBlend
 // VK_FRONT_FACE_COUNTER_CLOCKWISE).
 typedef struct swGraphicsDef
 {
-    swShader vertex, fragment; // fragment.words NULL: depth only
-    uint32_t bindingCount;
-    VkDescriptorType types[SW_MAX_BINDINGS]; // visible to both stages
-    uint32_t pushSize;
-    uint32_t constantCount;
-    const uint32_t* constants;
-    VkFormat colorFormat;         // VK_FORMAT_UNDEFINED: none
-    VkFormat depthFormat;         // VK_FORMAT_UNDEFINED: none
-    VkPrimitiveTopology topology; // 0 is a point list; give VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
-    VkPolygonMode polygonMode;    // 0 fills
+    const swShader *vertex, *fragment; // fragment NULL: depth only. Both have the same bindings
+    const void* constants;             // as above
+    VkFormat colorFormat;              // VK_FORMAT_UNDEFINED: none
+    VkFormat depthFormat;              // VK_FORMAT_UNDEFINED: none
+    VkPrimitiveTopology topology;      // 0 is a point list; give VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST
+    VkPolygonMode polygonMode;         // 0 fills
     VkCullModeFlags cullMode;
     VkCompareOp depthCompare; // VK_COMPARE_OP_NEVER (0) turns the test off; reversed Z wants GREATER_OR_EQUAL
     bool depthWrite;
@@ -101,6 +96,7 @@ swBinding swBindUpload(const swUpload* upload);
 swBinding swBindImage(const swGpu* gpu, const swImage* image, swSamplerKind sampler);
 swBinding swBindView(const swGpu* gpu, VkImageView view, VkImageLayout layout, swSamplerKind sampler);
 
-// Bind the pipeline, push its descriptors (bindingCount of them) and its push constants (pushSize bytes; NULL if 0).
+// Bind the pipeline, push its descriptors and its push constants. Headers of shaders call it with types of their own:
+// `bindings` is the first of the struct's, of which none may be left out.
 void swBindPipeline(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swBinding* bindings,
                     const void* push);

@@ -4,6 +4,9 @@
 #ifdef USE_GPU
 #include <seaway/draw.h>
 #endif
+#ifdef USE_STAGE
+#include <seaway/stage.h>
+#endif
 #ifdef USE_SCENE
 #include <seaway/scene.h>
 #endif
@@ -30,6 +33,11 @@ int main(void)
 
 #ifdef USE_GPU
     printf(", %d frames in flight", swDefaultGpuDef().framesInFlight);
+#endif
+#ifdef USE_STAGE
+    swDeviceChoice choice;
+    int index = 0;
+    printf(", device 3 %s", swParseStageDevice("3", &choice, &index) && index == 3 ? "is a choice" : "is none");
 #endif
 #ifdef USE_SCENE
     host.log = NULL;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 
-#include "sea_transform.h"
+#include "measure/measure_transform.h"
 
 #include <math.h>
 
 #include "seaway/math.h"
 
-void FillRoots(int count, SeaComplex* roots)
+void swFillRoots(int count, swMeasureComplex* roots)
 {
     for (int i = 0; i < count / 2; ++i)
     {
-        roots[i] = (SeaComplex){cos(2.0 * SW_PI * i / count), -sin(2.0 * SW_PI * i / count)};
+        roots[i] = (swMeasureComplex){cos(2.0 * SW_PI * i / count), -sin(2.0 * SW_PI * i / count)};
     }
 }
 
 // To the order of reversed bits.
-static void ReverseBits(SeaComplex* data, int count)
+static void reverseBits(swMeasureComplex* data, int count)
 {
     for (int i = 1, j = 0; i < count; ++i)
     {
@@ -27,16 +27,16 @@ static void ReverseBits(SeaComplex* data, int count)
         j |= bit;
         if (i < j)
         {
-            SeaComplex swap = data[i];
+            swMeasureComplex swap = data[i];
             data[i] = data[j];
             data[j] = swap;
         }
     }
 }
 
-void TransformLine(SeaComplex* data, int count, const SeaComplex* roots)
+void swTransformLine(swMeasureComplex* data, int count, const swMeasureComplex* roots)
 {
-    ReverseBits(data, count);
+    reverseBits(data, count);
     for (int half = 1; half < count; half *= 2)
     {
         int stride = count / (2 * half);
@@ -44,21 +44,21 @@ void TransformLine(SeaComplex* data, int count, const SeaComplex* roots)
         {
             for (int i = 0; i < half; ++i)
             {
-                SeaComplex root = roots[i * stride];
-                SeaComplex a = data[first + i], b = data[first + i + half];
-                SeaComplex turned = {b.re * root.re - b.im * root.im, b.re * root.im + b.im * root.re};
-                data[first + i] = (SeaComplex){a.re + turned.re, a.im + turned.im};
-                data[first + i + half] = (SeaComplex){a.re - turned.re, a.im - turned.im};
+                swMeasureComplex root = roots[i * stride];
+                swMeasureComplex a = data[first + i], b = data[first + i + half];
+                swMeasureComplex turned = {b.re * root.re - b.im * root.im, b.re * root.im + b.im * root.re};
+                data[first + i] = (swMeasureComplex){a.re + turned.re, a.im + turned.im};
+                data[first + i + half] = (swMeasureComplex){a.re - turned.re, a.im - turned.im};
             }
         }
     }
 }
 
-void TransformSquare(SeaComplex* data, int count, const SeaComplex* roots, SeaComplex* line)
+void swTransformSquare(swMeasureComplex* data, int count, const swMeasureComplex* roots, swMeasureComplex* line)
 {
     for (int row = 0; row < count; ++row)
     {
-        TransformLine(data + (long)row * count, count, roots);
+        swTransformLine(data + (long)row * count, count, roots);
     }
     for (int column = 0; column < count; ++column)
     {
@@ -66,7 +66,7 @@ void TransformSquare(SeaComplex* data, int count, const SeaComplex* roots, SeaCo
         {
             line[row] = data[(long)row * count + column];
         }
-        TransformLine(line, count, roots);
+        swTransformLine(line, count, roots);
         for (int row = 0; row < count; ++row)
         {
             data[(long)row * count + column] = line[row];

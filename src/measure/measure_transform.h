@@ -4,16 +4,16 @@
 // Fourier transforms for measuring, in double: a program that checks the library's waves does not use the library's
 // own.
 
-typedef struct SeaComplex
+typedef struct swMeasureComplex
 {
     double re, im;
-} SeaComplex;
+} swMeasureComplex;
 
 // roots[count / 2] of unity for transforms of `count`, a power of two.
-void FillRoots(int count, SeaComplex* roots);
+void swFillRoots(int count, swMeasureComplex* roots);
 
 // In place: e^(-2 pi i j n / count).
-void TransformLine(SeaComplex* data, int count, const SeaComplex* roots);
+void swTransformLine(swMeasureComplex* data, int count, const swMeasureComplex* roots);
 
 // In place: rows, then columns of data[count][count]; `line` has room for `count`.
-void TransformSquare(SeaComplex* data, int count, const SeaComplex* roots, SeaComplex* line);
+void swTransformSquare(swMeasureComplex* data, int count, const swMeasureComplex* roots, swMeasureComplex* line);

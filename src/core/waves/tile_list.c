@@ -7,14 +7,14 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/world/world.h"
+#include "core/waves/waves.h"
 
-static void addTile(swWorld* world, swWaveSet* set, int bandIndex)
+static void addTile(swWaves* waves, swWaveSet* set, int bandIndex)
 {
-    int index = world->frame.tileCount;
-    world->tileSources[index] = (swWaveSource){set, bandIndex};
+    int index = waves->tileCount;
+    waves->tileSources[index] = (swWaveSource){set, bandIndex};
     const swBandModes* band = &set->bands[bandIndex];
-    world->tiles[index] = (swTile){
+    waves->tiles[index] = (swTile){
         .band = band->band,
         .resolution = set->def.resolution,
         .maxBin = band->maxBin,
@@ -30,85 +30,85 @@ static void addTile(swWorld* world, swWaveSet* set, int bandIndex)
         .velocity = set->texels[SW_TEXELS_VELOCITY][bandIndex],
         .acceleration = set->texels[SW_TEXELS_ACCELERATION][bandIndex],
     };
-    world->frame.tileCount = index + 1;
+    waves->tileCount = index + 1;
 }
 
-static void listTilesOfSet(swWorld* world, swWaveSet* set)
+static void listTilesOfSet(swWaves* waves, swWaveSet* set)
 {
-    int first = world->frame.tileCount;
+    int first = waves->tileCount;
     for (int i = 0; i < SW_SET_TILES; ++i)
     {
         int tile = i % SW_BAND_TILES * SW_MAX_BANDS + i / SW_BAND_TILES; // band by band
         if (set->bands[tile].modeCount > 0)
         {
-            addTile(world, set, tile);
+            addTile(waves, set, tile);
         }
     }
-    for (int tile = first; tile < world->frame.tileCount; tile += 2)
+    for (int tile = first; tile < waves->tileCount; tile += 2)
     {
-        int second = tile + 1 < world->frame.tileCount ? tile + 1 : -1;
-        world->pairs[world->pairCount++] = (swTilePair){tile, second};
+        int second = tile + 1 < waves->tileCount ? tile + 1 : -1;
+        waves->pairs[waves->pairCount++] = (swTilePair){tile, second};
     }
 }
 
 // Merge: waves of a set are in order already.
-static void listWavesOfSet(swWorld* world, swWaveSet* set)
+static void listWavesOfSet(swWaves* waves, swWaveSet* set)
 {
-    int count = world->frame.waveCount;
+    int count = waves->freeWaveCount;
     int total = count + set->waveCount;
     int old = count - 1;
     int added = set->waveCount - 1;
     for (int at = total - 1; added >= 0; --at)
     {
-        if (old >= 0 && world->waves[old].wavelength < set->waves[added].wavelength)
+        if (old >= 0 && waves->freeWaves[old].wavelength < set->waves[added].wavelength)
         {
-            world->waves[at] = world->waves[old];
-            world->waveSources[at] = world->waveSources[old];
+            waves->freeWaves[at] = waves->freeWaves[old];
+            waves->freeWaveSources[at] = waves->freeWaveSources[old];
             old -= 1;
         }
         else
         {
-            world->waves[at] = set->waves[added];
-            world->waveSources[at] = (swWaveSource){set, added};
+            waves->freeWaves[at] = set->waves[added];
+            waves->freeWaveSources[at] = (swWaveSource){set, added};
             added -= 1;
         }
     }
-    world->frame.waveCount = total;
+    waves->freeWaveCount = total;
 }
 
-static void listSet(swWorld* world, swWaveSet* set)
+static void listSet(swWaves* waves, swWaveSet* set)
 {
     if (set->isListed || set->weight == 0.0f)
     {
         return;
     }
     set->isListed = true;
-    listTilesOfSet(world, set);
-    listWavesOfSet(world, set);
+    listTilesOfSet(waves, set);
+    listWavesOfSet(waves, set);
 }
 
 // What `do` is done with: the set of every layer.
-static void forEachSet(swWorld* world, void (*visit)(swWorld* world, swWaveSet* set))
+static void forEachSet(swWaves* waves, void (*visit)(swWaves* waves, swWaveSet* set))
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < world->systems[slot].layerCount; ++i)
+        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
         {
-            visit(world, world->systems[slot].layers[i].set);
+            visit(waves, waves->systems[slot].layers[i].set);
         }
     }
 }
 
-static void unlistSet(swWorld* world, swWaveSet* set)
+static void unlistSet(swWaves* waves, swWaveSet* set)
 {
-    (void)world;
+    (void)waves;
     set->isListed = false;
 }
 
 // A set that got or lost its weight changes the list.
-static void noticeWeight(swWorld* world, swWaveSet* set)
+static void noticeWeight(swWaves* waves, swWaveSet* set)
 {
-    world->isTileListStale = world->isTileListStale || set->isListed != (set->weight != 0.0f);
+    waves->isTileListStale = waves->isTileListStale || set->isListed != (set->weight != 0.0f);
 }
 
 static void weighTile(swTile* tile, const swWaveSource* source)
@@ -140,18 +140,9 @@ static void addLevels(const swWaveSet* set, float weight, float* levels)
     }
 }
 
-static void addWindLevels(swWorld* world, swWaveSet* set)
+static void uncountSet(swWaves* waves, swWaveSet* set)
 {
-    if (!set->isCounted)
-    {
-        set->isCounted = true;
-        addLevels(set, set->weight, world->windLevels);
-    }
-}
-
-static void uncountSet(swWorld* world, swWaveSet* set)
-{
-    (void)world;
+    (void)waves;
     set->isCounted = false;
 }
 
@@ -181,42 +172,52 @@ static float findKnownWind(const swWaveSystem* system, double gravity)
 }
 
 // The levels of waves that tell their wind add up; of the winds that are known the strongest counts.
-static void findWind(swWorld* world)
+static float findWind(swWaves* waves)
 {
-    memset(world->windLevels, 0, sizeof world->windLevels);
-    forEachSet(world, uncountSet);
-    forEachSet(world, addWindLevels);
-    double gravity = (double)world->def.gravity;
-    float wind = swFindWind(world->windLevels, gravity);
+    float levels[SW_MAX_BANDS * SW_WIND_STEPS] = {0};
+    double gravity = (double)waves->gravity;
+    forEachSet(waves, uncountSet);
+    float wind = 0.0f;
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        wind = fmaxf(wind, findKnownWind(&world->systems[slot], gravity));
+        const swWaveSystem* system = &waves->systems[slot];
+        for (int i = 0; i < system->layerCount; ++i)
+        {
+            swWaveSet* set = system->layers[i].set;
+            addLevels(set, set->isCounted ? 0.0f : set->weight, levels);
+            set->isCounted = true;
+        }
+        wind = fmaxf(wind, findKnownWind(system, gravity));
     }
-    world->frame.wind = fminf(wind, SW_STRONGEST_WIND);
+    return fminf(fmaxf(wind, swFindWind(levels, gravity)), SW_STRONGEST_WIND);
 }
 
-void swListTiles(swWorld* world)
+void swListTiles(swWaves* waves, swFrame* frame)
 {
-    forEachSet(world, noticeWeight);
-    if (world->isTileListStale)
+    forEachSet(waves, noticeWeight);
+    if (waves->isTileListStale)
     {
-        swFreeRetiredSets(world);
-        world->frame.tileCount = 0;
-        world->frame.waveCount = 0;
-        world->pairCount = 0;
-        forEachSet(world, unlistSet);
-        forEachSet(world, listSet);
-        world->version += 1;
-        world->frame.tilesVersion = world->version;
-        world->isTileListStale = false;
+        swFreeRetiredSets(waves);
+        waves->tileCount = 0;
+        waves->freeWaveCount = 0;
+        waves->pairCount = 0;
+        forEachSet(waves, unlistSet);
+        forEachSet(waves, listSet);
+        waves->version += 1;
+        frame->tilesVersion = waves->version;
+        waves->isTileListStale = false;
     }
-    for (int i = 0; i < world->frame.tileCount; ++i)
+    for (int i = 0; i < waves->tileCount; ++i)
     {
-        weighTile(&world->tiles[i], &world->tileSources[i]);
+        weighTile(&waves->tiles[i], &waves->tileSources[i]);
     }
-    for (int i = 0; i < world->frame.waveCount; ++i)
+    for (int i = 0; i < waves->freeWaveCount; ++i)
     {
-        weighWave(&world->waves[i], &world->waveSources[i]);
+        weighWave(&waves->freeWaves[i], &waves->freeWaveSources[i]);
     }
-    findWind(world);
+    frame->tileCount = waves->tileCount;
+    frame->tiles = waves->tiles;
+    frame->waveCount = waves->freeWaveCount;
+    frame->waves = waves->freeWaves;
+    frame->wind = findWind(waves);
 }

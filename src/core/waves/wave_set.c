@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
-#include "core/world/world.h"
+#include "core/waves/waves.h"
 
 static size_t getTexelBytes(int resolution)
 {
@@ -13,22 +13,9 @@ static size_t getTexelBytes(int resolution)
     return pitch * pitch * 4 * sizeof(float);
 }
 
-static bool hasTexels(const swWorld* world, int field)
+static void freeSet(swWaves* waves, swWaveSet* set)
 {
-    switch (field)
-    {
-    case SW_TEXELS_VELOCITY:
-        return world->def.enableQueries && world->def.enableVelocity;
-    case SW_TEXELS_ACCELERATION:
-        return world->def.enableQueries && world->def.enableAcceleration;
-    default:
-        return world->def.enableQueries;
-    }
-}
-
-static void freeSet(swWorld* world, swWaveSet* set)
-{
-    const swHost* host = &world->countedHost;
+    const swHost* host = &waves->memory->host;
     for (int field = 0; field < SW_TEXELS_COUNT; ++field)
     {
         for (int band = 0; band < SW_SET_TILES; ++band)
@@ -43,7 +30,7 @@ static void freeSet(swWorld* world, swWaveSet* set)
     swFree(host, set, sizeof *set);
 }
 
-void swReleaseSet(swWorld* world, swWaveSet* set)
+void swReleaseSet(swWaves* waves, swWaveSet* set)
 {
     set->useCount -= 1;
     if (set->useCount > 0)
@@ -52,20 +39,20 @@ void swReleaseSet(swWorld* world, swWaveSet* set)
     }
     if (set->mix != NULL)
     {
-        swReleaseSet(world, set->to);
+        swReleaseSet(waves, set->to);
     }
-    set->nextRetired = world->retired;
-    world->retired = set;
-    world->isTileListStale = true;
+    set->nextRetired = waves->retired;
+    waves->retired = set;
+    waves->isTileListStale = true;
 }
 
-void swFreeRetiredSets(swWorld* world)
+void swFreeRetiredSets(swWaves* waves)
 {
-    while (world->retired != NULL)
+    while (waves->retired != NULL)
     {
-        swWaveSet* set = world->retired;
-        world->retired = set->nextRetired;
-        freeSet(world, set);
+        swWaveSet* set = waves->retired;
+        waves->retired = set->nextRetired;
+        freeSet(waves, set);
     }
 }
 
@@ -90,13 +77,13 @@ static bool isSameDef(const swWaveSystemDef* a, const swWaveSystemDef* b)
             memcmp(a->components, b->components, (size_t)a->componentCount * sizeof(swWaveComponent)) == 0);
 }
 
-static swWaveSet* findSet(swWorld* world, const swWaveSystemDef* def)
+static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < world->systems[slot].layerCount; ++i)
+        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
         {
-            swWaveSet* set = world->systems[slot].layers[i].set;
+            swWaveSet* set = waves->systems[slot].layers[i].set;
             set = set->mix != NULL ? set->to : set;
             if (isSameDef(&set->def, def))
             {
@@ -150,7 +137,7 @@ static bool copyDef(const swHost* host, const swWaveSystemDef* def, swWaveSet* s
     return true;
 }
 
-static bool allocateTexels(swWorld* world, swWaveSet* set)
+static bool allocateTexels(swWaves* waves, swWaveSet* set)
 {
     size_t size = getTexelBytes(set->def.resolution);
     for (int band = 0; band < SW_SET_TILES; ++band)
@@ -162,11 +149,11 @@ static bool allocateTexels(swWorld* world, swWaveSet* set)
         set->tileCount += 1;
         for (int field = 0; field < SW_TEXELS_COUNT; ++field)
         {
-            if (!hasTexels(world, field))
+            if (!waves->hasTexels[field])
             {
                 continue;
             }
-            set->texels[field][band] = swAllocateZero(&world->countedHost, size);
+            set->texels[field][band] = swAllocateZero(&waves->memory->host, size);
             if (set->texels[field][band] == NULL)
             {
                 return false;
@@ -177,92 +164,93 @@ static bool allocateTexels(swWorld* world, swWaveSet* set)
 }
 
 // One part of the scratch for each worker, large enough for tiles of that resolution.
-static bool growScratch(swWorld* world, int resolution)
+static bool growScratch(swWaves* waves, int resolution)
 {
     size_t needed = (swGetTileScratchSize(resolution) + 63) & ~(size_t)63;
-    if (needed <= world->scratchSize || !world->def.enableQueries)
+    if (needed <= waves->scratchSize || !waves->hasTexels[SW_TEXELS_DISPLACEMENT])
     {
         return true;
     }
-    size_t workers = (size_t)world->host.workerCount;
-    void* scratch = swAllocate(&world->countedHost, needed * workers);
+    size_t workers = (size_t)waves->memory->host.workerCount;
+    void* scratch = swAllocate(&waves->memory->host, needed * workers);
     if (scratch == NULL)
     {
         return false;
     }
-    swFree(&world->countedHost, world->scratch, world->scratchSize * workers);
-    world->scratch = scratch;
-    world->scratchSize = needed;
+    swFree(&waves->memory->host, waves->scratch, waves->scratchSize * workers);
+    waves->scratch = scratch;
+    waves->scratchSize = needed;
     return true;
 }
 
-static swResult failSet(swWorld* world, swWaveSet* set, swResult result)
+static swResult failSet(swWaves* waves, swWaveSet* set, swResult result)
 {
     if (set != NULL)
     {
-        freeSet(world, set);
+        freeSet(waves, set);
     }
     if (result == SW_ERROR_NO_MEMORY)
     {
-        return swFailMemory(world, "the waves of a system");
+        return swFailMemory(waves->memory, "the waves of a system");
     }
     return result;
 }
 
-static swResult makeWaves(swWorld* world, swWaveSet* set)
+static swResult makeWaves(swWaves* waves, swWaveSet* set)
 {
-    float gravity = world->def.gravity;
-    float tension = world->def.surfaceTension;
+    float gravity = waves->gravity;
+    float tension = waves->surfaceTension;
     if (set->def.method == SW_WAVES_GERSTNER)
     {
-        return swBuildFreeWaves(&world->countedHost, &set->def, gravity, tension, &set->waves, &set->waveCount,
+        return swBuildFreeWaves(&waves->memory->host, &set->def, gravity, tension, &set->waves, &set->waveCount,
                                 set->bands);
     }
     swFillSplineResponse(set->def.resolution, set->response);
-    swResult result = growScratch(world, set->def.resolution) ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
-    result = result == SW_SUCCESS ? swBuildModes(&world->countedHost, &set->def, gravity, tension, set->bands) : result;
-    if (result == SW_SUCCESS && !allocateTexels(world, set))
+    swResult result = growScratch(waves, set->def.resolution) ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
+    result =
+        result == SW_SUCCESS ? swBuildModes(&waves->memory->host, &set->def, gravity, tension, set->bands) : result;
+    if (result == SW_SUCCESS && !allocateTexels(waves, set))
     {
         result = SW_ERROR_NO_MEMORY;
     }
     return result;
 }
 
-static void numberSet(swWorld* world, swWaveSet* set)
+static void numberSet(swWaves* waves, swWaveSet* set)
 {
-    world->version += 1;
-    set->version = world->version;
+    waves->version += 1;
+    set->version = waves->version;
     set->hash = swHashSet(set);
     set->identity = swIdentifySet(set);
     set->useCount = 1;
 }
 
-swResult swAcquireSet(swWorld* world, const swWaveSystemDef* def, swWaveSet** out)
+swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** out)
 {
-    swWaveSet* set = findSet(world, def);
+    swWaveSet* set = findSet(waves, def);
     if (set != NULL)
     {
         set->useCount += 1;
         *out = set;
         return SW_SUCCESS;
     }
-    set = swAllocateZero(&world->countedHost, sizeof *set);
-    if (set == NULL || !copyDef(&world->countedHost, def, set))
+    set = swAllocateZero(&waves->memory->host, sizeof *set);
+    if (set == NULL || !copyDef(&waves->memory->host, def, set))
     {
-        return failSet(world, set, SW_ERROR_NO_MEMORY);
+        return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
-    swResult result = makeWaves(world, set);
+    swResult result = makeWaves(waves, set);
     if (result != SW_SUCCESS)
     {
-        return failSet(world, set, result);
+        return failSet(waves, set, result);
     }
-    numberSet(world, set);
+    numberSet(waves, set);
     *out = set;
     return SW_SUCCESS;
 }
 
 // Of a set that is itself a mix the amplitudes of now are taken. Uses `to` until it is released.
-swResult swMixSets(swWorld* world, swWaveSet* from, swWaveSet* to, swWaveSet** out)
+swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to, swWaveSet** out)
 {
     const swWaveSystemDef* a = &from->def;
     const swWaveSystemDef* b = &to->def;
@@ -271,25 +259,25 @@ swResult swMixSets(swWorld* world, swWaveSet* from, swWaveSet* to, swWaveSet** o
     {
         return SW_ERROR_UNSUPPORTED;
     }
-    swWaveSet* set = swAllocateZero(&world->countedHost, sizeof *set);
+    swWaveSet* set = swAllocateZero(&waves->memory->host, sizeof *set);
     if (set == NULL)
     {
-        return failSet(world, set, SW_ERROR_NO_MEMORY);
+        return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
     set->def = to->def;
     memcpy(set->response, to->response, sizeof set->response);
-    swResult result = swMakeModeMix(&world->countedHost, from->bands, to->bands, set->response, set->bands, &set->mix);
-    if (result == SW_SUCCESS && !allocateTexels(world, set))
+    swResult result = swMakeModeMix(&waves->memory->host, from->bands, to->bands, set->response, set->bands, &set->mix);
+    if (result == SW_SUCCESS && !allocateTexels(waves, set))
     {
         result = SW_ERROR_NO_MEMORY;
     }
     if (result != SW_SUCCESS)
     {
-        return failSet(world, set, result);
+        return failSet(waves, set, result);
     }
     set->to = to;
     to->useCount += 1;
-    numberSet(world, set);
+    numberSet(waves, set);
     *out = set;
     return SW_SUCCESS;
 }
@@ -300,9 +288,9 @@ void swShareMix(swWaveSet* set, float share)
 }
 
 // `set` is read, as a new one, or written.
-swResult swStreamMix(swWorld* world, swStream* stream, swWaveSet* to, swWaveSet** setPointer)
+swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet** setPointer)
 {
-    const swHost* host = &world->countedHost;
+    const swHost* host = &waves->memory->host;
     const swWaveSystemDef* def = &to->def;
     swWaveSet* set = *setPointer;
     if (!swIsReading(stream))
@@ -312,22 +300,22 @@ swResult swStreamMix(swWorld* world, swStream* stream, swWaveSet* to, swWaveSet*
     set = swAllocateZero(host, sizeof *set);
     if (set == NULL)
     {
-        return failSet(world, set, SW_ERROR_NO_MEMORY);
+        return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
     set->def = *def;
     memcpy(set->response, to->response, sizeof set->response);
     swResult result = swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
-    if (result == SW_SUCCESS && !allocateTexels(world, set))
+    if (result == SW_SUCCESS && !allocateTexels(waves, set))
     {
         result = SW_ERROR_NO_MEMORY;
     }
     if (result != SW_SUCCESS)
     {
-        return failSet(world, set, result);
+        return failSet(waves, set, result);
     }
     set->to = to;
     to->useCount += 1;
-    numberSet(world, set);
+    numberSet(waves, set);
     *setPointer = set;
     return SW_SUCCESS;
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Replays. A replayed system has one layer: the set of one record, or a mix of two whose share the replay sets. The two
-// sets stay with the replay as long as their pair is current, so that a step forward makes one new set and not two.
-
 #include <math.h>
 
 #include "core/base/misuse.h"
+#include "core/waves/replay.h"
 #include "core/world/world.h"
 #include "seaway/replay.h"
 
@@ -13,10 +11,7 @@ struct swSeaReplay
     swWorld* world;
     swSeaReplayDef def;
     swWaveSystemId system;
-    int before, after; // records; -1: none yet
-    double fraction;
-    uint32_t rewindCount; // of the world, when the pair became current
-    swWaveSet* sets[2];   // of both; the second may be the first
+    swReplay replay;
 };
 
 swSeaReplayDef swDefaultSeaReplayDef(void)
@@ -27,73 +22,6 @@ swSeaReplayDef swDefaultSeaReplayDef(void)
         .speed = 1.0,
         .internalValue = SW_DEF_COOKIE,
     };
-}
-
-// One of the sets that the replay holds, or a new one; counted as used once more.
-static swResult acquireRecord(swSeaReplay* replay, int index, swWaveSet** set)
-{
-    for (int i = 0; i < 2; ++i)
-    {
-        if (replay->sets[i] != NULL && index == (i == 0 ? replay->before : replay->after))
-        {
-            *set = replay->sets[i];
-            (*set)->useCount += 1;
-            return SW_SUCCESS;
-        }
-    }
-    swMeasuredRecord record = swMeasuredSea_GetRecord(replay->def.sea, index);
-    swWaveSystemDef def = replay->def.waves;
-    def.spectrum.kind = SW_SPECTRUM_TABLE;
-    def.spectrum.table = &record.table;
-    return swAcquireSet(replay->world, &def, set);
-}
-
-static void releaseSets(swSeaReplay* replay, swWaveSet* sets[2])
-{
-    for (int i = 0; i < 2; ++i)
-    {
-        if (sets[i] != NULL)
-        {
-            swReleaseSet(replay->world, sets[i]);
-            sets[i] = NULL;
-        }
-    }
-}
-
-// Make the pair current: its sets, their mix, and the system's only layer.
-static swResult changePair(swSeaReplay* replay, swWaveSystem* system, int before, int after)
-{
-    swWaveSet* sets[2] = {NULL, NULL};
-    swWaveSet* shown = NULL;
-    swResult result = acquireRecord(replay, before, &sets[0]);
-    result = result == SW_SUCCESS ? acquireRecord(replay, after, &sets[1]) : result;
-    if (result == SW_SUCCESS && sets[0] != sets[1])
-    {
-        result = swMixSets(replay->world, sets[0], sets[1], &shown);
-        result = result == SW_ERROR_UNSUPPORTED ? SW_ERROR_INVALID : result;
-    }
-    else if (result == SW_SUCCESS)
-    {
-        shown = sets[0];
-        shown->useCount += 1;
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swShowSet(replay->world, system, shown); // uses it by itself
-        swReleaseSet(replay->world, shown);
-    }
-    if (result != SW_SUCCESS)
-    {
-        releaseSets(replay, sets);
-        return result;
-    }
-    releaseSets(replay, replay->sets);
-    replay->sets[0] = sets[0];
-    replay->sets[1] = sets[1];
-    replay->before = before;
-    replay->after = after;
-    replay->rewindCount = replay->world->rewindCount;
-    return SW_SUCCESS;
 }
 
 swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
@@ -112,18 +40,7 @@ swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
     {
         return swFail(&replay->world->host, SW_ERROR_INVALID, "a replay's place has no records");
     }
-    swWaveSystem* system = &replay->world->systems[replay->system.index1 - 1];
-    if (before != replay->before || after != replay->after || replay->rewindCount != replay->world->rewindCount)
-    {
-        swResult result = changePair(replay, system, before, after);
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-    }
-    replay->fraction = fraction;
-    swShareLayer(replay->world, system, (float)fraction);
-    return SW_SUCCESS;
+    return swShowRecords(&replay->world->waves, &replay->replay, replay->system.index1 - 1, before, after, fraction);
 }
 
 static swResult failReplay(swWorld* world, const char* what)
@@ -176,7 +93,7 @@ swResult swCreateSeaReplay(swWorld* world, const swSeaReplayDef* def, swSeaRepla
     {
         return result;
     }
-    swSeaReplay* replay = swAllocateZero(&world->countedHost, sizeof *replay);
+    swSeaReplay* replay = swAllocateZero(&world->memory.host, sizeof *replay);
     if (replay == NULL)
     {
         return swFail(&world->host, SW_ERROR_NO_MEMORY, "no memory for a sea's replay");
@@ -185,14 +102,12 @@ swResult swCreateSeaReplay(swWorld* world, const swSeaReplayDef* def, swSeaRepla
     replay->def = *def;
     replay->def.startSeconds = findFirstSeconds(def);
     replay->system = def->system;
-    replay->before = replay->after = -1;
+    replay->replay = (swReplay){.sea = def->sea, .waves = def->waves, .before = -1, .after = -1};
     bool isNew = SW_IS_NULL(def->system);
     if (isNew)
     {
         swMeasuredRecord record = swMeasuredSea_GetRecord(def->sea, 0);
-        swWaveSystemDef waves = def->waves;
-        waves.spectrum.kind = SW_SPECTRUM_TABLE;
-        waves.spectrum.table = &record.table;
+        swWaveSystemDef waves = swMakeRecordDef(&def->waves, &record.table);
         result = swCreateWaveSystem(world, &waves, &replay->system);
     }
     if (result == SW_SUCCESS)
@@ -216,8 +131,8 @@ void swDestroySeaReplay(swSeaReplay* replay)
 {
     if (replay != NULL)
     {
-        releaseSets(replay, replay->sets);
-        swFree(&replay->world->countedHost, replay, sizeof *replay);
+        swEndReplay(&replay->world->waves, &replay->replay);
+        swFree(&replay->world->memory.host, replay, sizeof *replay);
     }
 }
 
@@ -232,7 +147,7 @@ void swSeaReplay_GetRecords(const swSeaReplay* replay, int* before, int* after, 
     bool isComplete = before != NULL && after != NULL && fraction != NULL;
     SW_REQUIRE_VOID(replay != NULL && isComplete, replay != NULL ? &replay->world->host : NULL,
                     "swSeaReplay_GetRecords() needs a replay and a place for each answer");
-    *before = replay->before;
-    *after = replay->after;
-    *fraction = replay->fraction;
+    *before = replay->replay.before;
+    *after = replay->replay.after;
+    *fraction = replay->replay.fraction;
 }

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: MIT
+// Wave systems, and how they change. A system's layers add up to its sea: one, unless a cross-fade is under way. What a
+// layer weighs and how far its mix has come are functions of time, so that steps of any length give the same sea.
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/waves/waves.h"
+
+// Two systems are told of if their variance is more than this part too high.
+#define TWIN_PART 0.05
+
+// ---- limits ----
+
+// Tiles and free waves of a system that are not also those of an earlier system or layer.
+static void countWaves(const swWaveSystem* systems, int* tiles, int* waves)
+{
+    const swWaveSet* seen[SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS];
+    int seenCount = 0;
+    *tiles = 0;
+    *waves = 0;
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < systems[slot].layerCount; ++i)
+        {
+            const swWaveSet* set = systems[slot].layers[i].set;
+            bool isNew = true;
+            for (int k = 0; k < seenCount; ++k)
+            {
+                isNew = isNew && seen[k] != set;
+            }
+            if (isNew)
+            {
+                seen[seenCount++] = set;
+                *tiles += set->tileCount;
+                *waves += set->waveCount;
+            }
+        }
+    }
+}
+
+bool swIsWithinLimits(const swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS])
+{
+    int tileCount, waveCount;
+    countWaves(systems, &tileCount, &waveCount);
+    if (tileCount > SW_MAX_TILES)
+    {
+        swFail(&waves->memory->host, SW_ERROR_LIMIT, "the waves would have %d tiles; %d are possible", tileCount,
+               SW_MAX_TILES);
+        return false;
+    }
+    if (waveCount > SW_MAX_FREE_WAVES)
+    {
+        swFail(&waves->memory->host, SW_ERROR_LIMIT, "the waves would have %d free waves; %d are possible", waveCount,
+               SW_MAX_FREE_WAVES);
+        return false;
+    }
+    return true;
+}
+
+// Put a system into a slot if the waves then keeps to its limits.
+static swResult placeSystem(swWaves* waves, int slot, const swWaveSystem* system)
+{
+    swWaveSystem before = waves->systems[slot];
+    waves->systems[slot] = *system;
+    if (!swIsWithinLimits(waves, waves->systems))
+    {
+        waves->systems[slot] = before;
+        return SW_ERROR_LIMIT;
+    }
+    waves->isTileListStale = true;
+    waves->isChanged = true;
+    return SW_SUCCESS;
+}
+
+// ---- create, remove ----
+
+// Systems of one seed have one phase for each wave: where they overlap, heights add up instead of energies.
+static void warnOfTwins(swWaves* waves, int slot, const swWaveSet* set)
+{
+    for (int other = 0; other < SW_MAX_WAVE_SYSTEMS; ++other)
+    {
+        const swWaveSystem* system = &waves->systems[other];
+        if (other == slot || system->layerCount == 0)
+        {
+            continue;
+        }
+        const swWaveSet* twin = system->layers[system->layerCount - 1].set;
+        twin = twin->to != NULL ? twin->to : twin;
+        if (twin == set || twin->def.seed != set->def.seed)
+        {
+            continue;
+        }
+        double part = swFindSharedVariance(set->bands, twin->bands, set->response);
+        if (part > TWIN_PART)
+        {
+            swLog(&waves->memory->host, SW_LOG_WARNING,
+                  "two wave systems have the seed %u and waves in common, whose heights add up instead of their "
+                  "energies: their variance is %.0f %% too high; give each system a seed of its own.",
+                  (unsigned)set->def.seed, 100.0 * part);
+        }
+    }
+}
+
+swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def)
+{
+    swWaveSet* set = NULL;
+    swResult result = swAcquireSet(waves, def, &set);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swWaveSystem system = {.layerCount = 1, .weight = swMakeConstantRamp(def->weight)};
+    system.layers[0] = (swWaveLayer){.set = set, .fade = swMakeConstantRamp(1.0f)};
+    result = placeSystem(waves, slot, &system);
+    if (result != SW_SUCCESS)
+    {
+        swReleaseSet(waves, set);
+        return result;
+    }
+    warnOfTwins(waves, slot, set);
+    return result;
+}
+
+static void releaseLayers(swWaves* waves, swWaveSystem* system, int count)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        swReleaseSet(waves, system->layers[i].set);
+    }
+    system->layerCount -= count;
+    memmove(system->layers, system->layers + count, (size_t)system->layerCount * sizeof system->layers[0]);
+}
+
+void swRemoveSystem(swWaves* waves, int slot)
+{
+    swWaveSystem* system = &waves->systems[slot];
+    releaseLayers(waves, system, system->layerCount);
+    *system = (swWaveSystem){0};
+    waves->isTileListStale = true;
+    waves->isChanged = true;
+}
+
+void swFreeAllSystems(swWaves* waves)
+{
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        releaseLayers(waves, &waves->systems[slot], waves->systems[slot].layerCount);
+    }
+    swFreeRetiredSets(waves);
+}
+
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system)
+{
+    const swWaveSet* set = system->layers[system->layerCount - 1].set;
+    return set->mix != NULL ? &set->to->def : &set->def;
+}
+
+// ---- change ----
+
+// The newest layer turns into `set` wave by wave. SW_ERROR_UNSUPPORTED if their phases differ.
+static swResult mixLayer(swWaves* waves, int slot, swWaveSet* set, double seconds)
+{
+    swWaveSystem changed = waves->systems[slot];
+    swWaveLayer* layer = &changed.layers[changed.layerCount - 1];
+    swWaveSet* before = layer->set;
+    swWaveSet* mix = NULL;
+    swResult result = swMixSets(waves, before, set, &mix);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    layer->set = mix;
+    layer->share = swMakeRamp(waves->ticks, 0.0f, 1.0f, seconds);
+    layer->isMixing = true;
+    result = placeSystem(waves, slot, &changed);
+    swReleaseSet(waves, result == SW_SUCCESS ? before : mix);
+    return result;
+}
+
+// All layers of now fade out, a new one fades in.
+static swResult addLayer(swWaves* waves, int slot, swWaveSet* set, double seconds)
+{
+    swWaveSystem changed = waves->systems[slot];
+    if (changed.layerCount == SW_MAX_WAVE_LAYERS)
+    {
+        return swFail(&waves->memory->host, SW_ERROR_LIMIT,
+                      "a wave system has %d cross-fades under way, which is the most; wait for one to end",
+                      SW_MAX_WAVE_LAYERS - 1);
+    }
+    for (int i = 0; i < changed.layerCount; ++i)
+    {
+        swWaveLayer* layer = &changed.layers[i];
+        layer->fade = swMakeRamp(waves->ticks, swGetFade(&layer->fade, waves->ticks), 0.0f, seconds);
+    }
+    set->useCount += 1;
+    changed.layers[changed.layerCount++] =
+        (swWaveLayer){.set = set, .fade = swMakeRamp(waves->ticks, 0.0f, 1.0f, seconds)};
+    swResult result = placeSystem(waves, slot, &changed);
+    if (result != SW_SUCCESS)
+    {
+        set->useCount -= 1;
+    }
+    return result;
+}
+
+static swResult replaceLayers(swWaves* waves, int slot, swWaveSet* set)
+{
+    swWaveSystem before = waves->systems[slot];
+    swWaveSystem changed = before;
+    set->useCount += 1;
+    changed.layerCount = 1;
+    changed.layers[0] = (swWaveLayer){.set = set, .fade = swMakeConstantRamp(1.0f)};
+    swResult result = placeSystem(waves, slot, &changed);
+    if (result != SW_SUCCESS)
+    {
+        set->useCount -= 1;
+        return result;
+    }
+    for (int i = 0; i < before.layerCount; ++i)
+    {
+        swReleaseSet(waves, before.layers[i].set);
+    }
+    return SW_SUCCESS;
+}
+
+swResult swShowSet(swWaves* waves, int slot, swWaveSet* set)
+{
+    return replaceLayers(waves, slot, set);
+}
+
+void swShareLayer(swWaves* waves, int slot, float share)
+{
+    swWaveSystem* system = &waves->systems[slot];
+    swWaveLayer* layer = &system->layers[system->layerCount - 1];
+    layer->share = swMakeConstantRamp(share);
+    layer->isShared = layer->set->mix != NULL;
+    waves->isChanged = true;
+}
+
+static swResult changeWaves(swWaves* waves, int slot, swWaveSet* set, double seconds)
+{
+    if (seconds == 0.0)
+    {
+        return replaceLayers(waves, slot, set);
+    }
+    swResult result = mixLayer(waves, slot, set, seconds);
+    return result == SW_ERROR_UNSUPPORTED ? addLayer(waves, slot, set, seconds) : result;
+}
+
+swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, double seconds)
+{
+    const swWaveSystem* system = &waves->systems[slot];
+    swWaveSet* set = NULL;
+    swResult result = swAcquireSet(waves, def, &set);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    const swWaveSet* newest = system->layers[system->layerCount - 1].set;
+    if (set != newest && set != newest->to)
+    {
+        result = changeWaves(waves, slot, set, seconds);
+        warnOfTwins(waves, slot, set);
+    }
+    else if (seconds == 0.0 && (set != newest || system->layerCount > 1))
+    {
+        result = replaceLayers(waves, slot, set); // where it was going anyway, but now
+    }
+    swReleaseSet(waves, set);
+    if (result == SW_SUCCESS)
+    {
+        swRampWeight(waves, slot, def->weight, seconds);
+    }
+    return result;
+}
+
+void swRampWeight(swWaves* waves, int slot, float weight, double seconds)
+{
+    swWaveSystem* system = &waves->systems[slot];
+    float before = swGetRamp(&system->weight, waves->ticks);
+    system->weight = seconds == 0.0 ? swMakeConstantRamp(weight) : swMakeRamp(waves->ticks, before, weight, seconds);
+    waves->isChanged = true;
+}
+
+// ---- as time goes on ----
+
+static void finishMix(swWaves* waves, swWaveLayer* layer)
+{
+    swWaveSet* mix = layer->set;
+    layer->set = mix->to;
+    layer->set->useCount += 1;
+    layer->isMixing = false;
+    swReleaseSet(waves, mix);
+}
+
+static void shareMix(swWaves* waves, swWaveLayer* layer)
+{
+    swShareMix(layer->set, swGetRamp(&layer->share, waves->ticks));
+    waves->version += 1;
+    layer->set->version = waves->version;
+}
+
+static void advanceMix(swWaves* waves, swWaveLayer* layer)
+{
+    int64_t ticks = waves->ticks;
+    if (swGetRampProgress(&layer->share, ticks) >= 1.0)
+    {
+        finishMix(waves, layer);
+        return;
+    }
+    shareMix(waves, layer);
+}
+
+static void advanceSystem(swWaves* waves, swWaveSystem* system)
+{
+    int64_t ticks = waves->ticks;
+    int gone = 0;
+    for (int i = 0; i < system->layerCount; ++i)
+    {
+        swWaveLayer* layer = &system->layers[i];
+        if (layer->isMixing)
+        {
+            advanceMix(waves, layer);
+        }
+        else if (layer->isShared)
+        {
+            shareMix(waves, layer);
+        }
+        bool isGone = i == gone && i + 1 < system->layerCount && layer->fade.to == 0.0f &&
+                      swGetRampProgress(&layer->fade, ticks) >= 1.0;
+        gone += isGone ? 1 : 0;
+    }
+    if (gone > 0)
+    {
+        releaseLayers(waves, system, gone);
+        waves->isTileListStale = true;
+    }
+}
+
+static void weighSystem(swWaves* waves, int slot)
+{
+    swWaveSystem* system = &waves->systems[slot];
+    float weight = swGetRamp(&system->weight, waves->ticks);
+    for (int i = 0; i < system->layerCount; ++i)
+    {
+        swWaveSet* set = system->layers[i].set;
+        float share = weight * swGetFade(&system->layers[i].fade, waves->ticks);
+        set->system = share > 0.0f && set->weight == 0.0f ? slot : set->system;
+        set->weight += share;
+        system->layers[i].weight = share;
+    }
+}
+
+void swAdvanceSystems(swWaves* waves)
+{
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        advanceSystem(waves, &waves->systems[slot]);
+    }
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
+        {
+            waves->systems[slot].layers[i].set->weight = 0.0f;
+        }
+    }
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        weighSystem(waves, slot);
+    }
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The waves of a world: its systems, the sets of waves that they are made of, how they change, and the tiles and free
+// waves that a frame has of them. Memory is allocated when a system is made or changed, never in a step. What a frame
+// names stays valid until the next one, so sets that are replaced or removed stay in a list of retired ones until then.
+
+#include "core/base/memory.h"
+#include "core/base/stream.h"
+#include "core/frame/frame.h"
+#include "core/waves/mode_mix.h"
+#include "core/waves/ramp.h"
+#include "core/waves/waves_fft.h"
+#include "shared/limits.h"
+
+// Fields of a tile on the CPU: displacement and its derivatives by time.
+enum
+{
+    SW_TEXELS_DISPLACEMENT,
+    SW_TEXELS_VELOCITY,
+    SW_TEXELS_ACCELERATION,
+    SW_TEXELS_COUNT
+};
+
+// The waves of one def: bands with their tiles, or free waves. All systems that ask for the same share one.
+typedef struct swWaveSet
+{
+    struct swWaveSet* nextRetired;
+    int useCount; // layers, and mixes made of it
+    uint32_t version;
+    uint64_t hash;       // of its waves at weight 1, or of what a mix is made from; part of digests
+    uint64_t identity;   // the same and all else that decides what the set answers; by it saved sets are known
+    swWaveSystemDef def; // its table and components are in `copies`
+    void* copies;
+    size_t copiesSize;
+
+    int tileCount;
+    float response[SW_LIMIT_RESOLUTION / 4 + 1];
+    swBandModes bands[SW_SET_TILES];
+    float* texels[SW_TEXELS_COUNT][SW_SET_TILES]; // NULL where a band has no energy, or the world no such field
+
+    int waveCount;
+    swFreeWave* waves; // at weight 1, longest first
+
+    // Of a set that turns from one sea into another: what it is to be, and what its modes are mixed from.
+    struct swWaveSet* to;
+    swModeMix* mix;
+
+    float weight; // of all systems and layers together, in this step
+    int system;   // slot of the first of them
+    bool isListed;
+    bool isCounted; // in the wind's levels
+} swWaveSet;
+
+// A system is a stack of layers: the sea that was asked for on top, below it those that fade out. Waves that share
+// their phases never need a second layer: their set is a mix, whose share runs from 0 to 1.
+typedef struct swWaveLayer
+{
+    swWaveSet* set;
+    swRamp fade;   // weight, along a quarter of a sine so that energy stays
+    swRamp share;  // of a mix
+    bool isMixing; // the share runs to 1, and then the mix is over
+    bool isShared; // the share is set from outside, by a replay
+    float weight;  // the system's times the fade, in this step
+} swWaveLayer;
+
+#define SW_MAX_WAVE_LAYERS 4
+
+typedef struct swWaveSystem
+{
+    int layerCount;                         // 0: the slot is empty
+    swWaveLayer layers[SW_MAX_WAVE_LAYERS]; // newest last
+    swRamp weight;
+} swWaveSystem;
+
+// Two tiles that are transformed together; second is -1 for a single one.
+typedef struct swTilePair
+{
+    int first, second;
+} swTilePair;
+
+// Where a tile or a free wave of the frame comes from.
+typedef struct swWaveSource
+{
+    swWaveSet* set;
+    int index; // of its bands, or waves
+} swWaveSource;
+
+typedef struct swWaves
+{
+    swMemory* memory;
+    const swWaveKernels* kernels;
+    float gravity, surfaceTension;
+    bool hasTexels[SW_TEXELS_COUNT];
+
+    int64_t ticks; // of the last step, from where changes begin
+    swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
+    swWaveSet* retired;
+    bool isTileListStale;
+    bool isChanged;       // systems or weights are other ones than in the last step
+    uint32_t rewindCount; // systems may have other waves than a replay gave them
+    uint32_t version;     // grows with every set and list of tiles
+
+    void* scratch; // one part a worker
+    size_t scratchSize;
+
+    int tileCount;
+    swTile tiles[SW_MAX_TILES];
+    swWaveSource tileSources[SW_MAX_TILES];
+    int pairCount;
+    swTilePair pairs[SW_MAX_TILES];
+    int freeWaveCount;
+    swFreeWave freeWaves[SW_MAX_FREE_WAVES];
+    swWaveSource freeWaveSources[SW_MAX_FREE_WAVES];
+} swWaves;
+
+// waves.c
+void swBeginWaves(swWaves* waves, swMemory* memory, const swWaveKernels* kernels, const swWorldDef* def);
+void swEndWaves(swWaves* waves);
+// Systems at the frame's time, and its tiles, free waves and wind.
+void swAdvanceWaves(swWaves* waves, swFrame* frame);
+// Spectra to texels, of the time that the systems are at.
+void swTransformWaves(swWaves* waves);
+
+// wave_def.c
+swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def);
+
+// wave_set.c
+swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one
+swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to,
+                   swWaveSet** mix); // SW_ERROR_UNSUPPORTED: phases differ
+swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet** set); // a mix that becomes `to`
+void swShareMix(swWaveSet* set, float share);
+void swReleaseSet(swWaves* waves, swWaveSet* set); // once unused, it goes with the next step
+void swFreeRetiredSets(swWaves* waves);
+
+// wave_system.c; systems are known by their slots.
+swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def);
+void swRemoveSystem(swWaves* waves, int slot);
+swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, double seconds);
+void swAdvanceSystems(swWaves* waves); // layers and mixes to the time, weights to sets
+void swFreeAllSystems(swWaves* waves);
+void swRampWeight(swWaves* waves, int slot, float weight, double seconds);
+swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);      // as the only layer, at once
+void swShareLayer(swWaves* waves, int slot, float share);          // of a mix that does not run by itself
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
+// Tiles and free waves of some systems; a sentence in the log if there are too many.
+bool swIsWithinLimits(const swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);
+
+// tile_list.c
+void swListTiles(swWaves* waves, swFrame* frame); // systems and weights to the frame's tiles, free waves and wind
+
+// wave_hash.c
+uint64_t swHashSet(const swWaveSet* set);
+uint64_t swIdentifySet(const swWaveSet* set); // `hash` is there already
+void swAddHashSystem(swHash* hash, const swWaveSystem* system, int64_t ticks);
+void swAddHashFreeWave(swHash* hash, const swFreeWave* wave);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What the files of the stage share.
+
+#include "core/base/misuse.h"
+#include "seaway/stage.h"
+
+#define SW_STAGE_MAX_SLOTS 4
+
+// The commands of one frame in flight.
+typedef struct swStageSlot
+{
+    VkCommandPool pool;
+    VkCommandBuffer commands;
+    VkFence isDone;
+    bool isSubmitted; // and not waited for
+    uint64_t index;   // of the frame
+} swStageSlot;
+
+struct swStage
+{
+    swHost host;
+    swGpu* gpu;
+    swStageVk vk;
+    VkPhysicalDevice physicalDevice;
+    VkDevice device;
+    VkQueue queue;
+    VkPhysicalDeviceProperties properties;
+    VkPhysicalDeviceMemoryProperties memory;
+    uint64_t nextIndex;
+    bool isRecording; // between beginning a frame and submitting or dropping it
+    int slotCount;
+    swStageSlot slots[SW_STAGE_MAX_SLOTS];
+};
+
+// A sentence in the log and the swResult that a VkResult means; VK_SUCCESS gives SW_SUCCESS.
+swResult swCheckStage(const swStage* stage, VkResult result, const char* what);
+
+swResult swCreateStageSlots(swStage* stage, int count);
+void swDestroyStageSlots(swStage* stage);
