@@ -83,7 +83,7 @@ static void AskBelow(const swWorld* world, const swQueryDef* def, int count, con
         places[i] = (swPos){answers->points[i].x, -5.0, answers->points[i].z};
     }
     swVolumeSamples samples = {.velocity = velocity, .pressureHead = head};
-    swWorld_QueryVolume(world, def, count, places, &samples, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), def, count, places, &samples, NULL);
 }
 
 static void AskRays(const swWorld* world, const swQueryDef* def, int count, const Answers* answers)
@@ -94,7 +94,7 @@ static void AskRays(const swWorld* world, const swQueryDef* def, int count, cons
     {
         rays[i] = swDefaultRay((swPos){answers->points[i].x, 20.0, answers->points[i].z}, (swVec3){1.0f, -1.0f, 0.0f});
     }
-    swWorld_CastRays(world, def, count, rays, hits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), def, count, rays, hits, NULL);
 }
 
 static void Ask(const swWorld* world, Question question, Answers* answers, swQueryStats* stats)
@@ -107,10 +107,10 @@ static void Ask(const swWorld* world, Question question, Answers* answers, swQue
     {
     case QUESTION_PARTICLES_AND_NORMALS:
         samples.normal = answers->normals;
-        swWorld_QueryParticles(world, &def, count, answers->points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, count, answers->points, &samples, NULL, NULL);
         return;
     case QUESTION_PARTICLES:
-        swWorld_QueryParticles(world, &def, count, answers->points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, count, answers->points, &samples, NULL, NULL);
         return;
     case QUESTION_BELOW:
         AskBelow(world, &def, count, answers);
@@ -133,7 +133,7 @@ static void Ask(const swWorld* world, Question question, Answers* answers, swQue
     default:
         break;
     }
-    swWorld_QuerySurface(world, &def, count, answers->points, &samples, stats);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, count, answers->points, &samples, stats);
 }
 
 static int CountBands(const Scenario* scenario)

@@ -112,10 +112,11 @@ static bool TimeQueries(const swWorld* world, CpuResult* cpu)
     for (int i = 0; i < QUERY_ROUNDS && isFine; ++i)
     {
         double begin = GetSeconds();
-        swWorld_QuerySurface(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.height = heights}, &stats);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &def, QUERY_COUNT, points,
+                              &(swSurfaceSamples){.height = heights}, &stats);
         double middle = GetSeconds();
-        swWorld_QueryParticles(world, &def, QUERY_COUNT, points, &(swSurfaceSamples){.displacement = displacements},
-                               NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, QUERY_COUNT, points,
+                                &(swSurfaceSamples){.displacement = displacements}, NULL, NULL);
         times[0][i] = middle - begin;
         times[1][i] = GetSeconds() - middle;
     }

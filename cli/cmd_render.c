@@ -118,7 +118,7 @@ static swPos PlaceCamera(const Render* render, const swSceneView* view)
         swPosXZ point = {position.x, position.z};
         float height = 0.0f;
         swSurfaceSamples samples = {.height = &height};
-        swWorld_QuerySurface(render->world, &def, 1, &point, &samples, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(render->world), &def, 1, &point, &samples, NULL);
         position.y = view->position.y + (double)height;
     }
     return position;

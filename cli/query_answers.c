@@ -160,11 +160,11 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
     }
     if (asked->ofParticles)
     {
-        swWorld_QueryParticles(source->world, &asked->def, count, points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(source->world), &asked->def, count, points, &samples, NULL, NULL);
     }
     else if (source->gpu == NULL)
     {
-        swWorld_QuerySurface(source->world, &asked->def, count, points, &samples, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(source->world), &asked->def, count, points, &samples, NULL);
     }
     else if (!AskGpu(source->gpu, count, points, &samples))
     {
@@ -190,7 +190,7 @@ static bool PrintSurface(const Source* source, const Asked* asked, int begin, in
 
 static void PrintDrift(const swWorld* world, double y)
 {
-    swVec2 drift = swWorld_GetStokesDrift(world, fmax(swWorld_GetSeaLevel(world) - y, 0.0));
+    swVec2 drift = swMoment_GetStokesDrift(swWorld_GetMoment(world), fmax(swWorld_GetSeaLevel(world) - y, 0.0));
     printf(",%.6g,%.6g", (double)drift.x, (double)drift.y);
 }
 
@@ -209,7 +209,7 @@ static bool PrintBelow(const Source* source, const Asked* asked, int begin, int 
     }
     if (source->gpu == NULL)
     {
-        swWorld_QueryVolume(source->world, &asked->def, count, places, &samples, NULL);
+        swMoment_QueryVolume(swWorld_GetMoment(source->world), &asked->def, count, places, &samples, NULL);
     }
     else if (!AskGpuBelow(source->gpu, count, places, &samples))
     {
@@ -270,7 +270,7 @@ static bool PrintRays(const Source* source, const Asked* asked, int begin, int c
     }
     if (source->gpu == NULL)
     {
-        swWorld_CastRays(source->world, &asked->def, count, rays, hits, NULL);
+        swMoment_CastRays(swWorld_GetMoment(source->world), &asked->def, count, rays, hits, NULL);
     }
     else if (!AskGpuRays(source->gpu, count, rays, hits))
     {
@@ -293,7 +293,7 @@ static bool PrintMap(const Source* source, const Asked* asked)
         Complain("query: no memory for a map of %d x %d points", map->width, map->height);
         return false;
     }
-    swWorld_QueryHeightMap(source->world, &asked->def, map, heights, NULL);
+    swMoment_QueryHeightMap(swWorld_GetMoment(source->world), &asked->def, map, heights, NULL);
     double time = swWorld_GetTime(source->world);
     for (int j = 0; j < map->height; ++j)
     {

@@ -64,7 +64,7 @@ static void MeasureSurface(const swWorld* world, SeaMeasurement* sea)
     }
     const swSurfaceSamples samples = {.height = heights, .normal = normals};
     const swQueryDef def = swDefaultQueryDef();
-    swWorld_QuerySurface(world, &def, SIDE * SIDE, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, SIDE * SIDE, points, &samples, NULL);
     double level = swWorld_GetSeaLevel(world);
     for (int i = 0; i < SIDE * SIDE; ++i)
     {

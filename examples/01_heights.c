@@ -16,7 +16,7 @@ static double MeasureSignificantHeight(swWorld* world, double seconds)
         {
             return 0.0;
         }
-        double height = swWorld_GetHeight(world, 0.0, 0.0);
+        double height = swMoment_GetHeight(swWorld_GetMoment(world), 0.0, 0.0);
         sum += height;
         squares += height * height;
         ++count;
@@ -47,7 +47,7 @@ int main(void)
     {
         result = swWorld_Step(world, 1.0 / 60.0);
     }
-    printf("height at (10, 20): %.2f m\n", swWorld_GetHeight(world, 10.0, 20.0));
+    printf("height at (10, 20): %.2f m\n", swMoment_GetHeight(swWorld_GetMoment(world), 10.0, 20.0));
     // [/readme]
 
     // Many points at once, with normals; the answer says how far each search was off.
@@ -57,7 +57,7 @@ int main(void)
     swSurfaceSamples samples = {.height = heights, .normal = normals};
     swQueryDef query = swDefaultQueryDef();
     swQueryStats stats;
-    swWorld_QuerySurface(world, &query, 5, points, &samples, &stats);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, 5, points, &samples, &stats);
     for (int i = 0; i < 5; ++i)
     {
         printf("(%10.1f, %10.1f)  height %6.2f m  normal (%5.2f, %4.2f, %5.2f)\n", points[i].x, points[i].z,

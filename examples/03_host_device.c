@@ -165,7 +165,7 @@ static bool CompareWithCpu(swWorld* world, swView* view, swGpuWorld* gpuWorld)
         swSurfaceSamples samples = {.displacement = &cpu};
         swQueryDef query = swDefaultQueryDef();
         query.minWavelength = slice.minWavelength; // shorter waves do not fit the slice's texels
-        swWorld_QueryParticles(world, &query, 1, &rest, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, 1, &rest, &samples, NULL, NULL);
         const float* gpu = texels + 4 * (middle * resolution + middle);
         printf("displacement at (%.2f, %.2f): GPU %.3f %.3f %.3f, CPU %.3f %.3f %.3f m\n", rest.x, rest.z,
                (double)gpu[0], (double)gpu[1], (double)gpu[2], (double)cpu.x, (double)cpu.y, (double)cpu.z);

@@ -31,7 +31,7 @@ static double MeasureHeight(swWorld* world)
     }
     swQueryDef query = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights};
-    swWorld_QuerySurface(world, &query, SIDE * SIDE, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, SIDE * SIDE, points, &samples, NULL);
     for (int i = 0; i < SIDE * SIDE; ++i)
     {
         square += (double)heights[i] * (double)heights[i] / (SIDE * SIDE);

@@ -21,7 +21,7 @@ static bool SampleBuoy(swWorld* world, double time, swVec3* moved, swVec3* accel
     swQueryDef query = swDefaultQueryDef();
     query.minWavelength = 2.0f; // a buoy a metre across does not feel shorter waves
     swSurfaceSamples samples = {.displacement = moved, .acceleration = acceleration};
-    swWorld_QueryParticles(world, &query, 1, &mooring, &samples, slope, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(world), &query, 1, &mooring, &samples, slope, NULL);
     return true;
 }
 

@@ -103,7 +103,7 @@ static double CompareWithCore(swWorld* world, const swGpuQueryResults* results)
     }
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = core};
-    swWorld_QuerySurface(world, &def, results->count, markers, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, results->count, markers, &samples, NULL);
     samples.height = gpu;
     swGpuQueryResults_Unpack(results, &samples, NULL);
     double worst = 0.0;

@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "query", "replay", "save", "measure"]
+HEADERS = ["base", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "moment", "query", "replay", "save", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -27,9 +27,9 @@ ALLOWED = {
     ("swMeasuredSea_AddLocation", "location", "NULL"): "need not be told which it is",
     ("swScene_FindView", "name", "NULL"): "the first view",
     ("swScene_GetSky", "view", "NULL"): "the scene's own sky",
-    ("swWorld_GetHeight", "x", "*"): "a point that cannot be answered is NaN",
-    ("swWorld_GetHeight", "z", "*"): "a point that cannot be answered is NaN",
-    ("swWorld_GetStokesDrift", "depthBelow", "*"): "a depth that cannot be answered is NaN; at infinity there is none",
+    ("swMoment_GetHeight", "x", "*"): "a point that cannot be answered is NaN",
+    ("swMoment_GetHeight", "z", "*"): "a point that cannot be answered is NaN",
+    ("swMoment_GetStokesDrift", "depthBelow", "*"): "a depth that cannot be answered is NaN; at infinity there is none",
     ("swCreateSeaReplay", "def.startSeconds", "NaN"): "the first record's",
     ("swWaveSystem_IsValid", "*", "*"): "asks just that",
     ("swMeasuredSea_AddLocation", "name", "NULL"): "a place may be without a name",
@@ -51,9 +51,9 @@ ALLOWED = {
     ("swStage_BeginDrawing", "depth", "NULL"): "drawing without depth",
     ("swStage_SubmitFrame", "sync", "NULL"): "waits for nothing and signals nothing",
     ("swGpu_FitView", "def.*", "*"): "swCreateView() checks the def",
-    ("swWorld_QueryHeightMap", "map.originX", "*"): "every point is bad, and NaN",
-    ("swWorld_QueryHeightMap", "map.originZ", "*"): "every point is bad, and NaN",
-    ("swWorld_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
+    ("swMoment_QueryHeightMap", "map.originX", "*"): "every point is bad, and NaN",
+    ("swMoment_QueryHeightMap", "map.originZ", "*"): "every point is bad, and NaN",
+    ("swMoment_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
     ("swCreateSceneSea", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("*", "spectrum.depth", "infinite"): "deep water",
     ("swLookAtPatches", "depth", "infinite"): "deep water",
@@ -278,8 +278,8 @@ FIXED = {"swHost", "swWaveSystemId", "swPicture", "swSeaReplayDef", "swMeasuredS
 # Of those, what is copied and spoilt field by field although there is no default.
 COPIED = {"swPicture", "swHeightMapDef", "swSeaGauges"}
 # Made with a host, which is told.
-OBJECTS = {"swWorld", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay", "swScene",
-           "swStage", "swSeaPatches"}
+OBJECTS = {"swWorld", "swMoment", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay",
+           "swScene", "swStage", "swSeaPatches"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.
 FREES = set()

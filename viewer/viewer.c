@@ -183,7 +183,8 @@ static bool StepSea(App* app, double passed)
     {
         return false;
     }
-    app->waterHeight = swWorld_GetHeight(app->sea.world, app->camera.position.x, app->camera.position.z);
+    app->waterHeight =
+        swMoment_GetHeight(swWorld_GetMoment(app->sea.world), app->camera.position.x, app->camera.position.z);
     KeepCameraDry(&app->camera, app->waterHeight);
     return true;
 }

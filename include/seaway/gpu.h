@@ -167,16 +167,16 @@ typedef struct swGpuQuery swGpuQuery;
 /// What a query is about.
 typedef enum swGpuQueryKind
 {
-    /// The surface above points, as swWorld_QuerySurface().
+    /// The surface above points, as swMoment_QuerySurface().
     SW_GPU_QUERY_KIND_SURFACE,
 
-    /// The water at places, as swWorld_QueryVolume(): depth and pressure head always, orbital velocity and local
+    /// The water at places, as swMoment_QueryVolume(): depth and pressure head always, orbital velocity and local
     /// acceleration as outputs. Waves are summed one by one, which takes some fifteen times as long as the surface
     /// does; waves too short to reach any place of a group of 64 cost nothing, so places in order of depth are the
     /// cheapest.
     SW_GPU_QUERY_KIND_VOLUME,
 
-    /// What rays and spheres meet, as swWorld_CastRays() of a surface that stands still.
+    /// What rays and spheres meet, as swMoment_CastRays() of a surface that stands still.
     SW_GPU_QUERY_KIND_RAYS
 } swGpuQueryKind;
 
@@ -298,25 +298,25 @@ typedef struct swGpuQueryResults
 } swGpuQueryResults;
 
 /// Never waits: answers arrive framesInFlight frames after they were recorded, or once swGpu_SetFinishedFrame() says
-/// so. Bound: a height is that of swWorld_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the
+/// so. Bound: a height is that of swMoment_QuerySurface() at the stamp's time to 0.1 mm for points within 100 km of the
 /// first, to 1 mm within 1,000 km, and besides to the slope of the water times both residuals. Velocity and
 /// acceleration are those of a world that has enableVelocity and enableAcceleration to 1 mm/s and 1 cm/s^2 likewise;
-/// below the surface they are those of swWorld_QueryVolume() to 0.3 mm/s and 3 mm/s^2, pressure to 0.1 mm of water. A
+/// below the surface they are those of swMoment_QueryVolume() to 0.3 mm/s and 3 mm/s^2, pressure to 0.1 mm of water. A
 /// hit is on the core's surface to the tolerance, the slope of the water times both residuals, and 1e-7 of the way. In
 /// a fold, where the water is above a point more than once, it may be another of the particles there.
 /// @return false while none have arrived
 SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
 
-/// Write results where swWorld_QuerySurface() would: heights include sea level. Arrays of `samples` for which the query
-/// has no output must be NULL. `stats` may be NULL; its iterationCount is 0.
+/// Write results where swMoment_QuerySurface() would: heights include sea level. Arrays of `samples` for which the
+/// query has no output must be NULL. `stats` may be NULL; its iterationCount is 0.
 SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples,
                                      swQueryStats* stats);
 
-/// The same for a query of the water below: results where swWorld_QueryVolume() would write them.
+/// The same for a query of the water below: results where swMoment_QueryVolume() would write them.
 SW_API void swGpuQueryResults_UnpackVolume(const swGpuQueryResults* results, const swVolumeSamples* samples,
                                            swQueryStats* stats);
 
-/// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swWorld_CastRays() would write them. `rays` are
+/// The same for a query of rays with SW_GPU_QUERY_NORMAL: results as swMoment_CastRays() would write them. `rays` are
 /// those that had been set then.
 SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const swRay* rays, swRayHit* hits,
                                          swQueryStats* stats);

@@ -73,10 +73,10 @@ typedef struct swSeaSums
     double xx[SW_MAX_SEA_BINS], zz[SW_MAX_SEA_BINS], xz[SW_MAX_SEA_BINS];
 } swSeaSums;
 
-/// Record heave and slopes of particles and add their cross spectra to sums[groupCount]. The gauges are dealt out to the
-/// groups, each spread over the whole area, so that the groups' scatter tells the error (swEstimateSeaError()). Heave and
-/// slopes of particles are linear in the waves' amplitudes, so the estimate has no harmonics however steep the sea.
-/// Steps the world. Waves far above the last bin's frequency cost time: leave them out (swGetWavelength()).
+/// Record heave and slopes of particles and add their cross spectra to sums[groupCount]. The gauges are dealt out to
+/// the groups, each spread over the whole area, so that the groups' scatter tells the error (swEstimateSeaError()).
+/// Heave and slopes of particles are linear in the waves' amplitudes, so the estimate has no harmonics however steep
+/// the sea. Steps the world. Waves far above the last bin's frequency cost time: leave them out (swGetWavelength()).
 /// [Welch 1967] [Longuet-Higgins 1963]
 /// @return SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT for records of too many samples, or what a step returns
 SW_API swResult swRecordSea(swWorld* world, const swSeaGauges* gauges, const swSeaBins* bins, int groupCount,
@@ -123,12 +123,12 @@ typedef struct swSurfaceSums
     double particleSlopeSquare;
 } swSurfaceSums;
 
-/// Add `count` points spread evenly over a square of side `area` m around the origin, of the world as its last step left
-/// it. `sums` is all zero at first.
+/// Add `count` points spread evenly over a square of side `area` m around the origin, of the world as its last step
+/// left it. `sums` is all zero at first.
 SW_API swResult swLookAtSurface(const swWorld* world, double area, int count, swSurfaceSums* sums);
 
-/// Mean foam of a view's slices around (x, z) in the steady state, which the world steps into from its present time; NaN
-/// if it cannot.
+/// Mean foam of a view's slices around (x, z) in the steady state, which the world steps into from its present time;
+/// NaN if it cannot.
 SW_API double swMeasureFoam(swWorld* world, double x, double z);
 
 /// Samples along a square of swSeaPatches.

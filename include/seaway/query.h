@@ -2,12 +2,13 @@
 #pragma once
 
 #include "math.h"
-#include "world.h"
+#include "moment.h"
 
 /// @file
 /// Ask for the water: its surface, the motion below it, what a ray meets. Answers come from the same waves that are
-/// drawn and never depend on a view. All queries are thread-safe on a `const swWorld*`, take no lock and allocate
-/// nothing. docs/queries.md says what each costs and how exact it is.
+/// drawn and never depend on a view. They are of a moment: the world's own, swWorld_GetMoment(), is the water of its
+/// last step. All queries are thread-safe on a `const swMoment*`, take no lock and allocate nothing. docs/queries.md
+/// says what each costs and how exact it is.
 ///
 /// A point that cannot be answered spoils no other. It is one with a coordinate that is NaN, infinite, or beyond
 /// SW_FARTHEST_POINT; a ray that is out of range is such a one, too. Each of its answers is NaN, it is counted in
@@ -16,7 +17,7 @@
 /// While one thread steps, sets or destroys, no other may ask the same world. Put a barrier between them, or let two
 /// worlds take turns: one is asked while the other steps to the next time. docs/queries.md has more on it.
 
-/// For swQueryDef::time: the time of the last step.
+/// For swQueryDef::time: the moment's time.
 #define SW_QUERY_NOW (-1e300)
 
 /// Farthest that a point may be from the host's origin along an axis, m: doubles there are 0.1 mm apart, and cells of
@@ -56,7 +57,7 @@ typedef struct swQueryDef
     /// slower. Systems that are changing keep the amplitudes of the last step.
     double time;
 
-    /// Of swWorld_QueryVolume(). Default SW_STRETCHING_WHEELER.
+    /// Of swMoment_QueryVolume(). Default SW_STRETCHING_WHEELER.
     swStretching stretching;
 
     /// Set by swDefaultQueryDef().
@@ -101,16 +102,16 @@ typedef struct swQueryStats
 
 /// Sample the surface above `count` points of the horizontal plane. `stats` may be NULL.
 /// With a bad `def` every point is bad.
-SW_API void swWorld_QuerySurface(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
-                                 const swSurfaceSamples* samples, swQueryStats* stats);
+SW_API void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,
+                                  const swSurfaceSamples* samples, swQueryStats* stats);
 
 /// Height above one point, m. NaN for a point that cannot be answered.
-SW_API double swWorld_GetHeight(const swWorld* world, double x, double z);
+SW_API double swMoment_GetHeight(const swMoment* moment, double x, double z);
 
 /// Sample the particles that rest at `count` points: no search, residual 0. What a moored buoy feels.
 /// `slopes` (d height / d x, d height / d z per rest metre) may be NULL, as may any array of `samples` and `stats`.
-SW_API void swWorld_QueryParticles(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
-                                   const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats);
+SW_API void swMoment_QueryParticles(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,
+                                    const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats);
 
 /// A grid of heights for engines that want one, such as a physics engine's height field. Point (i, j) is at
 /// (originX + i * spacing, originZ + j * spacing).
@@ -121,9 +122,9 @@ typedef struct swHeightMapDef
     int width, height;       ///< points along x and along z, at least 1
 } swHeightMapDef;
 
-/// Fill `heights` ([height][width], m, absolute): the same answers as swWorld_QuerySurface(). `stats` may be NULL.
-SW_API void swWorld_QueryHeightMap(const swWorld* world, const swQueryDef* def, const swHeightMapDef* map,
-                                   float* heights, swQueryStats* stats);
+/// Fill `heights` ([height][width], m, absolute): the same answers as swMoment_QuerySurface(). `stats` may be NULL.
+SW_API void swMoment_QueryHeightMap(const swMoment* moment, const swQueryDef* def, const swHeightMapDef* map,
+                                    float* heights, swQueryStats* stats);
 
 /// Where answers about places in the water go: arrays of as many elements as points, or NULL to skip.
 typedef struct swVolumeSamples
@@ -143,12 +144,12 @@ typedef struct swVolumeSamples
 /// Sample the motion of the water at `count` places by linear theory [Dean and Dalrymple 1991], each wave with its own
 /// fading with depth. Waves are summed one by one; those too short to reach a place are skipped. `stats`, of the search
 /// for the surface above, may be NULL.
-SW_API void swWorld_QueryVolume(const swWorld* world, const swQueryDef* def, int count, const swPos* points,
-                                const swVolumeSamples* samples, swQueryStats* stats);
+SW_API void swMoment_QueryVolume(const swMoment* moment, const swQueryDef* def, int count, const swPos* points,
+                                 const swVolumeSamples* samples, swQueryStats* stats);
 
 /// Mean drift of the water at a depth below still water (m, at least 0) by all waves together: Stokes drift in deep and
 /// finite water [Kenyon 1969], m/s along x and z. NaN of a depth that is NaN or below 0.
-SW_API swVec2 swWorld_GetStokesDrift(const swWorld* world, double depthBelow);
+SW_API swVec2 swMoment_GetStokesDrift(const swMoment* moment, double depthBelow);
 
 /// A ray, or a sphere that sweeps along one. Must be initialized with swDefaultRay().
 typedef struct swRay
@@ -185,5 +186,5 @@ typedef struct swRayHit
 /// surface's normal does: exact on flat water, and good to radius^2 times the surface's curvature / 2 on waves.
 /// A ray looks at the surface at most 100,000 times; one that needs more (a long way just above the water) ends without
 /// a hit at the distance that it has come to, and is not among stats' convergedCount. `stats` may be NULL.
-SW_API void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,
-                             swQueryStats* stats);
+SW_API void swMoment_CastRays(const swMoment* moment, const swQueryDef* def, int count, const swRay* rays,
+                              swRayHit* hits, swQueryStats* stats);

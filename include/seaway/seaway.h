@@ -9,6 +9,7 @@
 #include "id.h"
 #include "math.h"
 #include "measured.h"
+#include "moment.h"
 #include "query.h"
 #include "replay.h"
 #include "save.h"

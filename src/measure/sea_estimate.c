@@ -51,7 +51,7 @@ swDirectionMoments swEstimateMoments(const swSeaSums* sums, int bin)
         return (swDirectionMoments){0};
     }
     return (swDirectionMoments){sums->hx[bin] / norm, sums->hz[bin] / norm, (sums->xx[bin] - sums->zz[bin]) / slopes,
-                        2.0 * sums->xz[bin] / slopes};
+                                2.0 * sums->xz[bin] / slopes};
 }
 
 double swEstimateVariance(const swSeaBins* bins, const swSeaSums* sums, double low, double high)
@@ -130,7 +130,8 @@ static void leaveOut(const swSeaSums* all, const swSeaSums* group, swSeaSums* re
     }
 }
 
-swResult swEstimateSeaError(const swHost* host, const swSeaBins* bins, int groupCount, const swSeaSums* groups, swSeaState* error)
+swResult swEstimateSeaError(const swHost* host, const swSeaBins* bins, int groupCount, const swSeaSums* groups,
+                            swSeaState* error)
 {
     SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, host,
                "swEstimateSeaError() needs a host made by swDefaultHost()");

@@ -112,7 +112,7 @@ static swResult fillSpectra(swWorld* world, double begin, double dt, double shor
         {
             return result;
         }
-        swWorld_QueryParticles(world, &query, PATCH_POINTS, space->points,
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, PATCH_POINTS, space->points,
                                &(swSurfaceSamples){.displacement = space->displacement}, NULL, NULL);
         for (int i = 0; i < PATCH_POINTS; ++i)
         {

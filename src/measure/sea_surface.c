@@ -12,7 +12,8 @@
 
 swResult swLookAtSurface(const swWorld* world, double area, int count, swSurfaceSums* sums)
 {
-    SW_REQUIRE(world != NULL && sums != NULL && count > 0 && area > 0.0 && isfinite(area), SW_ERROR_INVALID, swFindHost(world),
+    SW_REQUIRE(world != NULL && sums != NULL && count > 0 && area > 0.0 && isfinite(area), SW_ERROR_INVALID,
+               swFindHost(world),
                "swLookAtSurface() needs a world, an area and a count above 0, and a place for the sums");
     swPosXZ points[BLOCK];
     float height[BLOCK];
@@ -28,8 +29,8 @@ swResult swLookAtSurface(const swWorld* world, double area, int count, swSurface
         {
             points[i] = swPlaceGauge(area, first + i);
         }
-        swWorld_QuerySurface(world, &def, size, points, &samples, NULL);
-        swWorld_QueryParticles(world, &def, size, points, &(swSurfaceSamples){0}, slopes, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &def, size, points, &samples, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, size, points, &(swSurfaceSamples){0}, slopes, NULL);
         for (int i = 0; i < size; ++i)
         {
             double h = (double)height[i] - seaLevel;

@@ -33,8 +33,7 @@ static bool isSpace(char c)
 
 static int countChildren(const yaml_node_t* node)
 {
-    return node->type == YAML_SEQUENCE_NODE
-               ? (int)(node->data.sequence.items.top - node->data.sequence.items.start)
+    return node->type == YAML_SEQUENCE_NODE  ? (int)(node->data.sequence.items.top - node->data.sequence.items.start)
            : node->type == YAML_MAPPING_NODE ? (int)(node->data.mapping.pairs.top - node->data.mapping.pairs.start)
                                              : 0;
 }
@@ -154,8 +153,10 @@ swResult swRefuseYamlEdit(swYamlEdits* edits, const yaml_node_t* node, const cha
     if (edits->result == SW_SUCCESS)
     {
         edits->result = SW_ERROR_FORMAT;
-        swFail(edits->yaml->host, SW_ERROR_FORMAT, "%s:%d: this cannot be written without touching what stands beside "
-               "it: %s. Nothing was written.", edits->yaml->name, (int)node->start_mark.line + 1, why);
+        swFail(edits->yaml->host, SW_ERROR_FORMAT,
+               "%s:%d: this cannot be written without touching what stands beside "
+               "it: %s. Nothing was written.",
+               edits->yaml->name, (int)node->start_mark.line + 1, why);
     }
     return edits->result;
 }
@@ -441,7 +442,8 @@ static bool findDash(const swYamlEdits* edits, size_t item, size_t* dash)
             return false;
         }
         end = line;
-        line = findLine(edits, line - (line >= 2 && edits->text[line - 1] == '\n' && edits->text[line - 2] == '\r' ? 2 : 1));
+        line = findLine(edits,
+                        line - (line >= 2 && edits->text[line - 1] == '\n' && edits->text[line - 2] == '\r' ? 2 : 1));
     }
 }
 

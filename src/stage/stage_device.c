@@ -39,9 +39,8 @@ static const char* loadFunctions(swStage* stage, bool isPresentable)
     vk->name = isPresentable ? (PFN_vk##name)find(instance, "vk" #name) : NULL;                                        \
     missing = missing == NULL && isPresentable && vk->name == NULL ? "vk" #name : missing;
 #define SW_STAGE_SWAPCHAIN(name)                                                                                       \
-    vk->name = isPresentable && missing == NULL                                                                        \
-                   ? (PFN_vk##name)vk->GetDeviceProcAddr(stage->device, "vk" #name)                                    \
-                   : NULL;                                                                                             \
+    vk->name =                                                                                                         \
+        isPresentable && missing == NULL ? (PFN_vk##name)vk->GetDeviceProcAddr(stage->device, "vk" #name) : NULL;      \
     missing = missing == NULL && isPresentable && vk->name == NULL ? "vk" #name : missing;
 #include "seaway/stage_functions.inl"
 #undef SW_STAGE_INSTANCE

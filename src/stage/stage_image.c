@@ -10,8 +10,8 @@ static VkResult tryMemory(const swStage* stage, const VkMemoryRequirements* need
     VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
     for (uint32_t i = 0; i < stage->memory.memoryTypeCount; ++i)
     {
-        bool fits = (needs->memoryTypeBits >> i & 1) != 0 &&
-                    (stage->memory.memoryTypes[i].propertyFlags & wanted) == wanted;
+        bool fits =
+            (needs->memoryTypeBits >> i & 1) != 0 && (stage->memory.memoryTypes[i].propertyFlags & wanted) == wanted;
         const VkMemoryAllocateInfo info = {
             .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs->size, .memoryTypeIndex = i};
         if (fits)
@@ -99,8 +99,7 @@ static swResult fillImage(const swStage* stage, const swStageImageDef* def, swSt
     }
     VkMemoryRequirements needs;
     stage->vk.GetImageMemoryRequirements(stage->device, image->image, &needs);
-    swResult result =
-        allocateMemory(stage, &needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, def->name, &image->memory);
+    swResult result = allocateMemory(stage, &needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, def->name, &image->memory);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -117,8 +116,8 @@ static swResult fillImage(const swStage* stage, const swStageImageDef* def, swSt
 swResult swStage_CreateImage(swStage* stage, const swStageImageDef* def, swStageImage* image)
 {
     SW_REQUIRE(stage != NULL, SW_ERROR_INVALID, NULL, "swStage_CreateImage() needs a stage");
-    SW_REQUIRE(def != NULL && image != NULL && def->name != NULL && def->width > 0 && def->height > 0,
-               SW_ERROR_INVALID, &stage->host, "swStage_CreateImage() needs a def with a name and a size, and a place");
+    SW_REQUIRE(def != NULL && image != NULL && def->name != NULL && def->width > 0 && def->height > 0, SW_ERROR_INVALID,
+               &stage->host, "swStage_CreateImage() needs a def with a name and a size, and a place");
     bool isDepth = (def->usage & VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) != 0;
     *image = (swStageImage){.aspect = isDepth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT,
                             .width = def->width,
@@ -164,9 +163,8 @@ static swResult fillBuffer(const swStage* stage, VkBufferUsageFlags usage, swSta
         return result;
     }
     made = stage->vk.BindBufferMemory(stage->device, buffer->buffer, buffer->memory, 0);
-    made = made != VK_SUCCESS
-               ? made
-               : stage->vk.MapMemory(stage->device, buffer->memory, 0, VK_WHOLE_SIZE, 0, &buffer->data);
+    made = made != VK_SUCCESS ? made
+                              : stage->vk.MapMemory(stage->device, buffer->memory, 0, VK_WHOLE_SIZE, 0, &buffer->data);
     return swCheckStage(stage, made, "mapping a buffer");
 }
 

@@ -159,10 +159,10 @@ static void AskSurface(const swWorld* world, const swQueryDef* def, bool isParti
                                       to->residual, to->velocity,     to->acceleration};
     if (isParticles)
     {
-        swWorld_QueryParticles(world, def, count, points, &samples, to->slopes, &to->stats);
+        swMoment_QueryParticles(swWorld_GetMoment(world), def, count, points, &samples, to->slopes, &to->stats);
         return;
     }
-    swWorld_QuerySurface(world, def, count, points, &samples, &to->stats);
+    swMoment_QuerySurface(swWorld_GetMoment(world), def, count, points, &samples, &to->stats);
     memset(to->slopes, 0xff, sizeof to->slopes); // NaN: it has none
 }
 
@@ -198,7 +198,7 @@ static void AskVolume(const swWorld* world, const swQueryDef* def, int count, co
     memset(to, 0x55, sizeof *to);
     const swVolumeSamples samples = {
         .depth = to->depth, .velocity = to->velocity, .acceleration = to->acceleration, .pressureHead = to->head};
-    swWorld_QueryVolume(world, def, count, of, &samples, &to->stats);
+    swMoment_QueryVolume(swWorld_GetMoment(world), def, count, of, &samples, &to->stats);
 }
 
 static void CheckVolume(const swWorld* world, const swQueryDef* def)
@@ -302,8 +302,8 @@ static void CheckRays(const swWorld* world, const swQueryDef* def, bool isMoving
     {
         goodCount += places.isBad[i] ? 0 : 1;
     }
-    swWorld_CastRays(world, def, count, allRays, allHits, &allStats);
-    swWorld_CastRays(world, def, goodCount, goodRays, goodHits, &goodStats);
+    swMoment_CastRays(swWorld_GetMoment(world), def, count, allRays, allHits, &allStats);
+    swMoment_CastRays(swWorld_GetMoment(world), def, goodCount, goodRays, goodHits, &goodStats);
     for (int i = 0, g = 0; i < count; ++i)
     {
         const swRayHit* hit = &allHits[i];
@@ -376,7 +376,7 @@ static void NothingButBadPointsIsAnsweredToo(void** state)
     }
     swQueryStats stats;
     const swSurfaceSamples samples = {.height = heights};
-    swWorld_QuerySurface(world, &def, 1000, points, &samples, &stats);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, 1000, points, &samples, &stats);
     assert_int_equal(stats.badCount, 1000);
     assert_int_equal(stats.convergedCount, 0);
     for (int i = 0; i < 1000; ++i)
@@ -390,17 +390,17 @@ static void OneValueIsNaNToo(void** state)
 {
     (void)state;
     swWorld* world = OpenSea(false, INFINITY);
-    assert_true(isnan(swWorld_GetHeight(world, NO_NUMBER, 0.0)));
-    assert_true(isnan(swWorld_GetHeight(world, 0.0, -FAR_OFF)));
-    assert_true(isnan(swWorld_GetHeight(world, 3e12, 0.0)));
-    assert_true(isfinite(swWorld_GetHeight(world, 1e12, -1e12)));
+    assert_true(isnan(swMoment_GetHeight(swWorld_GetMoment(world), NO_NUMBER, 0.0)));
+    assert_true(isnan(swMoment_GetHeight(swWorld_GetMoment(world), 0.0, -FAR_OFF)));
+    assert_true(isnan(swMoment_GetHeight(swWorld_GetMoment(world), 3e12, 0.0)));
+    assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(world), 1e12, -1e12)));
     const double depths[] = {NO_NUMBER, -1.0, -FAR_OFF};
     for (int i = 0; i < 3; ++i)
     {
-        swVec2 drift = swWorld_GetStokesDrift(world, depths[i]);
+        swVec2 drift = swMoment_GetStokesDrift(swWorld_GetMoment(world), depths[i]);
         assert_true(isnan(drift.x) && isnan(drift.y));
     }
-    swVec2 deep = swWorld_GetStokesDrift(world, FAR_OFF);
+    swVec2 deep = swMoment_GetStokesDrift(swWorld_GetMoment(world), FAR_OFF);
     assert_true(deep.x == 0.0f && deep.y == 0.0f);
     swDestroyWorld(world);
 }
@@ -416,7 +416,7 @@ static void APointOfAMapMayBeBad(void** state)
     // Its last columns lie beyond what can be asked.
     swHeightMapDef mapDef = {.originX = 1e12 - 40.5 * 1024.0, .spacing = 1024.0, .width = MAP, .height = MAP};
     swQueryStats stats;
-    swWorld_QueryHeightMap(world, &def, &mapDef, map, &stats);
+    swMoment_QueryHeightMap(swWorld_GetMoment(world), &def, &mapDef, map, &stats);
     assert_int_equal(stats.badCount, (MAP - 41) * MAP);
     for (int i = 0; i < MAP * MAP; ++i)
     {
@@ -424,7 +424,7 @@ static void APointOfAMapMayBeBad(void** state)
     }
     swHeightMapDef few = mapDef;
     few.width = 41;
-    swWorld_QueryHeightMap(world, &def, &few, whole, &stats);
+    swMoment_QueryHeightMap(swWorld_GetMoment(world), &def, &few, whole, &stats);
     assert_int_equal(stats.badCount, 0);
     for (int row = 0; row < MAP; ++row)
     {
@@ -435,7 +435,7 @@ static void APointOfAMapMayBeBad(void** state)
                                       {.originX = 2e12, .spacing = NO_NUMBER, .width = MAP, .height = MAP}};
     for (int k = 0; k < 3; ++k)
     {
-        swWorld_QueryHeightMap(world, &def, &nowhere[k], map, &stats);
+        swMoment_QueryHeightMap(swWorld_GetMoment(world), &def, &nowhere[k], map, &stats);
         assert_int_equal(stats.badCount, MAP * MAP);
         assert_true(isnan(map[0]) && isnan(map[MAP * MAP - 1]));
     }
@@ -476,7 +476,7 @@ static void ADirectionMayHaveAnyLength(void** state)
     const float lengths[] = {1e-30f, 1e-23f, 1e-10f, 1e10f, 1e20f, 1e38f};
     swRay ray = swDefaultRay((swPos){3.0, 20.0, 4.0}, (swVec3){0.75f, -1.0f, 0.5f});
     swRayHit unit;
-    swWorld_CastRays(world, &def, 1, &ray, &unit, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), &def, 1, &ray, &unit, NULL);
     assert_true(unit.isHit);
     for (int i = 0; i < 6; ++i)
     {
@@ -485,7 +485,7 @@ static void ADirectionMayHaveAnyLength(void** state)
         swRayHit hit;
         memset(&hit, 0x55, sizeof hit);
         swQueryStats stats;
-        swWorld_CastRays(world, &def, 1, &scaled, &hit, &stats);
+        swMoment_CastRays(swWorld_GetMoment(world), &def, 1, &scaled, &hit, &stats);
         assert_true(stats.badCount == 0 && hit.isHit);
         assert_float_equal(hit.distance, unit.distance, 1e-3);
     }
@@ -513,7 +513,7 @@ static void ARayThatComesToNoEndSaysSo(void** state)
     rays[1] = swDefaultRay((swPos){0.0, 30.0, 0.0}, (swVec3){0.1f, -1.0f, 0.0f});
     swRayHit hits[2];
     swQueryStats stats;
-    swWorld_CastRays(world, &def, 2, rays, hits, &stats);
+    swMoment_CastRays(swWorld_GetMoment(world), &def, 2, rays, hits, &stats);
     print_message("a level ray %.3g mm above waves of %.3g mm ends after %.0f m\n", 1e3 * (rays[0].origin.y - 3.0),
                   4e3 * (double)sqrtf(variance), (double)hits[0].distance);
     assert_true(!hits[0].isHit && hits[0].distance > 100.0f && hits[0].distance < 99999.0f);

@@ -351,7 +351,7 @@ static void SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea(void** state)
         swQueryDef def = swDefaultQueryDef();
         def.minWavelength = shortest[s];
         swSurfaceSamples samples = {.jacobian = jacobians};
-        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, NULL, NULL);
         swFoamRest rest = {.deviation = SumDeviation(frame, shortest[s]), .bend = law->rest.bend};
         double fold = 0.0;
         for (int i = 0; i < POINT_COUNT; ++i)

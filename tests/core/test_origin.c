@@ -43,9 +43,9 @@ static void Ask(swWorld* world, swView* view, swPosXZ origin, swPosXZ centre, An
     swWorld_Step(world, 0.0);
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples surface = {.height = answers->heights, .normal = answers->normals};
-    swWorld_QuerySurface(world, &def, POINTS, points, &surface, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, POINTS, points, &surface, NULL);
     swVolumeSamples volume = {.velocity = answers->below};
-    swWorld_QueryVolume(world, &def, POINTS, places, &volume, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), &def, POINTS, places, &volume, NULL);
     for (int s = 0; s < SLICES; ++s)
     {
         memcpy(answers->displacement[s], swView_GetDisplacement(view, s), sizeof answers->displacement[s]);

@@ -37,7 +37,7 @@ static void ResidualIsWhatItSaysAndWithinTheTolerance(void** state)
         swQueryDef def = swDefaultQueryDef();
         swQueryStats stats;
         swSurfaceSamples samples = {.height = heights, .displacement = moved, .residual = residuals};
-        swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, &stats);
+        swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, &stats);
         assert_int_equal(stats.convergedCount, POINT_COUNT);
         double worst = 0.0;
         for (int i = 0; i < POINT_COUNT; ++i)
@@ -46,7 +46,7 @@ static void ResidualIsWhatItSaysAndWithinTheTolerance(void** state)
             swPosXZ rest = {points[i].x - (double)moved[i].x, points[i].z - (double)moved[i].z};
             swVec3 there;
             swSurfaceSamples particle = {.displacement = &there};
-            swWorld_QueryParticles(sea.world, &def, 1, &rest, &particle, NULL, NULL);
+            swMoment_QueryParticles(swWorld_GetMoment(sea.world), &def, 1, &rest, &particle, NULL, NULL);
             double error = hypot(rest.x + (double)there.x - points[i].x, rest.z + (double)there.z - points[i].z);
             worst = error > worst ? error : worst;
             assert_true(residuals[i] <= def.tolerance);
@@ -79,7 +79,7 @@ static double SearchDensely(const swWorld* world, double x, double z)
             rest[i].z = centreZ + reach * ((i / SIDE) * 2.0 / (SIDE - 1) - 1.0);
         }
         swSurfaceSamples samples = {.displacement = moved};
-        swWorld_QueryParticles(world, &def, SIDE * SIDE, rest, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, SIDE * SIDE, rest, &samples, NULL, NULL);
         double nearest = 1e30;
         int best = 0;
         for (int i = 0; i < SIDE * SIDE; ++i)
@@ -105,7 +105,7 @@ static void HeightIsThatOfADenseSearch(void** state)
     double worst = 0.0;
     for (int i = 0; i < 40; ++i)
     {
-        double found = swWorld_GetHeight(sea.world, points[i].x, points[i].z);
+        double found = swMoment_GetHeight(swWorld_GetMoment(sea.world), points[i].x, points[i].z);
         double error = fabs(found - SearchDensely(sea.world, points[i].x, points[i].z));
         worst = error > worst ? error : worst;
     }
@@ -126,7 +126,7 @@ static void NormalIsThatOfTheHeightsAround(void** state)
     swVec3 normals[200];
     float jacobians[200];
     swSurfaceSamples samples = {.normal = normals, .jacobian = jacobians};
-    swWorld_QuerySurface(sea.world, &def, 200, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, 200, points, &samples, NULL);
     const double step = 0.02;
     double worst = 0.0;
     for (int i = 0; i < 200; ++i)
@@ -137,7 +137,7 @@ static void NormalIsThatOfTheHeightsAround(void** state)
                              {points[i].x, points[i].z + step}};
         float heights[4];
         swSurfaceSamples at = {.height = heights};
-        swWorld_QuerySurface(sea.world, &def, 4, around, &at, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, 4, around, &at, NULL);
         double slopeX = ((double)heights[1] - (double)heights[0]) / (2.0 * step);
         double slopeZ = ((double)heights[3] - (double)heights[2]) / (2.0 * step);
         double length = sqrt(1.0 + slopeX * slopeX + slopeZ * slopeZ);
@@ -161,7 +161,7 @@ static void ParticlesAndSurfaceAgree(void** state)
     ScatterPoints(points, 500, 0.0, 0.0, 1000.0);
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.displacement = moved, .normal = normals, .jacobian = jacobians};
-    swWorld_QuerySurface(sea.world, &def, 500, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, 500, points, &samples, NULL);
     for (int i = 0; i < 500; ++i)
     {
         points[i].x -= (double)moved[i].x;
@@ -171,7 +171,7 @@ static void ParticlesAndSurfaceAgree(void** state)
     float residuals[500];
     swSurfaceSamples particles = {
         .displacement = again, .normal = againNormals, .jacobian = againJacobians, .residual = residuals};
-    swWorld_QueryParticles(sea.world, &def, 500, points, &particles, slopes, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(sea.world), &def, 500, points, &particles, slopes, NULL);
     for (int i = 0; i < 500; ++i)
     {
         assert_float_equal(moved[i].y, again[i].y, 1e-3);
@@ -200,7 +200,7 @@ static void ASteepSeaConvergesOrSaysSo(void** state)
         swQueryDef def = swDefaultQueryDef();
         swQueryStats stats;
         swSurfaceSamples samples = {.jacobian = jacobians, .residual = residuals};
-        swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, &stats);
+        swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, &stats);
         int within = 0, folded = 0;
         float worst = 0.0f;
         for (int i = 0; i < POINT_COUNT; ++i)
@@ -249,7 +249,7 @@ static void ASeaThatNearlyFoldsConvergesEverywhere(void** state)
     swQueryDef query = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights};
     swQueryStats stats;
-    swWorld_QuerySurface(world, &query, 50000, points, &samples, &stats);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, 50000, points, &samples, &stats);
     print_message("chop * sum of a k = %.3f: %d of 50000 converged, %.2f evaluations a point\n", (double)steepness,
                   stats.convergedCount, (double)stats.iterationCount / 50000.0);
     assert_int_equal(stats.convergedCount, 50000);
@@ -266,12 +266,12 @@ static void TheBatchDoesNotMatter(void** state)
     ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 3000.0);
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = whole, .normal = wholeNormals};
-    swWorld_QuerySurface(sea.world, &def, POINT_COUNT, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, NULL);
     for (int first = 0, size = 1; first < POINT_COUNT; first += size, size = size % 97 + 1)
     {
         int count = POINT_COUNT - first < size ? POINT_COUNT - first : size;
         swSurfaceSamples part = {.height = parts + first, .normal = partNormals + first};
-        swWorld_QuerySurface(sea.world, &def, count, points + first, &part, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, count, points + first, &part, NULL);
     }
     assert_memory_equal(whole, parts, sizeof whole);
     assert_memory_equal(wholeNormals, partNormals, sizeof wholeNormals);
@@ -290,7 +290,7 @@ static void* ReadHeights(void* argument)
     Reader* reader = argument;
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = reader->heights};
-    swWorld_QuerySurface(reader->world, &def, POINT_COUNT, reader->points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(reader->world), &def, POINT_COUNT, reader->points, &samples, NULL);
     return NULL;
 }
 
@@ -383,13 +383,13 @@ static void AViewChangesNothing(void** state)
 {
     (void)state;
     Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 64);
-    double before = swWorld_GetHeight(sea.world, 17.0, 23.0);
+    double before = swMoment_GetHeight(swWorld_GetMoment(sea.world), 17.0, 23.0);
     swViewDef def = swDefaultViewDef();
     swView* view;
     assert_int_equal(swCreateView(sea.world, &def, &view), SW_SUCCESS);
     swView_SetViewpoint(view, (swPos){1e5, 1e4, -1e5});
     swWorld_Step(sea.world, 0.0);
-    assert_true(swWorld_GetHeight(sea.world, 17.0, 23.0) == before);
+    assert_true(swMoment_GetHeight(swWorld_GetMoment(sea.world), 17.0, 23.0) == before);
     DestroyScenario(&sea);
 }
 
@@ -405,10 +405,10 @@ static void CalmWaterIsFlat(void** state)
     swVec3 normal;
     swSurfaceSamples samples = {.height = &height, .normal = &normal, .jacobian = &jacobian, .residual = &residual};
     swQueryStats stats;
-    swWorld_QuerySurface(calm.world, &def, 1, &point, &samples, &stats);
+    swMoment_QuerySurface(swWorld_GetMoment(calm.world), &def, 1, &point, &samples, &stats);
     assert_true(height == 0.0f && jacobian == 1.0f && residual == 0.0f && normal.y == 1.0f);
     assert_int_equal(stats.convergedCount, 1);
-    swWorld_QuerySurface(calm.world, &def, 0, NULL, &samples, &stats);
+    swMoment_QuerySurface(swWorld_GetMoment(calm.world), &def, 0, NULL, &samples, &stats);
     assert_int_equal(stats.convergedCount, 0);
     DestroyScenario(&calm);
 }
@@ -427,7 +427,7 @@ static void ShortWavesCanBeLeftOut(void** state)
     {
         def.minWavelength = shortest[i];
         swSurfaceSamples samples = {0};
-        swWorld_QueryParticles(sea.world, &def, POINT_COUNT, points, &samples, slopes, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, slopes, NULL);
         steepness[i] = 0.0;
         for (int p = 0; p < POINT_COUNT; ++p)
         {

@@ -40,7 +40,7 @@ static swRayHit hits[POINTS];
 static void AskHeights(const swWorld* world, const swQueryDef* def)
 {
     const swSurfaceSamples samples = {.height = numbers[0]};
-    swWorld_QuerySurface(world, def, POINTS, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), def, POINTS, points, &samples, NULL);
 }
 
 static void AskSurface(const swWorld* world, const swQueryDef* def)
@@ -48,7 +48,7 @@ static void AskSurface(const swWorld* world, const swQueryDef* def)
     const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1],
                                       numbers[2], vectors[2], vectors[3]};
     swQueryStats stats;
-    swWorld_QuerySurface(world, def, POINTS, points, &samples, &stats);
+    swMoment_QuerySurface(swWorld_GetMoment(world), def, POINTS, points, &samples, &stats);
 }
 
 static void AskParticles(const swWorld* world, const swQueryDef* def)
@@ -56,32 +56,32 @@ static void AskParticles(const swWorld* world, const swQueryDef* def)
     const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1],
                                       numbers[2], vectors[2], vectors[3]};
     swQueryStats stats;
-    swWorld_QueryParticles(world, def, POINTS, points, &samples, slopes, &stats);
+    swMoment_QueryParticles(swWorld_GetMoment(world), def, POINTS, points, &samples, slopes, &stats);
 }
 
 static void AskMap(const swWorld* world, const swQueryDef* def)
 {
     const swHeightMapDef map = {.spacing = 0.7, .width = 75, .height = 4};
-    swWorld_QueryHeightMap(world, def, &map, numbers[0], NULL);
+    swMoment_QueryHeightMap(swWorld_GetMoment(world), def, &map, numbers[0], NULL);
 }
 
 static void AskHeight(const swWorld* world, const swQueryDef* def)
 {
     (void)def;
-    numbers[0][0] = (float)swWorld_GetHeight(world, 3.0, 4.0);
+    numbers[0][0] = (float)swMoment_GetHeight(swWorld_GetMoment(world), 3.0, 4.0);
 }
 
 static void AskVolume(const swWorld* world, const swQueryDef* def)
 {
     const swVolumeSamples samples = {
         .depth = numbers[0], .velocity = vectors[0], .acceleration = vectors[1], .pressureHead = numbers[1]};
-    swWorld_QueryVolume(world, def, POINTS, places, &samples, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), def, POINTS, places, &samples, NULL);
 }
 
 static void AskDrift(const swWorld* world, const swQueryDef* def)
 {
     (void)def;
-    slopes[0] = swWorld_GetStokesDrift(world, 1.0);
+    slopes[0] = swMoment_GetStokesDrift(swWorld_GetMoment(world), 1.0);
 }
 
 static void AskRays(const swWorld* world, const swQueryDef* def)
@@ -90,7 +90,7 @@ static void AskRays(const swWorld* world, const swQueryDef* def)
     {
         rays[i].duration = 0.0f;
     }
-    swWorld_CastRays(world, def, POINTS, rays, hits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), def, POINTS, rays, hits, NULL);
 }
 
 static void AskMovingRays(const swWorld* world, const swQueryDef* def)
@@ -99,7 +99,7 @@ static void AskMovingRays(const swWorld* world, const swQueryDef* def)
     {
         rays[i].duration = 3.0f;
     }
-    swWorld_CastRays(world, def, 10, rays, hits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), def, 10, rays, hits, NULL);
 }
 
 static const struct

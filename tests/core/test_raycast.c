@@ -43,7 +43,7 @@ static void FlatWaterIsHitWhereGeometrySays(void** state)
     rays[3] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){1.0f, 0.0f, 0.0f}); // past it
     rays[4] = swDefaultRay((swPos){0.0, 40.0, 0.0}, (swVec3){0.0f, -1.0f, 0.0f});
     rays[4].radius = 2.0f;
-    swWorld_CastRays(world, &query, 5, rays, hits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), &query, 5, rays, hits, NULL);
     assert_true(hits[0].isHit && fabsf(hits[0].distance - 30.0f) < 0.001f);
     assert_true(hits[1].isHit && fabsf(hits[1].distance - 42.4264f) < 0.002f);
     assert_float_equal(hits[1].position.x, 30.0, 0.002);
@@ -81,7 +81,7 @@ static void HitsAreTheFirstCrossing(void** state)
         rays[i].maxDistance = 200.0f;
     }
     swQueryDef query = swDefaultQueryDef();
-    swWorld_CastRays(world, &query, RAYS, rays, hits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), &query, RAYS, rays, hits, NULL);
     int hitCount = 0;
     double worst = 0.0;
     for (int i = 0; i < RAYS; ++i)
@@ -96,12 +96,12 @@ static void HitsAreTheFirstCrossing(void** state)
             double x = rays[i].origin.x + (double)rays[i].direction.x / length * at;
             double y = rays[i].origin.y + (double)rays[i].direction.y / length * at;
             double z = rays[i].origin.z + (double)rays[i].direction.z / length * at;
-            double gap = side * (y - swWorld_GetHeight(world, x, z));
+            double gap = side * (y - swMoment_GetHeight(swWorld_GetMoment(world), x, z));
             assert_true(gap > -0.01);
         }
         if (hits[i].isHit)
         {
-            double height = swWorld_GetHeight(world, hits[i].position.x, hits[i].position.z);
+            double height = swMoment_GetHeight(swWorld_GetMoment(world), hits[i].position.x, hits[i].position.z);
             worst = fmax(worst, fabs(height - hits[i].position.y));
             hitCount += 1;
         }
@@ -122,7 +122,7 @@ static void ASphereStopsItsRadiusBeforeTheSurface(void** state)
         swRay ray = swDefaultRay((swPos){13.0 * i, 30.0, 7.0 * i}, (swVec3){0.5f, -1.0f, 0.1f});
         ray.radius = 1.5f;
         swRayHit hit;
-        swWorld_CastRays(world, &query, 1, &ray, &hit, NULL);
+        swMoment_CastRays(swWorld_GetMoment(world), &query, 1, &ray, &hit, NULL);
         assert_true(hit.isHit);
         // The nearest water of a dense patch below.
         double nearest = 1e9;
@@ -131,7 +131,7 @@ static void ASphereStopsItsRadiusBeforeTheSurface(void** state)
             swPosXZ point = {hit.position.x + 0.1 * (j % 41 - 20), hit.position.z + 0.1 * (j / 41 - 20)};
             float height;
             swSurfaceSamples samples = {.height = &height};
-            swWorld_QuerySurface(world, &query, 1, &point, &samples, NULL);
+            swMoment_QuerySurface(swWorld_GetMoment(world), &query, 1, &point, &samples, NULL);
             double dx = point.x - hit.position.x, dy = (double)height - hit.position.y, dz = point.z - hit.position.z;
             nearest = fmin(nearest, sqrt(dx * dx + dy * dy + dz * dz));
         }
@@ -150,13 +150,13 @@ static void ASlowBallMeetsTheWaterOfItsMoment(void** state)
     ray.maxDistance = 40.0f;
     ray.duration = 20.0f;
     swRayHit hit;
-    swWorld_CastRays(world, &query, 1, &ray, &hit, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), &query, 1, &ray, &hit, NULL);
     assert_true(hit.isHit);
     query.time = 5.0 + 20.0 * (double)hit.distance / 40.0;
     swPosXZ point = {hit.position.x, hit.position.z};
     float height;
     swSurfaceSamples samples = {.height = &height};
-    swWorld_QuerySurface(world, &query, 1, &point, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, 1, &point, &samples, NULL);
     assert_float_equal(height, hit.position.y, 0.002);
     swDestroyWorld(world);
 }

@@ -187,7 +187,7 @@ static void NothingJumpsAtARecord(void** state)
         double time = 34.0 + step / 60.0; // the second record is at 36 s
         GoTo(&played, time);
         swSurfaceSamples samples = {.height = after};
-        swWorld_QueryParticles(played.world, &def, POINTS, points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(played.world), &def, POINTS, points, &samples, NULL, NULL);
         double largest = 0.0;
         for (int i = 0; i < POINTS && step > 0; ++i)
         {

@@ -181,7 +181,7 @@ static void TimeJumpsFromEndToEnd(void** state)
     swWorld_SetTime(world, -LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
-    assert_true(isfinite(swWorld_GetHeight(world, 1.0, 2.0)));
+    assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(world), 1.0, 2.0)));
     swDestroyWorld(world);
 }
 

@@ -419,7 +419,7 @@ static void WavesByHandStandWhereTheyWereAsked(void** state)
     assert_int_equal(swCreateSceneWorld(&host, scene, &world), SW_SUCCESS);
     for (int i = 0; i < 50; ++i)
     {
-        double height = swWorld_GetHeight(world, (double)i, 17.0);
+        double height = swMoment_GetHeight(swWorld_GetMoment(world), (double)i, 17.0);
         assert_true(fabs(height - 0.5 * cos(2.0 * SW_PI * i / 50.0)) < 1e-4);
     }
     swDestroyWorld(world);
@@ -566,7 +566,7 @@ static void ShippedScenesMakeSeas(void** state)
         for (int j = 0; j < 300; ++j)
         {
             assert_int_equal(swWorld_Step(world, 1.0), SW_SUCCESS);
-            double height = swWorld_GetHeight(world, 0.0, 0.0);
+            double height = swMoment_GetHeight(swWorld_GetMoment(world), 0.0, 0.0);
             highest = fmax(highest, height);
             square += height * height / 300.0;
         }

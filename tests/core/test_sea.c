@@ -177,7 +177,7 @@ static double MeasureHeight(swWorld* world)
     for (int i = 0; i < times; ++i)
     {
         assert_int_equal(swWorld_Step(world, 53.0), SW_SUCCESS);
-        swWorld_QuerySurface(world, &query, POINTS, points, &samples, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINTS, points, &samples, NULL);
         for (int j = 0; j < POINTS; ++j)
         {
             square += (double)heights[j] * (double)heights[j];

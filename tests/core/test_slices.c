@@ -57,7 +57,7 @@ static void CheckSlice(const swWorld* world, const swView* view, int slice)
         float jacobians[RESOLUTION];
         MakeRow(&info, row, points);
         swSurfaceSamples samples = {.displacement = moved, .normal = normals, .jacobian = jacobians};
-        swWorld_QueryParticles(world, &def, RESOLUTION, points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, RESOLUTION, points, &samples, NULL, NULL);
         for (int i = 0; i < RESOLUTION; ++i)
         {
             const float* d = displacement + 4 * (row * RESOLUTION + i);

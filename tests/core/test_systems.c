@@ -54,7 +54,7 @@ static void GetHeights(const swWorld* world, float heights[POINTS])
     }
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights};
-    swWorld_QueryParticles(world, &def, POINTS, points, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(world), &def, POINTS, points, &samples, NULL, NULL);
 }
 
 static float GetVariance(const swWorld* world)
@@ -534,7 +534,7 @@ static float FindRareJacobian(const swWaveSystemDef* def, float* height)
             points[i] = (swPosXZ){fmod(7919.37 * i, 6000.0), fmod(104729.71 * i, 6173.0)};
         }
         swSurfaceSamples samples = {.jacobian = jacobians + (size_t)k * (FOLD_POINTS / 4)};
-        swWorld_QueryParticles(sea.world, &query, FOLD_POINTS / 4, points, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(sea.world), &query, FOLD_POINTS / 4, points, &samples, NULL, NULL);
     }
     *height = 4.0f * sqrtf(GetVariance(sea.world));
     swDestroyWorld(sea.world);
@@ -618,7 +618,7 @@ static void AGivenWaveIsJustThatWave(void** state)
             swQueryDef query = swDefaultQueryDef();
             swVec3 d;
             swSurfaceSamples samples = {.displacement = &d};
-            swWorld_QueryParticles(sea.world, &query, 1, &point, &samples, NULL, NULL);
+            swMoment_QueryParticles(swWorld_GetMoment(sea.world), &query, 1, &point, &samples, NULL, NULL);
             double theta = k * (cos((double)wave.direction) * point.x + sin((double)wave.direction) * point.z) -
                            omega * time + (double)wave.phase;
             double side = -0.9 * sin(theta) * (shallow ? 1.0 / tanh(k * depth) : 1.0);
@@ -686,9 +686,9 @@ static void InstructionSetsAgreeOnFreeWavesAndOneByOneSums(void** state)
         swQueryDef query = swDefaultQueryDef();
         query.time = -77.7;
         swSurfaceSamples surface = {.height = got[0], .velocity = velocity};
-        swWorld_QuerySurface(world, &query, POINTS, points, &surface, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINTS, points, &surface, NULL);
         swVolumeSamples volume = {.velocity = below, .pressureHead = got[1]};
-        swWorld_QueryVolume(world, &query, POINTS, places, &volume, NULL);
+        swMoment_QueryVolume(swWorld_GetMoment(world), &query, POINTS, places, &volume, NULL);
         for (int i = 0; i < POINTS; ++i)
         {
             got[2][i] = velocity[i].x;
@@ -696,7 +696,7 @@ static void InstructionSetsAgreeOnFreeWavesAndOneByOneSums(void** state)
         }
         query.time = SW_QUERY_NOW;
         surface = (swSurfaceSamples){.height = got[4]};
-        swWorld_QuerySurface(world, &query, POINTS, points, &surface, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINTS, points, &surface, NULL);
         if (isFirst)
         {
             memcpy(wanted, got, sizeof got);

@@ -82,13 +82,13 @@ static void VelocityIsTheRateOfDisplacement(void** state)
         MakePoints(points);
         swQueryDef query = swDefaultQueryDef();
         swSurfaceSamples motion = {.velocity = velocity, .acceleration = acceleration};
-        swWorld_QueryParticles(world, &query, POINTS, points, &motion, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, POINTS, points, &motion, NULL, NULL);
         for (int k = 0; k < 3; ++k)
         {
             swWorld_SetTime(world, 30.0 + (k - 1) * h);
             swWorld_Step(world, 0.0);
             swSurfaceSamples samples = {.displacement = at[k]};
-            swWorld_QueryParticles(world, &query, POINTS, points, &samples, NULL, NULL);
+            swMoment_QueryParticles(swWorld_GetMoment(world), &query, POINTS, points, &samples, NULL, NULL);
         }
         for (int i = 0; i < POINTS; ++i)
         {
@@ -125,13 +125,13 @@ static void AnotherTimeIsWhatASteppedWorldHas(void** state)
         query.time = time;
         swSurfaceSamples samples = {.height = then, .normal = normalThen};
         swQueryStats stats;
-        swWorld_QuerySurface(world, &query, POINTS, points, &samples, &stats);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINTS, points, &samples, &stats);
         assert_true(stats.convergedCount > POINTS * 98 / 100);
         swWorld_SetTime(world, time);
         swWorld_Step(world, 0.0);
         query.time = SW_QUERY_NOW;
         samples = (swSurfaceSamples){.height = stepped, .normal = normalStepped};
-        swWorld_QuerySurface(world, &query, POINTS, points, &samples, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINTS, points, &samples, NULL);
         double sum = 0.0;
         for (int i = 0; i < POINTS; ++i)
         {
@@ -187,7 +187,7 @@ static void OneWaveMovesTheWaterAsAiryHasIt(void** state)
             float head, below;
             swVolumeSamples samples = {
                 .depth = &below, .velocity = &v, .acceleration = &acceleration, .pressureHead = &head};
-            swWorld_QueryVolume(world, &query, 1, &place, &samples, NULL);
+            swMoment_QueryVolume(swWorld_GetMoment(world), &query, 1, &place, &samples, NULL);
             if (below < 0.0f)
             {
                 continue; // in a trough
@@ -206,7 +206,7 @@ static void OneWaveMovesTheWaterAsAiryHasIt(void** state)
         }
         print_message("depth %g m: worst difference to Airy %.2g\n", depth, worst);
         assert_true(worst < 2e-3);
-        swVec2 drift = swWorld_GetStokesDrift(world, 5.0);
+        swVec2 drift = swMoment_GetStokesDrift(swWorld_GetMoment(world), 5.0);
         if (depth > 1e9)
         {
             assert_float_equal(sqrt((double)drift.x * (double)drift.x + (double)drift.y * (double)drift.y), 0.02633,
@@ -222,7 +222,7 @@ static swVec3 GetVelocity(const swWorld* world, const swQueryDef* query, double 
     swPos place = {x, y, z};
     swVec3 velocity;
     swVolumeSamples samples = {.velocity = &velocity};
-    swWorld_QueryVolume(world, query, 1, &place, &samples, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), query, 1, &place, &samples, NULL);
     return velocity;
 }
 
@@ -263,7 +263,7 @@ static void StretchedMotionMeetsTheSurface(void** state)
     swQueryDef query = swDefaultQueryDef();
     query.minWavelength = 8.0f;
     swSurfaceSamples surface = {.height = heights};
-    swWorld_QuerySurface(world, &query, POINTS, points, &surface, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINTS, points, &surface, NULL);
     static swPos places[POINTS];
     static float depth[POINTS];
     static swVec3 velocity[POINTS];
@@ -272,7 +272,7 @@ static void StretchedMotionMeetsTheSurface(void** state)
         places[i] = (swPos){points[i].x, (double)heights[i] + (i % 2 == 0 ? -0.01 : 0.01), points[i].z};
     }
     swVolumeSamples volume = {.depth = depth, .velocity = velocity};
-    swWorld_QueryVolume(world, &query, POINTS, places, &volume, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), &query, POINTS, places, &volume, NULL);
     for (int i = 0; i < POINTS; ++i)
     {
         bool isMoving = velocity[i].x != 0.0f || velocity[i].y != 0.0f;
@@ -298,7 +298,7 @@ static void AHeightMapHasTheHeightsOfItsPoints(void** state)
         swHeightMapDef map = {-20.0, 55.0, spacings[s], WIDTH, HEIGHT};
         swQueryDef query = swDefaultQueryDef();
         swQueryStats stats;
-        swWorld_QueryHeightMap(world, &query, &map, heights[0], &stats);
+        swMoment_QueryHeightMap(swWorld_GetMoment(world), &query, &map, heights[0], &stats);
         for (int j = 0; j < HEIGHT; ++j)
         {
             swPosXZ points[WIDTH];
@@ -307,7 +307,7 @@ static void AHeightMapHasTheHeightsOfItsPoints(void** state)
                 points[i] = (swPosXZ){map.originX + map.spacing * i, map.originZ + map.spacing * j};
             }
             swSurfaceSamples samples = {.height = single};
-            swWorld_QuerySurface(world, &query, WIDTH, points, &samples, NULL);
+            swMoment_QuerySurface(swWorld_GetMoment(world), &query, WIDTH, points, &samples, NULL);
             assert_memory_equal(single, heights[j], sizeof single);
         }
         assert_true(stats.convergedCount > WIDTH * HEIGHT * 99 / 100);

@@ -107,7 +107,7 @@ static void EveryAllocationMayFail(void** state)
         {
             // What is there goes on working.
             assert_int_equal(swWorld_Step(small.world, 0.1), SW_SUCCESS);
-            assert_true(isfinite(swWorld_GetHeight(small.world, 1.0, 2.0)));
+            assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(small.world), 1.0, 2.0)));
         }
         swDestroyWorld(small.world);
         assert_int_equal(atomic_load(&memory.bytes), 0);
@@ -128,7 +128,7 @@ static void AWarmStepOrQueryAllocatesNothing(void** state)
         swView_SetViewpoint(small.view, (swPos){3.0 * i, 5.0 * i, 0.0});
         assert_int_equal(swWorld_Step(small.world, 1.0 / 60.0), SW_SUCCESS);
         swWaveSystem_SetWeight(small.world, small.waves, 0.1f * (float)i);
-        swWorld_GetHeight(small.world, 0.0, 0.0);
+        swMoment_GetHeight(swWorld_GetMoment(small.world), 0.0, 0.0);
         swWorld_GetDigest(small.world);
     }
     assert_int_equal(atomic_load(&memory.allocations), before);
@@ -208,7 +208,7 @@ static void TimeStaysWithinItsRange(void** state)
     assert_int_equal(CreateSmallWorld(&host, &small), SW_SUCCESS);
     swWorld_SetTime(small.world, 274877906944.0 - 2.0);
     assert_int_equal(swWorld_Step(small.world, 2.0), SW_SUCCESS);
-    assert_true(isfinite(swWorld_GetHeight(small.world, 1.0, 2.0)));
+    assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(small.world), 1.0, 2.0)));
 #ifdef NDEBUG // otherwise it stops here
     assert_int_equal(swWorld_Step(small.world, 1.0), SW_ERROR_INVALID);
     assert_true(swWorld_GetTime(small.world) == 274877906944.0);
@@ -227,7 +227,7 @@ static void GoingBackInTimeGivesTheSameSurface(void** state)
     swWorld_SetTime(scenario.world, 100.0);
     swWorld_Step(scenario.world, 0.0);
     uint64_t digest = swWorld_GetDigest(scenario.world);
-    double height = swWorld_GetHeight(scenario.world, 12.0, -7.0);
+    double height = swMoment_GetHeight(swWorld_GetMoment(scenario.world), 12.0, -7.0);
     assert_true(swWorld_GetTime(scenario.world) == 100.0);
     const double detours[] = {-5e4, 1e9, 99.9};
     for (int i = 0; i < 3; ++i)
@@ -238,7 +238,7 @@ static void GoingBackInTimeGivesTheSameSurface(void** state)
         swWorld_SetTime(scenario.world, 99.0);
         swWorld_Step(scenario.world, 1.0);
         assert_int_equal(swWorld_GetDigest(scenario.world), digest);
-        assert_true(swWorld_GetHeight(scenario.world, 12.0, -7.0) == height);
+        assert_true(swMoment_GetHeight(swWorld_GetMoment(scenario.world), 12.0, -7.0) == height);
     }
     DestroyScenario(&scenario);
 }
@@ -253,18 +253,18 @@ static void WeightScalesTheSurface(void** state)
     swPosXZ point = {30.0, -4.0};
     swVec3 whole, half, none;
     swSurfaceSamples samples = {.displacement = &whole};
-    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(small.world), &def, 1, &point, &samples, NULL, NULL);
     swWaveSystem_SetWeight(small.world, small.waves, 0.5f);
     assert_true(swWaveSystem_GetWeight(small.world, small.waves) == 0.5f);
     swWorld_Step(small.world, 0.0);
     samples.displacement = &half;
-    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(small.world), &def, 1, &point, &samples, NULL, NULL);
     assert_true(half.x == 0.5f * whole.x && half.y == 0.5f * whole.y && half.z == 0.5f * whole.z);
     assert_true(swGetWorldFrame(small.world)->tiles[0].weight == 0.5f);
     swWaveSystem_SetWeight(small.world, small.waves, 0.0f);
     swWorld_Step(small.world, 0.0);
     samples.displacement = &none;
-    swWorld_QueryParticles(small.world, &def, 1, &point, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(small.world), &def, 1, &point, &samples, NULL, NULL);
     assert_true(none.x == 0.0f && none.y == 0.0f && none.z == 0.0f);
     swDestroyWorld(small.world);
 }
@@ -278,7 +278,7 @@ static void TheFrameOutlivesItsWaveSystemUntilTheNextStep(void** state)
     assert_int_equal(CreateSmallWorld(&host, &small), SW_SUCCESS);
     const swFrame* frame = swGetWorldFrame(small.world);
     uint64_t digest = swWorld_GetDigest(small.world);
-    double height = swWorld_GetHeight(small.world, 5.0, 5.0);
+    double height = swMoment_GetHeight(swWorld_GetMoment(small.world), 5.0, 5.0);
     uint32_t version = frame->tilesVersion;
     swDestroyWaveSystem(small.world, small.waves);
     assert_false(swWaveSystem_IsValid(small.world, small.waves));
@@ -288,7 +288,7 @@ static void TheFrameOutlivesItsWaveSystemUntilTheNextStep(void** state)
     assert_int_equal(swCreateWaveSystem(small.world, &def, &other), SW_SUCCESS); // takes the same slot
     assert_int_equal(other.index1, small.waves.index1);
     assert_int_not_equal(swWorld_GetDigest(small.world), digest); // of what comes
-    assert_true(swWorld_GetHeight(small.world, 5.0, 5.0) == height);
+    assert_true(swMoment_GetHeight(swWorld_GetMoment(small.world), 5.0, 5.0) == height);
     assert_true(frame->tiles[0].modes[0].qz >= 0 && frame->tilesVersion == version);
     swWorld_Step(small.world, 0.0);
     assert_true(frame->tilesVersion != version);
@@ -429,7 +429,7 @@ static void AWorldWithoutQueriesIsFlatForTheCpu(void** state)
     swWaveSystemId id;
     assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
     assert_int_equal(swWorld_Step(world, 1.0), SW_SUCCESS);
-    assert_true(swWorld_GetHeight(world, 3.0, 4.0) == 12.5);
+    assert_true(swMoment_GetHeight(swWorld_GetMoment(world), 3.0, 4.0) == 12.5);
     assert_int_equal(swGetWorldFrame(world)->tileCount, 5);
     swViewDef viewDef = MakeSmallView();
     swView* view;

@@ -255,7 +255,8 @@ static void EveryAllocationMayFail(void** state)
     static const char text[] = "a: 1\nl:\n  - a: 1\n  - a: 2\n";
     CountingMemory counting;
     swHost host = MakeCountingHost(&counting);
-    swTree before = ReadTree(&host, text), after = ReadTree(&host, "{a: 2, l: [{item: 1, a: 3}, {item: -1, a: 4}], m: 1}");
+    swTree before = ReadTree(&host, text),
+           after = ReadTree(&host, "{a: 2, l: [{item: 1, a: 3}, {item: -1, a: 4}], m: 1}");
     long long held = atomic_load(&counting.bytes);
     swResult result = SW_ERROR_NO_MEMORY;
     for (int fail = 0; result != SW_SUCCESS && fail < 100; ++fail)
@@ -277,9 +278,12 @@ static void EveryAllocationMayFail(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(OneValueChangesItsBytes),     cmocka_unit_test(NewPairsComeBehindTheOthers),
-        cmocka_unit_test(PairsAreTakenAwayWithTheirLine), cmocka_unit_test(TheMainPairGivesItsPlace),
-        cmocka_unit_test(ItemsComeAndGo),              cmocka_unit_test(WhatIsSharedIsRefused),
+        cmocka_unit_test(OneValueChangesItsBytes),
+        cmocka_unit_test(NewPairsComeBehindTheOthers),
+        cmocka_unit_test(PairsAreTakenAwayWithTheirLine),
+        cmocka_unit_test(TheMainPairGivesItsPlace),
+        cmocka_unit_test(ItemsComeAndGo),
+        cmocka_unit_test(WhatIsSharedIsRefused),
         cmocka_unit_test(EveryAllocationMayFail),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -102,7 +102,7 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
     }
     swQueryDef def = swDefaultQueryDef();
     swSurfaceSamples samples = {.height = heights, .normal = normals, .velocity = velocities};
-    swWorld_QuerySurface(world, &def, POINT_COUNT, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, POINT_COUNT, points, &samples, NULL);
     hash = Hash(hash, heights, sizeof(heights));
     hash = Hash(hash, normals, sizeof(normals));
     hash = Hash(hash, velocities, sizeof(velocities)); // from their own tiles
@@ -116,7 +116,7 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
     swPos places[FEW];
     def.time = -12345.678;
     samples = (swSurfaceSamples){.height = heights, .acceleration = motion};
-    swWorld_QuerySurface(world, &def, FEW, points, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, FEW, points, &samples, NULL);
     hash = Hash(hash, heights, FEW * sizeof(float));
     hash = Hash(hash, motion, sizeof(motion));
     def.time = SW_QUERY_NOW;
@@ -125,7 +125,7 @@ static uint64_t HashQueries(uint64_t hash, const swWorld* world)
         places[i] = (swPos){points[i].x, -1.0 - 2.0 * i, points[i].z};
     }
     swVolumeSamples below = {.velocity = motion, .pressureHead = heights};
-    swWorld_QueryVolume(world, &def, FEW, places, &below, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), &def, FEW, places, &below, NULL);
     hash = Hash(hash, heights, FEW * sizeof(float));
     return Hash(hash, motion, sizeof(motion));
 }
@@ -149,7 +149,7 @@ static uint64_t HashRays(uint64_t hash, const swWorld* world)
     }
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = 1.0f;
-    swWorld_CastRays(world, &def, RAYS, rays, hits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(world), &def, RAYS, rays, hits, NULL);
     for (int i = 0; i < RAYS; ++i)
     {
         hash = Hash(hash, &hits[i].distance, sizeof(hits[i].distance));

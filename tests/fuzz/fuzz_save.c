@@ -32,7 +32,7 @@ static void FixHash(uint8_t* data, size_t size)
 
 static void CheckNumbers(swWorld* world)
 {
-    FUZZ_CHECK(isfinite(swWorld_GetHeight(world, 1.0, 2.0)));
+    FUZZ_CHECK(isfinite(swMoment_GetHeight(swWorld_GetMoment(world), 1.0, 2.0)));
     for (int i = 0; i < swWorld_GetViewCount(world); ++i)
     {
         const swView* view = swWorld_GetView(world, i);

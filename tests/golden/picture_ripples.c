@@ -66,7 +66,7 @@ static void FindSlopes(const swWaveSystemDef* waves, const swPosXZ* places, swVe
     swQueryDef query = swDefaultQueryDef();
     static float heights[PIXELS];
     swSurfaceSamples samples = {.height = heights};
-    swWorld_QueryParticles(world, &query, PIXELS, places, &samples, slopes, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(world), &query, PIXELS, places, &samples, slopes, NULL);
     swDestroyWorld(world);
 }
 

@@ -93,7 +93,7 @@ static void AQueryOfVelocityStillHasItsTiles(void** state)
     swGpu_SetFinishedFrame(parity.gpu, parity.gpu->frameIndex);
     swGpuQueryResults results;
     assert_true(swGpuQuery_GetResults(query, &results));
-    float height = (float)swWorld_GetHeight(parity.world, 5.0, 6.0);
+    float height = (float)swMoment_GetHeight(swWorld_GetMoment(parity.world), 5.0, 6.0);
     assert_float_equal(results.heights[0].height, height, 1e-3f);
     assert_true(results.velocities[0].y != 0.0f);
     CheckLayers(&parity, "beside a query of velocity");

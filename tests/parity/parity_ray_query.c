@@ -67,7 +67,7 @@ static double FindGap(Parity* parity, const swQueryDef* def, int count)
         places[i] = (swPosXZ){gpuHits[i].position.x, gpuHits[i].position.z};
     }
     const swSurfaceSamples samples = {.height = heights, .normal = normals, .residual = residuals};
-    swWorld_QuerySurface(parity->world, def, count, places, &samples, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(parity->world), def, count, places, &samples, NULL);
     double worst = 0.0;
     for (int i = 0; i < count; ++i)
     {
@@ -92,7 +92,7 @@ static void CheckHits(Parity* parity, const swGpuQuery* query, const char* what,
     FetchHits(parity, query, count);
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = query->def.minWavelength;
-    swWorld_CastRays(parity->world, &def, count, rays, cpuHits, NULL);
+    swMoment_CastRays(swWorld_GetMoment(parity->world), &def, count, rays, cpuHits, NULL);
     double gap = FindGap(parity, &def, count);
     int different = 0, hitCount = 0;
     double distance = 0.0, point = 0.0;

@@ -70,14 +70,14 @@ static void FetchAnswers(Parity* parity, const swGpuQuery* query, int count)
 static void AskCore(Parity* parity, const swQueryDef* def, int count)
 {
     swSurfaceSamples samples = SamplesOf(&cpuAnswers);
-    swWorld_QuerySurface(parity->world, def, count, points, &samples, &cpuAnswers.stats);
+    swMoment_QuerySurface(swWorld_GetMoment(parity->world), def, count, points, &samples, &cpuAnswers.stats);
     for (int i = 0; i < count; ++i)
     {
         rests[i].x = points[i].x - (double)gpuAnswers.displacement[i].x;
         rests[i].z = points[i].z - (double)gpuAnswers.displacement[i].z;
     }
     samples = SamplesOf(&particles);
-    swWorld_QueryParticles(parity->world, def, count, rests, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(parity->world), def, count, rests, &samples, NULL, NULL);
 }
 
 static double Length(swVec3 a, swVec3 b)
@@ -290,7 +290,7 @@ static void CheckMotion(Parity* parity, const swGpuQuery* query, const char* wha
         rests[i].z = points[i].z - (double)gpuAnswers.displacement[i].z;
     }
     samples = MotionOf(&particles, outputs);
-    swWorld_QueryParticles(parity->world, &def, count, rests, &samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(parity->world), &def, count, rests, &samples, NULL, NULL);
     double velocity = samples.velocity != NULL ? FindWorst(count, gpuAnswers.velocity, particles.velocity) : 0.0;
     double acceleration =
         samples.acceleration != NULL ? FindWorst(count, gpuAnswers.acceleration, particles.acceleration) : 0.0;
@@ -621,7 +621,8 @@ static void AMillionPointsAreAnsweredToTheLast(void** state)
     assert_true(swGpuQuery_GetResults(query, &results));
     for (int i = 0; i < COUNT; i += i < COUNT - 100 ? 997 : 1)
     {
-        assert_float_equal(results.heights[i].height, swWorld_GetHeight(parity.world, many[i].x, many[i].z), 2e-3);
+        assert_float_equal(results.heights[i].height,
+                           swMoment_GetHeight(swWorld_GetMoment(parity.world), many[i].x, many[i].z), 2e-3);
     }
     free(many);
     FreeParity(&parity);

@@ -96,7 +96,7 @@ static void CheckAnswers(Parity* parity, const swGpuQuery* query, const char* wh
     def.minWavelength = query->def.minWavelength;
     def.stretching = query->def.stretching;
     swVolumeSamples samples = SamplesOf(&cpuAnswers);
-    swWorld_QueryVolume(parity->world, &def, count, places, &samples, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(parity->world), &def, count, places, &samples, NULL);
     double depth = 0.0, velocity = 0.0, acceleration = 0.0, head = 0.0;
     int dry = 0;
     for (int i = 0; i < count; ++i)

@@ -206,10 +206,10 @@ static void MeasureHeight(void* context, int seed)
         ScatterPoints(23000.0, time, HEIGHT_POINTS, points);
         swWorld_SetTime(world, 2000.0 * (time + swHashToUnit(swHashWave(72, time, 0, 0, 0))));
         swWorld_Step(world, 0.0);
-        swWorld_QuerySurface(world, &query, job->isSurface ? HEIGHT_POINTS : 0, points,
-                             &(swSurfaceSamples){.height = heights}, NULL);
-        swWorld_QueryParticles(world, &query, job->isSurface ? 0 : HEIGHT_POINTS, points,
-                               &(swSurfaceSamples){.displacement = displacement}, NULL, NULL);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, job->isSurface ? HEIGHT_POINTS : 0, points,
+                              &(swSurfaceSamples){.height = heights}, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, job->isSurface ? 0 : HEIGHT_POINTS, points,
+                                &(swSurfaceSamples){.displacement = displacement}, NULL, NULL);
         for (int i = 0; i < HEIGHT_POINTS; ++i)
         {
             double h = job->isSurface ? (double)heights[i] : (double)displacement[i].y;

@@ -65,7 +65,8 @@ static void MeasureSurface(void* context, int seed)
         swQueryStats stats;
         swWorld_SetTime(world, 61.0 * time);
         swWorld_Step(world, 0.0);
-        swWorld_QuerySurface(world, &query, 3 * POINT_COUNT, points, &(swSurfaceSamples){.height = heights}, &stats);
+        swMoment_QuerySurface(swWorld_GetMoment(world), &query, 3 * POINT_COUNT, points,
+                              &(swSurfaceSamples){.height = heights}, &stats);
         choppy->unconverged[seed] += 3 * POINT_COUNT - stats.convergedCount;
         for (int i = 0; i < 3 * POINT_COUNT; i += 3)
         {

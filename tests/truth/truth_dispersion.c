@@ -77,8 +77,8 @@ static void MeasureTile(Tile* tile, double time, swMeasureComplex* spectrum)
     swQueryDef query = swDefaultQueryDef();
     swWorld_SetTime(tile->world, time);
     assert_int_equal(swWorld_Step(tile->world, 0.0), SW_SUCCESS);
-    swWorld_QueryParticles(tile->world, &query, SIDE * SIDE, tile->points,
-                           &(swSurfaceSamples){.displacement = tile->displacement}, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(tile->world), &query, SIDE * SIDE, tile->points,
+                            &(swSurfaceSamples){.displacement = tile->displacement}, NULL, NULL);
     for (int i = 0; i < SIDE * SIDE; ++i)
     {
         spectrum[i] = (swMeasureComplex){(double)tile->displacement[i].y, 0.0};

@@ -36,7 +36,8 @@ static double FindHeightError(swWorld* world, const swWaveComponent* wave, doubl
     {
         points[i] = (swPosXZ){center.x + points[i].x, center.z + points[i].z};
     }
-    swWorld_QuerySurface(world, &query, POINT_COUNT, points, &(swSurfaceSamples){.height = heights}, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINT_COUNT, points, &(swSurfaceSamples){.height = heights},
+                          NULL);
     for (int i = 0; i < POINT_COUNT; ++i)
     {
         double phase = fmod(x * points[i].x, TURN) + fmod(z * points[i].z, TURN) - fmod(omega * time, TURN);
@@ -103,8 +104,8 @@ static void ATrochoidIsSharpAboveAndFlatBelow(void** state)
     }
     swQueryDef query = swDefaultQueryDef();
     query.tolerance = 1e-5f;
-    swWorld_QuerySurface(world, &query, POINT_COUNT, points,
-                         &(swSurfaceSamples){.height = heights, .residual = residuals}, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINT_COUNT, points,
+                          &(swSurfaceSamples){.height = heights, .residual = residuals}, NULL);
     double mean = 0.0, square = 0.0, cube = 0.0, highest = -10.0, lowest = 10.0;
     for (int i = 0; i < POINT_COUNT; ++i)
     {

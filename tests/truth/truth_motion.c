@@ -41,8 +41,8 @@ static Orbit FindOrbit(const swWorld* world, double wavelength, double y)
     {
         points[i] = (swPos){wavelength * i / POINT_COUNT, y, 0.0};
     }
-    swWorld_QueryVolume(world, &query, POINT_COUNT, points,
-                        &(swVolumeSamples){.velocity = velocity, .pressureHead = pressure}, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), &query, POINT_COUNT, points,
+                         &(swVolumeSamples){.velocity = velocity, .pressureHead = pressure}, NULL);
     for (int i = 0; i < POINT_COUNT; ++i)
     {
         orbit.along = fmax(orbit.along, (double)velocity[i].x);
@@ -124,7 +124,8 @@ static void MeasureMotion(void* context, int seed)
     {
         points[i] = (swPos){places[i].x, -DEPTH, places[i].z};
     }
-    swWorld_QueryVolume(world, &query, POINT_COUNT, points, &(swVolumeSamples){.velocity = velocity}, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), &query, POINT_COUNT, points,
+                         &(swVolumeSamples){.velocity = velocity}, NULL);
     for (int i = 0; i < POINT_COUNT; ++i)
     {
         double x = (double)velocity[i].x, y = (double)velocity[i].y, z = (double)velocity[i].z;
@@ -191,7 +192,8 @@ static void NoWaterIsMadeOrLost(void** state)
             points[j] = (swPos){places[i].x + (j / 4 == 0 ? offset : 0.0), -4.0 + (j / 4 == 1 ? offset : 0.0),
                                 places[i].z + (j / 4 == 2 ? offset : 0.0)};
         }
-        swWorld_QueryVolume(world, &query, 12, points, &(swVolumeSamples){.velocity = velocity}, NULL);
+        swMoment_QueryVolume(swWorld_GetMoment(world), &query, 12, points, &(swVolumeSamples){.velocity = velocity},
+                             NULL);
         double x = Differentiate(velocity, 0, step), y = Differentiate(velocity + 4, 1, step),
                z = Differentiate(velocity + 8, 2, step);
         divergence += (x + y + z) * (x + y + z);
@@ -209,7 +211,7 @@ static void QueryAt(swWorld* world, double time, const swPosXZ* points, const sw
     swQueryDef query = swDefaultQueryDef();
     swWorld_SetTime(world, time);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
-    swWorld_QueryParticles(world, &query, POINT_COUNT, points, samples, NULL, NULL);
+    swMoment_QueryParticles(swWorld_GetMoment(world), &query, POINT_COUNT, points, samples, NULL, NULL);
 }
 
 static double Subtract(swVec3 a, swVec3 b)
@@ -262,9 +264,9 @@ static void OneWaveDriftsAsStokesSays(void** state)
     (void)state;
     swWorld* world = CreateWave(99.924, (double)INFINITY);
     FindWithin(&(Finding){"V13", "Drift of a wave of 1 m, 8 s, at the surface", "a\xc2\xb2 \xcf\x89 k", "m/s", 5},
-               0.04939, (double)swWorld_GetStokesDrift(world, 0.0).x, 0.002);
+               0.04939, (double)swMoment_GetStokesDrift(swWorld_GetMoment(world), 0.0).x, 0.002);
     FindWithin(&(Finding){"V13", "Drift of a wave of 1 m, 8 s, 5 m below", "a\xc2\xb2 \xcf\x89 k exp(2 k y)", "m/s", 5},
-               0.02633, (double)swWorld_GetStokesDrift(world, 5.0).x, 0.002);
+               0.02633, (double)swMoment_GetStokesDrift(swWorld_GetMoment(world), 5.0).x, 0.002);
     swDestroyWorld(world);
 }
 
@@ -276,7 +278,7 @@ static void ASeaDriftsAsItsSpectrumSays(void** state)
     swWorld* world = CreateTruthSea(&def);
     for (int i = 0; i < 3; ++i)
     {
-        swVec2 drift = swWorld_GetStokesDrift(world, depths[i]);
+        swVec2 drift = swMoment_GetStokesDrift(swWorld_GetMoment(world), depths[i]);
         double along = sqrt((double)drift.x * (double)drift.x + (double)drift.y * (double)drift.y);
         char what[128];
         snprintf(what, sizeof(what),

@@ -25,7 +25,8 @@ static void QueryAround(const swWorld* world, swPosXZ center, float* heights)
     {
         points[i] = (swPosXZ){center.x + points[i].x, center.z + points[i].z};
     }
-    swWorld_QuerySurface(world, &query, POINT_COUNT, points, &(swSurfaceSamples){.height = heights}, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, POINT_COUNT, points, &(swSurfaceSamples){.height = heights},
+                          NULL);
 }
 
 // Waves of one octave, steep as a gale's, with chop.
@@ -78,11 +79,11 @@ static double FindReadingError(swWorld* world, swPosXZ center)
     }
     swWorld_SetTime(world, 100.0);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
-    swWorld_QuerySurface(world, &query, 256, points, &(swSurfaceSamples){.height = read}, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, 256, points, &(swSurfaceSamples){.height = read}, NULL);
     swWorld_SetTime(world, 0.0);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     query.time = 100.0;
-    swWorld_QuerySurface(world, &query, 256, points, &(swSurfaceSamples){.height = summed}, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, 256, points, &(swSurfaceSamples){.height = summed}, NULL);
     for (int i = 0; i < 256; ++i)
     {
         square += ((double)read[i] - (double)summed[i]) * ((double)read[i] - (double)summed[i]) / 256.0;
@@ -139,8 +140,9 @@ static void Ask(swWorld* world, swView* view, swPosXZ origin, swPosXZ center, An
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     swQueryDef query = swDefaultQueryDef();
     swSurfaceSamples surface = {.height = answers->heights, .normal = answers->normals};
-    swWorld_QuerySurface(world, &query, PLACES, points, &surface, NULL);
-    swWorld_QueryVolume(world, &query, PLACES, places, &(swVolumeSamples){.velocity = answers->below}, NULL);
+    swMoment_QuerySurface(swWorld_GetMoment(world), &query, PLACES, points, &surface, NULL);
+    swMoment_QueryVolume(swWorld_GetMoment(world), &query, PLACES, places,
+                         &(swVolumeSamples){.velocity = answers->below}, NULL);
     for (int i = 0; i < SLICES; ++i)
     {
         memcpy(answers->displacement[i], swView_GetDisplacement(view, i), sizeof(answers->displacement[i]));

@@ -172,7 +172,7 @@ static double FindCorrelation(const swWorld* world, double x, double z)
             places[i] = (swPosXZ){places[i].x + x, places[i].z + z};
         }
         swSurfaceSamples samples = {.height = heights[k]};
-        swWorld_QueryParticles(world, &query, PLACES, places, &samples, NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, PLACES, places, &samples, NULL, NULL);
     }
     for (int i = 0; i < PLACES; ++i)
     {

@@ -97,8 +97,8 @@ static void CountWaves(void* context, int seed)
     {
         swWorld_SetTime(world, waves->period / SAMPLES * j);
         swWorld_Step(world, 0.0);
-        swWorld_QueryParticles(world, &query, GAUGE_COUNT, points, &(swSurfaceSamples){.displacement = displacement},
-                               NULL, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &query, GAUGE_COUNT, points,
+                                &(swSurfaceSamples){.displacement = displacement}, NULL, NULL);
         for (int i = 0; i < GAUGE_COUNT; ++i)
         {
             double h = (double)displacement[i].y;

@@ -5,13 +5,6 @@
 
 #include "panels.h"
 
-const char* GetKindName(void* context, int index)
-{
-    (void)context;
-    static const char* const names[] = {"JONSWAP", "Pierson-Moskowitz", "TMA", "Elfouhaily", "Phillips", "octaves"};
-    return names[index];
-}
-
 static const char* NameKind(const SeaWaves* waves)
 {
     return waves->isRemoved          ? "removed"

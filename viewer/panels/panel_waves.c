@@ -5,6 +5,13 @@
 
 #include "panels.h"
 
+const char* GetKindName(void* context, int index)
+{
+    (void)context;
+    static const char* const names[] = {"JONSWAP", "Pierson-Moskowitz", "TMA", "Elfouhaily", "Phillips", "octaves"};
+    return names[index];
+}
+
 // The address of a member of the file's twin, if there is a file.
 #define FILED(member) (filed != NULL ? &filed->member : NULL)
 

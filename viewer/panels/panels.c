@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels.h"
 
-float ToDegrees(float radians)
-{
-    return radians * (float)(180.0 / SW_PI);
-}
-
-float ToBearing(float direction)
-{
-    return ShowValue(&(Knob){.isBearing = true}, direction);
-}
-
 // These lines are always there, so that nothing below them moves when they have something to say.
 static void DrawChanges(App* app)
 {

@@ -25,10 +25,5 @@ bool DrawHandWaves(App* app, int index);
 
 const char* GetKindName(void* context, int index);
 
-// Where waves come from, degrees clockwise from north, of a direction they go.
-float ToBearing(float direction);
-
 // "YYYY-MM-DD hh:mm" of seconds since 1970, UTC.
 void WriteUtc(double seconds, char text[20]);
-
-float ToDegrees(float radians);

@@ -91,3 +91,13 @@ bool TurnColor(const char* label, swVec3* rgb, const swVec3* filed)
     bool hasChanged = UiColor(label, rgb);
     return TakeBack(rgb, filed, sizeof(*rgb)) || hasChanged;
 }
+
+float ToDegrees(float radians)
+{
+    return radians * (float)(180.0 / SW_PI);
+}
+
+float ToBearing(float direction)
+{
+    return ShowValue(&(Knob){.isBearing = true}, direction);
+}

@@ -12,3 +12,8 @@ bool TurnSwitch(const char* label, bool* value, const bool* filed);
 bool TurnCount(const char* label, int* value, const int* filed, int low, int high, const char* format);
 bool TurnChoice(const char* label, int* index, const int* filed, int count, UiItemFcn getName, void* context);
 bool TurnColor(const char* label, swVec3* rgb, const swVec3* filed);
+
+float ToDegrees(float radians);
+
+// Where waves come from, degrees clockwise from north, of a direction they go.
+float ToBearing(float direction);

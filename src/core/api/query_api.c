@@ -9,7 +9,7 @@
 #include "core/query/query_surface.h"
 #include "core/query/raycast.h"
 #include "core/query/volume.h"
-#include "core/world/world.h"
+#include "core/world/moment.h"
 
 swQueryDef swDefaultQueryDef(void)
 {
@@ -22,118 +22,118 @@ swQueryDef swDefaultQueryDef(void)
     };
 }
 
-static bool refuse(const swWorld* world, const char* call, const char* why)
+static bool refuse(const swMoment* moment, const char* call, const char* why)
 {
-    swTellMisuse(swFindHost(world), "%s(): %s", call, why);
+    swTellMisuse(moment != NULL ? moment->host : NULL, "%s(): %s", call, why);
     SW_ASSERT(!"a query is refused; the host's log says why");
     return false;
 }
 
 // Comparisons are written so that NaN fails them.
-static bool checkDef(const swWorld* world, const char* call, const swQueryDef* def)
+static bool checkDef(const swMoment* moment, const char* call, const swQueryDef* def)
 {
-    if (world == NULL)
+    if (moment == NULL)
     {
-        return refuse(world, call, "the world is NULL");
+        return refuse(moment, call, "the moment is NULL");
     }
     if (def == NULL || def->internalValue != SW_DEF_COOKIE)
     {
-        return refuse(world, call, "the def is NULL or was not made by swDefaultQueryDef()");
+        return refuse(moment, call, "the def is NULL or was not made by swDefaultQueryDef()");
     }
     if (!(def->minWavelength >= 0.0f))
     {
-        return refuse(world, call, "the def's minWavelength is below 0 or NaN");
+        return refuse(moment, call, "the def's minWavelength is below 0 or NaN");
     }
     if (!(def->tolerance >= 1e-6f && def->tolerance <= 1e9f))
     {
-        return refuse(world, call, "the def's tolerance is NaN or outside of 1e-6 to 1e9 m");
+        return refuse(moment, call, "the def's tolerance is NaN or outside of 1e-6 to 1e9 m");
     }
     if (def->maxIterations < 1 || def->maxIterations > 64)
     {
-        return refuse(world, call, "the def's maxIterations is outside of 1 to 64");
+        return refuse(moment, call, "the def's maxIterations is outside of 1 to 64");
     }
     if (!(def->time == SW_QUERY_NOW || fabs(def->time) <= SW_LARGEST_TIME))
     {
-        return refuse(world, call, "the def's time is NaN or beyond 2.7e11 s");
+        return refuse(moment, call, "the def's time is NaN or beyond 2.7e11 s");
     }
     if (def->stretching != SW_STRETCHING_WHEELER && def->stretching != SW_STRETCHING_LINEAR)
     {
-        return refuse(world, call, "the def's stretching is none that there is");
+        return refuse(moment, call, "the def's stretching is none that there is");
     }
     return true;
 }
 
-static bool checkBatch(const swWorld* world, const char* call, const swQueryDef* def, int count, bool hasArrays)
+static bool checkBatch(const swMoment* moment, const char* call, const swQueryDef* def, int count, bool hasArrays)
 {
-    if (!checkDef(world, call, def))
+    if (!checkDef(moment, call, def))
     {
         return false;
     }
     if (count < 0)
     {
-        return refuse(world, call, "the count of points is below 0");
+        return refuse(moment, call, "the count of points is below 0");
     }
-    return count == 0 || hasArrays || refuse(world, call, "the points, or where their answers go, are NULL");
+    return count == 0 || hasArrays || refuse(moment, call, "the points, or where their answers go, are NULL");
 }
 
-static void beginQuery(const swWorld* world, const swQueryDef* def, swQuery* query)
+static void beginQuery(const swMoment* moment, const swQueryDef* def, swQuery* query)
 {
-    swBeginQuery(query, &world->frame, world->kernels, def, world->origin);
+    swBeginQuery(query, moment->frame, moment->kernels, def, *moment->origin);
 }
 
-void swWorld_QuerySurface(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
-                          const swSurfaceSamples* samples, swQueryStats* stats)
+void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,
+                           const swSurfaceSamples* samples, swQueryStats* stats)
 {
-    if (!checkBatch(world, "swWorld_QuerySurface", def, count, points != NULL && samples != NULL))
+    if (!checkBatch(moment, "swMoment_QuerySurface", def, count, points != NULL && samples != NULL))
     {
         swRefuseSurface(count, samples, NULL, stats);
         return;
     }
     swQuery query;
-    beginQuery(world, def, &query);
+    beginQuery(moment, def, &query);
     swQuerySurface(&query, count, points, samples, stats);
 }
 
-double swWorld_GetHeight(const swWorld* world, double x, double z)
+double swMoment_GetHeight(const swMoment* moment, double x, double z)
 {
     swQueryDef def = swDefaultQueryDef();
     swPosXZ point = {x, z};
     swVec3 displacement = SW_NO_VECTOR;
     swSurfaceSamples samples = {.displacement = &displacement};
-    if (!checkDef(world, "swWorld_GetHeight", &def))
+    if (!checkDef(moment, "swMoment_GetHeight", &def))
     {
         return (double)NAN;
     }
-    swWorld_QuerySurface(world, &def, 1, &point, &samples, NULL);
-    return world->def.seaLevel + (double)displacement.y;
+    swMoment_QuerySurface(moment, &def, 1, &point, &samples, NULL);
+    return moment->frame->seaLevel + (double)displacement.y;
 }
 
-void swWorld_QueryParticles(const swWorld* world, const swQueryDef* def, int count, const swPosXZ* points,
-                            const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats)
+void swMoment_QueryParticles(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,
+                             const swSurfaceSamples* samples, swVec2* slopes, swQueryStats* stats)
 {
-    if (!checkBatch(world, "swWorld_QueryParticles", def, count, points != NULL && samples != NULL))
+    if (!checkBatch(moment, "swMoment_QueryParticles", def, count, points != NULL && samples != NULL))
     {
         swRefuseSurface(count, samples, slopes, stats);
         return;
     }
     swQuery query;
-    beginQuery(world, def, &query);
+    beginQuery(moment, def, &query);
     swQueryParticles(&query, count, points, samples, slopes, stats);
 }
 
 // Points are bad one by one; a map has a size and a spacing, though.
-static bool checkMap(const swWorld* world, const swHeightMapDef* map, const float* heights)
+static bool checkMap(const swMoment* moment, const swHeightMapDef* map, const float* heights)
 {
-    const char* call = "swWorld_QueryHeightMap";
+    const char* call = "swMoment_QueryHeightMap";
     if (map == NULL || heights == NULL)
     {
-        return refuse(world, call, "the map, or where its heights go, is NULL");
+        return refuse(moment, call, "the map, or where its heights go, is NULL");
     }
     if (map->width < 1 || map->height < 1 || map->width > INT32_MAX / map->height)
     {
-        return refuse(world, call, "the map's width or height is below 1, or it has more than 2^31 points");
+        return refuse(moment, call, "the map's width or height is below 1, or it has more than 2^31 points");
     }
-    return !(map->spacing <= 0.0) || refuse(world, call, "the map's spacing is not above 0");
+    return !(map->spacing <= 0.0) || refuse(moment, call, "the map's spacing is not above 0");
 }
 
 static void refuseMap(const swHeightMapDef* map, float* heights, swQueryStats* stats)
@@ -143,41 +143,41 @@ static void refuseMap(const swHeightMapDef* map, float* heights, swQueryStats* s
     swRefuseSurface(hasSize ? map->width * map->height : 0, &samples, NULL, stats);
 }
 
-void swWorld_QueryHeightMap(const swWorld* world, const swQueryDef* def, const swHeightMapDef* map, float* heights,
-                            swQueryStats* stats)
+void swMoment_QueryHeightMap(const swMoment* moment, const swQueryDef* def, const swHeightMapDef* map, float* heights,
+                             swQueryStats* stats)
 {
-    if (!checkDef(world, "swWorld_QueryHeightMap", def) || !checkMap(world, map, heights))
+    if (!checkDef(moment, "swMoment_QueryHeightMap", def) || !checkMap(moment, map, heights))
     {
         refuseMap(map, heights, stats);
         return;
     }
     swQuery query;
-    beginQuery(world, def, &query);
+    beginQuery(moment, def, &query);
     swQueryHeightMap(&query, map, heights, stats);
 }
 
-void swWorld_QueryVolume(const swWorld* world, const swQueryDef* def, int count, const swPos* points,
-                         const swVolumeSamples* samples, swQueryStats* stats)
+void swMoment_QueryVolume(const swMoment* moment, const swQueryDef* def, int count, const swPos* points,
+                          const swVolumeSamples* samples, swQueryStats* stats)
 {
-    if (!checkBatch(world, "swWorld_QueryVolume", def, count, points != NULL && samples != NULL))
+    if (!checkBatch(moment, "swMoment_QueryVolume", def, count, points != NULL && samples != NULL))
     {
         swRefuseVolume(count, samples, stats);
         return;
     }
     swQuery query;
-    beginQuery(world, def, &query);
+    beginQuery(moment, def, &query);
     swQueryVolume(&query, count, points, samples, stats);
 }
 
-swVec2 swWorld_GetStokesDrift(const swWorld* world, double depthBelow)
+swVec2 swMoment_GetStokesDrift(const swMoment* moment, double depthBelow)
 {
     swQueryDef def = swDefaultQueryDef();
-    if (!checkDef(world, "swWorld_GetStokesDrift", &def) || !(depthBelow >= 0.0))
+    if (!checkDef(moment, "swMoment_GetStokesDrift", &def) || !(depthBelow >= 0.0))
     {
         return (swVec2){SW_NO_NUMBER, SW_NO_NUMBER};
     }
     swQuery query;
-    beginQuery(world, &def, &query);
+    beginQuery(moment, &def, &query);
     return swFindStokesDrift(&query, depthBelow);
 }
 
@@ -186,15 +186,15 @@ swRay swDefaultRay(swPos origin, swVec3 direction)
     return (swRay){.origin = origin, .direction = direction, .maxDistance = 1000.0f, .internalValue = SW_DEF_COOKIE};
 }
 
-void swWorld_CastRays(const swWorld* world, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,
-                      swQueryStats* stats)
+void swMoment_CastRays(const swMoment* moment, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,
+                       swQueryStats* stats)
 {
-    if (!checkBatch(world, "swWorld_CastRays", def, count, rays != NULL && hits != NULL))
+    if (!checkBatch(moment, "swMoment_CastRays", def, count, rays != NULL && hits != NULL))
     {
         swRefuseRays(count, hits, stats);
         return;
     }
     swQuery query;
-    beginQuery(world, def, &query);
+    beginQuery(moment, def, &query);
     swCastRays(&query, count, rays, hits, stats);
 }

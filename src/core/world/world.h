@@ -11,6 +11,7 @@
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/waves.h"
+#include "core/world/moment.h"
 
 // Farthest that a viewpoint may be from the host's origin, and the host's origin from the sea's, m.
 #define SW_FARTHEST_VIEWPOINT 1e12
@@ -45,6 +46,7 @@ struct swWorld
     swViewFrame viewFrames[SW_MAX_VIEWS];
 
     swFrame frame;
+    swMoment moment; // of the frame
 };
 
 // world.c

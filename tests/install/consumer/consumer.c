@@ -28,7 +28,7 @@ int main(void)
         swDestroyWorld(world);
         return 1;
     }
-    printf("version %d, height %.3f m", swGetVersion(), swWorld_GetHeight(world, 3.0, 4.0));
+    printf("version %d, height %.3f m", swGetVersion(), swMoment_GetHeight(swWorld_GetMoment(world), 3.0, 4.0));
     swDestroyWorld(world);
 
 #ifdef USE_GPU
