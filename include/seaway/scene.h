@@ -90,8 +90,8 @@ SW_API void swDestroyScene(swScene* scene);
 /// remove waves that a swSceneSea replays.
 /// @{
 
-/// Add a wave system behind the others: a formula, an equaliser, or waves given by hand, which are copied. A table is no
-/// part of scene files: name the file that holds it in the scene.
+/// Add a wave system behind the others: a formula, an equaliser, or waves given by hand, which are copied. A table is
+/// no part of scene files: name the file that holds it in the scene.
 /// @return SW_ERROR_INVALID if the def is outside its ranges, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT
 SW_API swResult swScene_AddWaves(swScene* scene, const swWaveSystemDef* def);
 

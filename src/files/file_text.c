@@ -156,7 +156,10 @@ static void syncFolder(const char* path)
 {
     char folder[SW_MAX_PATH];
     const char* slash = strrchr(path, '/');
-    snprintf(folder, sizeof(folder), "%.*s", slash == NULL ? 1 : slash > path ? (int)(slash - path) : 1,
+    snprintf(folder, sizeof(folder), "%.*s",
+             slash == NULL  ? 1
+             : slash > path ? (int)(slash - path)
+                            : 1,
              slash == NULL ? "." : path);
     int file = open(folder, O_RDONLY);
     if (file >= 0)

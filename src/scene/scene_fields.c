@@ -16,8 +16,8 @@
 #define SW_DEF swScene
 static const swField sceneFields[] = {
     SW_TEXT(name, .key = "name", .label = "name"),
-    SW_NUMBER(time, "s", SW_WITHIN(-SW_YAML_LARGEST_TIME, SW_YAML_LARGEST_TIME), 0.0, .key = "time_s",
-              .label = "time", .tip = "Of the world when the scene begins", SW_KNOB(0.0, 3600.0)),
+    SW_NUMBER(time, "s", SW_WITHIN(-SW_YAML_LARGEST_TIME, SW_YAML_LARGEST_TIME), 0.0, .key = "time_s", .label = "time",
+              .tip = "Of the world when the scene begins", SW_KNOB(0.0, 3600.0)),
     SW_NUMBER(exposureEv, "EV", SW_WITHIN(-20.0, 20.0), 0.0, .key = "exposure_ev", .label = "exposure",
               .tip = "Stops beside the automatic exposure", SW_KNOB(-6.0, 6.0)),
 };
@@ -35,8 +35,8 @@ static const swField viewFields[] = {
     SW_TEXT(name, .key = "name", .label = "name"),
     SW_NUMBERS(position, double, "m", SW_WITHIN(-FAR, FAR), SW_EACH(0.0, 20.0, 0.0), .key = "position_m",
                .label = "position", .tip = "x, height above the sea level, z", SW_KNOB(-1000.0, 1000.0)),
-    SW_NUMBER(heading, "deg", SW_WITHIN(DEGREES(-360.0), DEGREES(360.0)), 0.0, .key = "heading_deg",
-              .label = "heading", .tip = "Clockwise from north", .form = SW_FORM_DEGREES, SW_KNOB(0.0, 360.0)),
+    SW_NUMBER(heading, "deg", SW_WITHIN(DEGREES(-360.0), DEGREES(360.0)), 0.0, .key = "heading_deg", .label = "heading",
+              .tip = "Clockwise from north", .form = SW_FORM_DEGREES, SW_KNOB(0.0, 360.0)),
     SW_NUMBER(pitch, "deg", SW_WITHIN(DEGREES(-90.0), DEGREES(90.0)), 0.0, .key = "pitch_deg", .label = "pitch",
               .tip = "Up is positive", .form = SW_FORM_DEGREES, SW_KNOB(-90.0, 90.0)),
     SW_NUMBER(roll, "deg", SW_WITHIN(DEGREES(-180.0), DEGREES(180.0)), 0.0, .key = "roll_deg", .label = "roll",

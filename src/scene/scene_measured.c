@@ -250,8 +250,7 @@ static swResult addFiles(swYaml* yaml, const swMeasuredKeys* keys, swSceneWaves*
     swResult result = swReadYamlList(yaml, keys->list, "files", MAX_FILES, &count);
     if (result == SW_SUCCESS && count == 0)
     {
-        result =
-            swFailYaml(yaml, keys->list, SW_MISTAKE_MISSING_KEY, "files is empty; name the files of the series.");
+        result = swFailYaml(yaml, keys->list, SW_MISTAKE_MISSING_KEY, "files is empty; name the files of the series.");
     }
     for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
@@ -291,8 +290,8 @@ static swResult chooseRecord(swYaml* yaml, const swMeasuredKeys* keys, int locat
     waves->record = swMeasuredSea_FindRecord(waves->measured, location, NULL);
     if (waves->record < 0)
     {
-        return swFailYaml(yaml, keys->location, SW_MISTAKE_NO_RECORD,
-                          "location '%s' has no record; choose another.", keys->text->location);
+        return swFailYaml(yaml, keys->location, SW_MISTAKE_NO_RECORD, "location '%s' has no record; choose another.",
+                          keys->text->location);
     }
     double seconds = 0.0;
     if (keys->at != NULL && !swParseMeasuredTime(keys->text->at, &seconds))
@@ -404,14 +403,15 @@ swResult swReadSceneMeasured(swYaml* yaml, const swMeasuredKeys* keys, swSceneWa
     memcpy(waves->file, keys->text->file, sizeof(waves->file));
     if (keys->opensNone)
     {
+        waves->isReplay = isReplay;
         return SW_SUCCESS;
     }
     bool isSeries = keys->list != NULL;
     if (!isSeries)
     {
         result = readFile(yaml, keys, keys->file, keys->text->file, &waves->measured);
-        result = result == SW_SUCCESS ? choosePlace(yaml, keys, keys->file, waves->measured, isReplay, &location)
-                                      : result;
+        result =
+            result == SW_SUCCESS ? choosePlace(yaml, keys, keys->file, waves->measured, isReplay, &location) : result;
         if (result == SW_SUCCESS && isReplay && countCalms(waves->measured, location) > 0)
         {
             swDestroyMeasuredSea(waves->measured);

@@ -34,12 +34,13 @@ static Reader* getReader(const swYaml* yaml)
 // What the table of a view cannot say.
 static swResult checkView(swYaml* yaml, const swYamlMapping* mapping, const swViewDef* view)
 {
-    const yaml_node_t *resolution = swGetYamlNode(mapping, "resolution"), *texel = swGetYamlNode(mapping, "finest_texel_m");
+    const yaml_node_t *resolution = swGetYamlNode(mapping, "resolution"),
+                      *texel = swGetYamlNode(mapping, "finest_texel_m");
     swResult result = SW_SUCCESS;
     if (resolution != NULL && view->resolution % 64 != 0)
     {
-        result = swFailYaml(yaml, resolution, SW_MISTAKE_OUT_OF_RANGE,
-                            "resolution is %d; it must be a multiple of 64.", view->resolution);
+        result = swFailYaml(yaml, resolution, SW_MISTAKE_OUT_OF_RANGE, "resolution is %d; it must be a multiple of 64.",
+                            view->resolution);
     }
     if (texel != NULL && !swIsYamlWrong(mapping, "finest_texel_m"))
     {
@@ -87,8 +88,7 @@ static swResult readWaves(swYaml* yaml, yaml_node_t* node, const swYamlKey* key,
         scene->wavesCount = i + 1;
         scene->waves[i].item = i + 1;
         result = swKeepFailure(result, swReadSceneWaves(yaml, swGetYamlItem(yaml, node, i), reader->folder,
-                                                        reader->opensNone, &scene->waves[i],
-                                                        &scene->source->waves[i]));
+                                                        reader->opensNone, &scene->waves[i], &scene->source->waves[i]));
     }
     return result;
 }
@@ -132,9 +132,8 @@ static swResult readSceneView(swYaml* yaml, yaml_node_t* node, swScene* scene, i
     swAddYamlFields(&mapping, swGetSceneViewFields(), 0, "views");
     swResult result = swReadYamlMapping(yaml, node, &mapping, view);
     view->hasSun = swGetYamlNode(&mapping, "sun_azimuth_deg") != NULL;
-    return node->type == YAML_MAPPING_NODE
-               ? swKeepFailure(result, checkSceneView(yaml, node, scene, index, &mapping))
-               : result;
+    return node->type == YAML_MAPPING_NODE ? swKeepFailure(result, checkSceneView(yaml, node, scene, index, &mapping))
+                                           : result;
 }
 
 static swResult readViews(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
@@ -159,10 +158,10 @@ static swResult readScene(swYaml* yaml, yaml_node_t* root, swScene* scene)
     swAddYamlFields(&mapping, swGetSceneFields(), 0, "scene");
     for (int i = 0; i < count; ++i)
     {
-        swAddYamlKey(&mapping, sections[i], NULL, 0, readSection);
+        swAddYamlKey(&mapping, sections[i], readSection);
     }
-    swAddYamlKey(&mapping, "waves", NULL, 0, readWaves);
-    swAddYamlKey(&mapping, "views", NULL, 0, readViews);
+    swAddYamlKey(&mapping, "waves", readWaves);
+    swAddYamlKey(&mapping, "views", readViews);
     return swReadYamlMapping(yaml, root, &mapping, scene);
 }
 

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
 // What a scene's file would say, by the tables of its defs. A number is the shortest text that is read as the same
-// number again. Waves keep the way in which the file tells of them, such as `beaufort: 4`, as long as that makes the def
-// that is wanted; otherwise every field is named.
+// number again. Waves keep the way in which the file tells of them, such as `beaufort: 4`, as long as that makes the
+// def that is wanted; otherwise every field is named.
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/date.h"
 #include "core/base/field.h"
 #include "scene/exact_number.h"
 #include "scene/scene_octaves.h"
 #include "scene/scene_source.h"
 #include "scene/scene_waves.h"
 
-
-
 // ---- fields ----
+
+static bool isFloat(const swField* field)
+{
+    return field->type == SW_FIELD_FLOAT || field->type == SW_FIELD_FLOATS;
+}
 
 static bool isReadAs(const swField* field, const char* text, double value)
 {
@@ -25,8 +29,7 @@ static bool isReadAs(const swField* field, const char* text, double value)
         return false;
     }
     double read = swField_Read(field, shown);
-    bool isFloat = field->type == SW_FIELD_FLOAT || field->type == SW_FIELD_FLOATS;
-    return isFloat ? (float)read == (float)value : read == value;
+    return isFloat(field) ? (float)read == (float)value : read == value;
 }
 
 static bool printShown(const swField* field, double shown, double value, char text[SW_NUMBER_TEXT])
@@ -45,21 +48,30 @@ static bool printShown(const swField* field, double shown, double value, char te
 // An angle beyond a turn is written as that within it, which is the same direction.
 static void printNumber(const swField* field, double value, char text[SW_NUMBER_TEXT])
 {
+    double read = swField_Read(field, swField_Show(field, value));
+    if (field->form != SW_FORM_PLAIN &&
+        (printShown(field, 360.0, value, text) || printShown(field, -360.0, value, text)))
+    {
+        return; // a turn, which as a float is a little more than one
+    }
+    if (fabs(read - value) > 1.0 && field->form != SW_FORM_PLAIN && field->form != SW_FORM_COLOR)
+    {
+        value = isFloat(field) ? (double)(float)read : read;
+    }
     double shown = swField_Show(field, value);
     bool isWrapped = field->form == SW_FORM_BEARING && shown < 0.0;
     if ((isWrapped && printShown(field, shown + 360.0, value, text)) || printShown(field, shown, value, text))
     {
         return;
     }
-    swPrintDigits(isWrapped ? shown + 360.0 : shown, 9, text);
+    swPrintDigits(shown, 17, text);
 }
 
 static bool isDefaultNumber(const swField* field, const void* def, const void* usual, int index)
 {
     double value = swField_GetNumber(field, def, index);
     double other = usual != NULL ? swField_GetNumber(field, usual, index) : field->defaults[index];
-    bool isFloat = field->type == SW_FIELD_FLOAT || field->type == SW_FIELD_FLOATS;
-    return isFloat ? (float)value == (float)other : value == other;
+    return isFloat(field) ? (float)value == (float)other : value == other;
 }
 
 // A field of a def; `usual` is what the def has where a file says nothing, NULL that of the table. Numbers without end
@@ -149,6 +161,7 @@ typedef struct WavesWriter
     int record;       // as it was read
     const swSeaReplayDef* replay;
     bool isNew;
+    bool isBroken; // memory has run out
 } WavesWriter;
 
 static void addOctaves(swTree* tree, int parent, const WavesWriter* writer)
@@ -214,7 +227,7 @@ static void addComponents(swTree* tree, int parent, const swWaveSystemDef* def)
     for (int i = 0; i < def->componentCount && !tree->isBroken; ++i)
     {
         int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
-        markNode(tree, node, i, true);
+        markNode(tree, node, -1, true);
         addFields(tree, node, swGetWaveComponentFields(), &def->components[i], "components");
         for (int child = node >= 0 ? swGetTreeNode(tree, node)->first : -1; child >= 0;
              child = swGetTreeNode(tree, child)->next)
@@ -224,6 +237,10 @@ static void addComponents(swTree* tree, int parent, const swWaveSystemDef* def)
         }
     }
     markMain(tree, list);
+    if (list >= 0)
+    {
+        ((swTreeNode*)tree->nodes.data)[list].isMatched = true;
+    }
 }
 
 static void printSeconds(double seconds, char text[32])
@@ -394,7 +411,8 @@ static void addSpectrum(swTree* tree, int parent, const WavesWriter* writer)
     for (int i = 0; i < fields->count && !tree->isBroken; ++i)
     {
         const swField* field = &fields->fields[i];
-        if (field->key == NULL || field->type >= SW_FIELD_DEF || i == fields->kind || !swGoesWithWaves(field->key, kind))
+        if (field->key == NULL || field->type >= SW_FIELD_DEF || i == fields->kind ||
+            !swGoesWithWaves(field->key, kind))
         {
             continue;
         }
@@ -408,8 +426,8 @@ static void addSpectrum(swTree* tree, int parent, const WavesWriter* writer)
             continue; // it would have no effect, and be refused
         }
         bool isOfText = isWindSea && (isWind || isFetch); // what the knobs make of it is another
-        int node = addField(tree, parent, field, isOfText ? &writer->text.def.spectrum : spectrum,
-                            isOfText ? NULL : &usual);
+        int node =
+            addField(tree, parent, field, isOfText ? &writer->text.def.spectrum : spectrum, isOfText ? NULL : &usual);
         if (isWind && isFormula)
         {
             setDefault(tree, node, !hasWind);
@@ -520,6 +538,7 @@ static void sayNothing(void* context, swLogLevel level, const char* message)
 }
 
 // Whether a def is made of what is written of it. Directions are compared as they are written: a turn more is none.
+// What has no effect beside the rest is not written.
 static bool isSameDef(const swWaveSystemDef* def, const swWaveSystemDef* read)
 {
     swWaveSystemDef other = *read;
@@ -528,11 +547,14 @@ static bool isSameDef(const swWaveSystemDef* def, const swWaveSystemDef* read)
     printNumber(direction, (double)def->spectrum.direction, wanted);
     printNumber(direction, (double)other.spectrum.direction, found);
     other.spectrum.direction = strcmp(wanted, found) == 0 ? def->spectrum.direction : other.spectrum.direction;
+    bool hasExponent = def->spectrum.spreading == SW_SPREADING_COSINE_2S;
+    other.spectrum.spreadExponent = hasExponent ? other.spectrum.spreadExponent : def->spectrum.spreadExponent;
+    other.spectrum.growth = def->spectrum.peakPeriod > 0.0f ? def->spectrum.growth : other.spectrum.growth;
     return swIsSameDef(swGetWaveSystemFields(), def, &other) &&
            swIsSameDef(swGetSpectrumFields(), &def->spectrum, &other.spectrum);
 }
 
-static bool isReadBack(const WavesWriter* writer)
+static bool isReadBack(WavesWriter* writer)
 {
     swHost host = writer->scene->host;
     host.log = sayNothing;
@@ -548,11 +570,11 @@ static bool isReadBack(const WavesWriter* writer)
         swAddTreePair(&buffer, &layout, &tree, list, 0);
     }
     swScene* read = NULL;
-    if (!tree.isBroken && !buffer.isBroken &&
-        swReadSceneKeys(&host, buffer.chars.data, buffer.chars.count, "waves", &read) == SW_SUCCESS)
-    {
-        isSame = isSameDef(&writer->waves->def, &read->waves[0].def);
-    }
+    swResult result = tree.isBroken || buffer.isBroken
+                          ? SW_ERROR_NO_MEMORY
+                          : swReadSceneKeys(&host, buffer.chars.data, buffer.chars.count, "waves", &read);
+    writer->isBroken = writer->isBroken || result == SW_ERROR_NO_MEMORY;
+    isSame = result == SW_SUCCESS && isSameDef(&writer->waves->def, &read->waves[0].def);
     swDestroyScene(read);
     swFreeItems(&host, &buffer.chars, 1);
     swFreeTree(&tree);
@@ -634,6 +656,7 @@ static void addWaves(swTree* tree, int list, const swScene* scene, int index, bo
     if (!isAsRead)
     {
         chooseForm(&writer);
+        tree->isBroken = tree->isBroken || writer.isBroken;
     }
     int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
     markNode(tree, node, from, false);

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/base/field.h"
 #include "scene/scene_components.h"
 #include "scene/scene_measured.h"
 #include "scene/scene_octaves.h"
@@ -23,7 +24,6 @@ typedef struct WavesReader
 } WavesReader;
 
 #define SYSTEM offsetof(swWavesText, def)
-#define SPECTRUM (offsetof(swWavesText, def) + offsetof(swWaveSystemDef, spectrum))
 #define OCTAVES (offsetof(swWavesText, octaves) + offsetof(swOctavesText, given))
 
 // ---- keys ----
@@ -79,13 +79,13 @@ static swResult keepNode(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, 
 static void addKeys(swYamlMapping* mapping)
 {
     swBeginYamlMapping(mapping, "waves");
-    swAddYamlKey(mapping, "spectrum", NULL, 0, readKind);
+    swAddYamlKey(mapping, "spectrum", readKind);
     swAddYamlFields(mapping, swGetWavesTextFields(), 0, "waves");
-    swAddYamlKey(mapping, "components", NULL, 0, readComponentsKey);
+    swAddYamlKey(mapping, "components", readComponentsKey);
     swAddYamlFields(mapping, swGetMeasuredTextFields(), offsetof(swWavesText, measured), "waves");
-    swAddYamlKey(mapping, "files", NULL, 0, keepNode);
-    swAddYamlKey(mapping, "replay", NULL, 0, readReplayKey);
-    swAddYamlKey(mapping, "octaves", NULL, 0, readOctavesKey);
+    swAddYamlKey(mapping, "files", keepNode);
+    swAddYamlKey(mapping, "replay", readReplayKey);
+    swAddYamlKey(mapping, "octaves", readOctavesKey);
     swAddYamlFields(mapping, swGetOctavesFields(), OCTAVES, "waves");
     swAddYamlFields(mapping, swGetWaveSystemFields(), SYSTEM, "waves");
 }
@@ -171,21 +171,22 @@ static const Rule* findRule(const Rule* list, int count, const char* key)
     return NULL;
 }
 
-static unsigned findKinds(const char* key, const swField* field, size_t offset)
+static unsigned findKinds(const swYamlKey* key)
 {
-    const Rule* rule = findRule(rules, COUNT(rules), key);
+    const swField* field = key->field;
+    const Rule* rule = findRule(rules, COUNT(rules), key->key);
     if (rule != NULL || field == NULL)
     {
         return rule != NULL ? rule->kinds : ~0u;
     }
-    if (offset == SPECTRUM)
+    if (key->fields == swGetSpectrumFields())
     {
-        const Rule* knobs = findRule(knobRules, COUNT(knobRules), key);
+        const Rule* knobs = findRule(knobRules, COUNT(knobRules), key->key);
         unsigned kinds = field->kinds != 0 ? field->kinds : FORMULAS | FILES;
         bool isOfKnobs = (kinds & ONE(SW_SPECTRUM_JONSWAP)) != 0;
         return kinds | (knobs != NULL ? knobs->kinds : isOfKnobs ? WIND_SEAS | SWELLS : 0);
     }
-    return offset == OCTAVES ? EQUALISERS : ~0u;
+    return key->fields == swGetOctavesFields() ? EQUALISERS : ~0u;
 }
 
 bool swGoesWithWaves(const char* key, int kind)
@@ -193,7 +194,7 @@ bool swGoesWithWaves(const char* key, int kind)
     swYamlMapping mapping;
     addKeys(&mapping);
     const swYamlKey* found = swFindYamlKey(&mapping, key);
-    return found != NULL && (findKinds(found->key, found->field, found->offset) & ONE(kind)) != 0;
+    return found != NULL && (findKinds(found) & ONE(kind)) != 0;
 }
 
 // `spectrum`, `beaufort`, `sea_state` or `components`: one of them, which is the kind.
@@ -220,7 +221,10 @@ static swResult chooseKind(swYaml* yaml, yaml_node_t* node, WavesReader* reader)
         {
             size_t used = strlen(known);
             snprintf(known + used, sizeof(known) - used, "%s%s",
-                     i == 0 ? "" : i + 1 < SW_WAVES_BEAUFORT ? ", " : " or ", swGetWavesWord(i));
+                     i == 0                      ? ""
+                     : i + 1 < SW_WAVES_BEAUFORT ? ", "
+                                                 : " or ",
+                     swGetWavesWord(i));
         }
         return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
                           "the key spectrum is missing; it is %s. Or give a number of beaufort or sea_state, or a list "
@@ -255,9 +259,8 @@ static swResult checkMethodKeys(swYaml* yaml, WavesReader* reader)
     for (int i = 0; i < reader->mapping.count && !isWrong(reader, "method"); ++i)
     {
         const swYamlKey* key = &reader->mapping.keys[i];
-        bool isOurs = key->node != NULL && key->field != NULL && key->offset == SYSTEM && key->field->kinds != 0;
-        if (isOurs && (key->field->kinds & ONE(text->def.method)) == 0 &&
-            (findKinds(key->key, key->field, key->offset) & ONE(text->kind)) != 0)
+        bool isOurs = key->node != NULL && key->fields == swGetWaveSystemFields() && key->field->kinds != 0;
+        if (isOurs && (key->field->kinds & ONE(text->def.method)) == 0 && (findKinds(key) & ONE(text->kind)) != 0)
         {
             int other = (key->field->kinds & ONE(SW_WAVES_FFT)) != 0 ? SW_WAVES_FFT : SW_WAVES_GERSTNER;
             result = swFailYaml(yaml, key->node, SW_MISTAKE_NO_EFFECT, "%s has an effect with 'method: %s' only; %s.",
@@ -276,18 +279,17 @@ static swResult checkKeys(swYaml* yaml, WavesReader* reader)
     for (int i = 0; i < reader->mapping.count; ++i)
     {
         const swYamlKey* key = &reader->mapping.keys[i];
-        if (key->node != NULL && (findKinds(key->key, key->field, key->offset) & ONE(text->kind)) == 0)
+        if (key->node != NULL && (findKinds(key) & ONE(text->kind)) == 0)
         {
             bool isTurned = strcmp(key->key, "direction_from_deg") == 0 && text->kind == SW_SPECTRUM_TABLE;
             result = swFailYaml(yaml, key->node, SW_MISTAKE_NO_EFFECT, "%s has no effect on %s'%s'; remove it%s.",
                                 key->key, text->kind == SW_WAVES_COMPONENTS ? "" : "the spectrum ",
-                                swGetWavesWord(text->kind),
-                                isTurned ? ", or turn the measured sea with turn_deg" : "");
+                                swGetWavesWord(text->kind), isTurned ? ", or turn the measured sea with turn_deg" : "");
         }
     }
     result = swKeepFailure(result, checkMethodKeys(yaml, reader));
-    unsigned growing = findKinds("growth", swFields_Find(swGetSpectrumFields(), "growth"), SPECTRUM);
-    if (getNode(reader, "growth") != NULL && text->def.spectrum.peakPeriod > 0.0f && (growing & ONE(text->kind)) != 0)
+    const swYamlKey* growth = swFindYamlKey(&reader->mapping, "growth");
+    if (growth->node != NULL && text->def.spectrum.peakPeriod > 0.0f && (findKinds(growth) & ONE(text->kind)) != 0)
     {
         result = swFailYaml(yaml, getNode(reader, "growth"), SW_MISTAKE_NO_EFFECT,
                             "growth has no effect where peak_period_s is given; remove one of them.");
@@ -320,9 +322,9 @@ static swSpectrumDef makeKnobSpectrum(const WavesReader* reader)
     case SW_WAVES_SWELL:
         return swMakeSwellSpectrum(given->significantHeight, given->peakPeriod, given->direction, text->spread);
     default:
-        return swMakeWindSeaSpectrum(
-            given->windSpeed, getNode(reader, "fetch_m") != NULL ? given->fetch : INFINITY,
-            getNode(reader, "duration_h") != NULL ? 3600.0f * text->durationHours : INFINITY, given->direction);
+        return swMakeWindSeaSpectrum(given->windSpeed, getNode(reader, "fetch_m") != NULL ? given->fetch : INFINITY,
+                                     getNode(reader, "duration_h") != NULL ? 3600.0f * text->durationHours : INFINITY,
+                                     given->direction);
     }
 }
 

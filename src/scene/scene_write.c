@@ -103,8 +103,7 @@ void swScene_RemoveWaves(swScene* scene, int index)
     swDestroyMeasuredSea(scene->waves[index].measured);
     swFreeComponents(&scene->host, &scene->waves[index]);
     scene->wavesCount -= 1;
-    memmove(&scene->waves[index], &scene->waves[index + 1],
-            (size_t)(scene->wavesCount - index) * sizeof(swSceneWaves));
+    memmove(&scene->waves[index], &scene->waves[index + 1], (size_t)(scene->wavesCount - index) * sizeof(swSceneWaves));
     for (int i = index; i < scene->wavesCount; ++i)
     {
         swSceneWaves* waves = &scene->waves[i];
@@ -177,8 +176,10 @@ static swResult readBack(const swScene* scene, const swTree* wanted, const char*
     }
     *read = NULL;
     swResult result = swReadSceneKeys(&scene->host, text, size, name, read);
+    const char* key = "";
     if (result == SW_SUCCESS && !swAreTreesEqual(wanted, 0, &(*read)->source->tree, 0))
     {
+        key = swFindTreeDifference(wanted, 0, &(*read)->source->tree, 0);
         swDestroyScene(*read);
         *read = NULL;
         result = SW_ERROR_FORMAT;
@@ -186,9 +187,9 @@ static swResult readBack(const swScene* scene, const swTree* wanted, const char*
     return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
                ? result
                : swFail(&scene->host, SW_ERROR_FORMAT,
-                        "%s: the changed scene would be read as another one, so nothing was written; change the file "
-                        "by hand.",
-                        name);
+                        "%s: the changed scene would be read as another one%s%s%s, so nothing was written; change the "
+                        "file by hand.",
+                        name, key[0] != '\0' ? " at the key '" : "", key, key[0] != '\0' ? "'" : "");
 }
 
 // The text, and the scene that is read from it. Both are of the host's memory.
@@ -260,11 +261,12 @@ static swResult checkFile(const swScene* scene, const char* path)
     {
         return swFail(&scene->host, SW_ERROR_FILE, "%s is packed by gzip; unpack it to write it.", path);
     }
-    return isSame ? SW_SUCCESS
-                  : swFail(&scene->host, SW_ERROR_FILE,
-                           "%s has changed since it was read, so it was not written; read it again, or write to another "
-                           "file.",
-                           path);
+    return isSame
+               ? SW_SUCCESS
+               : swFail(&scene->host, SW_ERROR_FILE,
+                        "%s has changed since it was read, so it was not written; read it again, or write to another "
+                        "file.",
+                        path);
 }
 
 // From now on the scene is the one that was read from the text.
@@ -285,7 +287,9 @@ static void goOn(swScene* scene, swScene* read, const char* path)
     snprintf(read->source->name, sizeof(read->source->name), "%s", path);
     read->source->isFile = true;
     scene->source = read->source;
+    scene->source->tree.host = &scene->host;
     read->source = old;
+    old->tree.host = &read->host;
 }
 
 swResult swWriteScene(swScene* scene, const char* path)

@@ -386,13 +386,18 @@ void swBeginYamlMapping(swYamlMapping* mapping, const char* what)
     mapping->count = 0;
 }
 
-void swAddYamlKey(swYamlMapping* mapping, const char* key, const swField* field, size_t offset, swReadYamlFcn read)
+static void addKey(swYamlMapping* mapping, const swYamlKey* key)
 {
     SW_ASSERT(mapping->count < SW_YAML_MAX_KEYS);
-    if (mapping->count < SW_YAML_MAX_KEYS && swFindYamlKey(mapping, key) == NULL)
+    if (mapping->count < SW_YAML_MAX_KEYS && swFindYamlKey(mapping, key->key) == NULL)
     {
-        mapping->keys[mapping->count++] = (swYamlKey){key, field, offset, read, NULL, false};
+        mapping->keys[mapping->count++] = *key;
     }
+}
+
+void swAddYamlKey(swYamlMapping* mapping, const char* key, swReadYamlFcn read)
+{
+    addKey(mapping, &(swYamlKey){.key = key, .read = read});
 }
 
 const char* swGetFieldSection(const swFields* fields, const swField* field)
@@ -412,7 +417,7 @@ void swAddYamlFields(swYamlMapping* mapping, const swFields* fields, size_t offs
         }
         else if (field->type < SW_FIELD_DEF && field->key != NULL && own != NULL && strcmp(own, section) == 0)
         {
-            swAddYamlKey(mapping, field->key, field, offset, NULL);
+            addKey(mapping, &(swYamlKey){.key = field->key, .fields = fields, .field = field, .offset = offset});
         }
     }
 }

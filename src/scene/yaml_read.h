@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mappings of a YAML document into structs by the tables of their defs (seaway/field.h). Every complaint is one sentence with file and line,
-// says what would be right, and ends with its code in brackets. Reading goes on after a mistake, so that all are told
-// at once: functions return the first failure of what they read, and what could not be read keeps its value.
+// Mappings of a YAML document into structs by the tables of their defs (seaway/field.h). Every complaint is one
+// sentence with file and line, says what would be right, and ends with its code in brackets. Reading goes on after a
+// mistake, so that all are told at once: functions return the first failure of what they read, and what could not be
+// read keeps its value.
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -46,6 +47,7 @@ typedef swResult (*swReadYamlFcn)(swYaml* yaml, yaml_node_t* node, const swYamlK
 struct swYamlKey
 {
     const char* key;
+    const swFields* fields; // that the field is of
     const swField* field;
     size_t offset;
     swReadYamlFcn read; // NULL: by the field
@@ -66,8 +68,8 @@ typedef struct swYamlMapping
 // No keys yet.
 void swBeginYamlMapping(swYamlMapping* mapping, const char* what);
 
-// A key that is read by a function; `field` may be NULL.
-void swAddYamlKey(swYamlMapping* mapping, const char* key, const swField* field, size_t offset, swReadYamlFcn read);
+// A key that is read by a function.
+void swAddYamlKey(swYamlMapping* mapping, const char* key, swReadYamlFcn read);
 
 // The fields of a table that scene files have in a section, those of defs within it as well. Keys that are there
 // already stay what they are. Lists of defs are left to swAddYamlKey().
