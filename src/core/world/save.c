@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, then views
-// (view_save.c). What a step works out is not saved: it is derived again.
+// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, views
+// (view_save.c), zones (zone_save.c). What a step works out is not saved: it is derived again.
 
 #include <math.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "core/base/host.h"
 #include "core/waves/waves_save.h"
 #include "core/world/view_save.h"
-#include "core/world/world.h"
+#include "core/world/zone.h"
 
 void swStreamWorldDef(swStream* stream, swWorldDef* def)
 {
@@ -54,32 +54,6 @@ static void streamSystems(swStream* stream, const swSetList* list, swIdPool* ids
 
 // ---- all of it ----
 
-// Work out what the last step left: a step of no time from its viewpoints, to its time. Views that were made since,
-// which come last, have no past: their first step is still to come.
-static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VIEWS])
-{
-    double time = world->time;
-    swPos next[SW_MAX_VIEWS];
-    for (int i = 0; i < world->viewCount; ++i)
-    {
-        next[i] = world->views[i]->viewpoint;
-        world->views[i]->viewpoint = last[i];
-    }
-    int viewCount = world->viewCount;
-    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->layers.stack.isPlaced)
-    {
-        world->viewCount -= 1;
-    }
-    world->time = stepped;
-    swStepWorld(world, 0.0);
-    world->time = time;
-    world->viewCount = viewCount;
-    for (int i = 0; i < world->viewCount; ++i)
-    {
-        world->views[i]->viewpoint = next[i];
-    }
-}
-
 // Times, the origin, and whether a change waits for the next step.
 typedef struct Clocks
 {
@@ -113,15 +87,17 @@ static void streamClocks(swStream* stream, Clocks* clocks)
     stream->isBroken = stream->isBroken || !isFine;
 }
 
-// Everything that was read is in its place but what a step works out.
+// Everything that was read is in its place but the frame of the last step, which is derived.
 static void finishReading(swWorld* world, const Clocks* clocks, const swPos last[SW_MAX_VIEWS])
 {
-    world->time = clocks->time;
     world->origin = clocks->origin;
-    world->frame.ticks = clocks->ticks;
-    world->waves.ticks = clocks->ticks;
+    swSetFrameTime(world, clocks->stepped, 0.0);
     world->waves.isTileListStale = true;
-    makeFrame(world, clocks->stepped, last);
+    swAdvanceWaves(&world->waves, world->frame.ticks);
+    swDeriveWater(world);
+    swDeriveZones(world);
+    swDeriveViews(world, last);
+    world->time = clocks->time;
     world->waves.isChanged = clocks->isChanged;
 }
 
@@ -154,6 +130,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
         swReleaseSet(&world->waves, list.sets[i]);
     }
     result = result == SW_SUCCESS ? swStreamViews(world, stream, last) : result;
+    result = result == SW_SUCCESS ? swStreamZones(world, stream) : result;
     if (result == SW_SUCCESS && swIsReading(stream))
     {
         result = swIsWithinLimits(&world->waves, world->waves.systems) ? SW_SUCCESS : SW_ERROR_FORMAT;
@@ -176,6 +153,7 @@ typedef struct Rewind
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swViewState views[SW_MAX_VIEWS];
     size_t layers[SW_MAX_VIEWS]; // where they are in the stream
+    size_t zones;                // likewise
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -221,6 +199,12 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
 
+static swResult findZones(const swWorld* world, swStream* stream)
+{
+    swResult result = swCheckZones(world, stream);
+    return result != SW_ERROR_UNSUPPORTED ? result : failRewind(world, "it had other zones then");
+}
+
 static void applyRewind(swWorld* world, const swStream* stream, const Rewind* rewind)
 {
     swUseLayers(rewind->systems);
@@ -237,6 +221,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
         swSetViewState(view, &rewind->views[i]);
         last[i] = rewind->views[i].last;
     }
+    swStream zones = *stream;
+    zones.at = rewind->zones;
+    swReadZones(world, &zones);
     world->waves.rewindCount += 1;
     finishReading(world, &rewind->clocks, last);
 }
@@ -252,6 +239,8 @@ swResult swRewindState(swWorld* world, swStream* stream)
     }
     streamSystems(stream, &rewind.sets, &rewind.ids, rewind.systems);
     result = stream->isBroken ? SW_ERROR_FORMAT : readViews(world, stream, &rewind);
+    rewind.zones = stream->at;
+    result = result == SW_SUCCESS ? findZones(world, stream) : result;
     bool isFine = stream->at == stream->size && swIsWithinLimits(&world->waves, rewind.systems);
     result = result == SW_SUCCESS && !isFine ? SW_ERROR_FORMAT : result;
     if (result == SW_SUCCESS)
