@@ -78,6 +78,8 @@ typedef struct Fixture
     _Alignas(64) char room[1 << 16];
 } Fixture;
 
+#define FIX_swFields (swGetFoamFields())
+#define FIX_swField (&swGetFoamFields()->fields[0])
 #define FIX_swHost (&f->host)
 #define FIX_swWaveSystemId (f->id)
 #define FIX_STALE (f->staleId)
