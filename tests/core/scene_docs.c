@@ -6,6 +6,7 @@
 //
 // A table stands behind a line such as "<!-- keys: sun -->", which names its section; what is around it stays.
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +25,22 @@ static void PrintNumber(FILE* out, double value)
         fputs(value > 0.0 ? "infinite" : "\xE2\x88\x92infinite", out);
         return;
     }
-    swPrintDigits(value, 7, text);
+    swPrintDigits(value, 2, text);
+    double rounded = 0.0;
+    bool isRound = fabs(value) >= 1e5 && swParseExactNumber(text, (int)strlen(text), &rounded) && rounded == value;
+    if (isRound)
+    {
+        int power = (int)floor(log10(fabs(value)));
+        snprintf(text, sizeof(text), "%.15ge%d", value / pow(10.0, power), power);
+    }
+    else if (value == floor(value) && fabs(value) < 1e15)
+    {
+        snprintf(text, sizeof(text), "%.0f", value);
+    }
+    else
+    {
+        swPrintDigits(value, fabs(value) < 0.1 ? 6 : 4, text);
+    }
     if (text[0] == '-')
     {
         fputs("\xE2\x88\x92", out);
@@ -86,18 +102,35 @@ static void PrintDefault(FILE* out, const swField* field)
     for (int i = 0; i < field->count; ++i)
     {
         fputs(i > 0 ? ", " : "", out);
-        PrintNumber(out, swField_Show(field, field->defaults[i]));
+        double shown = swField_Show(field, field->defaults[i]);
+        PrintNumber(out, shown + (field->form == SW_FORM_BEARING && shown < 0.0 ? 360.0 : 0.0));
     }
 }
 
 static void PrintMeaning(FILE* out, const swField* field)
 {
-    fprintf(out, "%s%s%s", field->label, field->tip != NULL ? ": " : "", field->tip != NULL ? field->tip : "");
+    bool isName = field->tip != NULL && isupper((unsigned char)field->tip[1]); // such as UTC
+    char first = field->tip == NULL ? '\0' : isName ? field->tip[0] : (char)tolower((unsigned char)field->tip[0]);
+    fprintf(out, "%s", field->label);
+    if (field->tip != NULL)
+    {
+        fprintf(out, ": %c%s", first, field->tip + 1);
+    }
+}
+
+static bool IsKind(const char* key)
+{
+    return strcmp(key, swGetWavesWord(SW_WAVES_BEAUFORT)) == 0 || strcmp(key, swGetWavesWord(SW_WAVES_SEA_STATE)) == 0;
 }
 
 // "all", "all but `file`", or the kinds.
 static void PrintKinds(FILE* out, const char* key)
 {
+    if (IsKind(key))
+    {
+        fputs("in place of `spectrum`", out);
+        return;
+    }
     int count = 0, printed = 0;
     for (int kind = 0; kind < SW_WAVES_KIND_COUNT; ++kind)
     {
@@ -130,7 +163,8 @@ static void PrintKey(FILE* out, const swField* field, const char* section)
     }
     fputs(" | ", out);
     PrintMeaning(out, field);
-    if (isOfWaves && field->type != SW_FIELD_TEXT)
+    bool hasDefault = field->type != SW_FIELD_TEXT && swField_IsInRange(field, field->defaults[0]);
+    if (isOfWaves && hasDefault && !IsKind(field->key))
     {
         fputs(" (", out);
         PrintDefault(out, field);
@@ -143,8 +177,8 @@ static void PrintSection(FILE* out, const char* section)
 {
     swYamlMapping mapping;
     const swFields* const tables[] = {
-        swGetSceneFields(),      swGetSceneViewFields(),    swGetWavesTextFields(),  swGetMeasuredTextFields(),
-        swGetOctaveTextFields(), swGetOctaveFields(),       swGetOctavesFields(),    swGetWaveSystemFields(),
+        swGetSceneFields(),      swGetSceneViewFields(),     swGetWavesTextFields(), swGetMeasuredTextFields(),
+        swGetOctaveTextFields(), swGetOctaveFields(),        swGetOctavesFields(),   swGetWaveSystemFields(),
         swGetWorldFields(),      swGetWaveComponentFields(), swGetViewFields(),      swGetSkyFields(),
         swGetWaterFields(),
     };
@@ -223,7 +257,8 @@ int main(int argc, char** argv)
     }
     if (!isSame)
     {
-        fprintf(stderr, "scene_docs: the tables of %s are not those of the library; run scripts/make_scene_docs\n", path);
+        fprintf(stderr, "scene_docs: the tables of %s are not those of the library; run scripts/make_scene_docs\n",
+                path);
     }
     free(page);
     free(made);

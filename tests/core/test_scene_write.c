@@ -36,13 +36,13 @@ static swScene* Read(const swHost* host, const char* text)
 // What the scene's file would be; NULL if it is refused.
 static char* Print(const swScene* scene)
 {
-    size_t size = 0;
-    if (swPrintScene(scene, NULL, &size) != SW_SUCCESS)
+    size_t size = 1 << 18;
+    char* text = calloc(size, 1);
+    if (swPrintScene(scene, text, &size) != SW_SUCCESS)
     {
+        free(text);
         return NULL;
     }
-    char* text = calloc(size + 1, 1);
-    assert_int_equal(swPrintScene(scene, text, &size), SW_SUCCESS);
     assert_int_equal(strlen(text), size);
     return text;
 }
@@ -69,8 +69,8 @@ static swWaveSystemDef KeepWhatCounts(const swWaveSystemDef* def)
 
 static bool AreScenesEqual(const swScene* a, const swScene* b)
 {
-    bool isEqual = swFields_AreEqual(swGetSceneFields(), a, b) && a->wavesCount == b->wavesCount &&
-                   a->viewCount == b->viewCount;
+    bool isEqual =
+        swFields_AreEqual(swGetSceneFields(), a, b) && a->wavesCount == b->wavesCount && a->viewCount == b->viewCount;
     for (int i = 0; i < SW_SCENE_PART_COUNT && isEqual; ++i)
     {
         swScenePart part = swGetScenePart(i);
@@ -80,8 +80,8 @@ static bool AreScenesEqual(const swScene* a, const swScene* b)
     {
         const swSceneWaves *left = &a->waves[i], *right = &b->waves[i];
         swWaveSystemDef one = KeepWhatCounts(&left->def), other = KeepWhatCounts(&right->def);
-        isEqual = swFields_AreEqual(swGetWaveSystemFields(), &one, &other) &&
-                  left->record == right->record && left->isReplay == right->isReplay &&
+        isEqual = swFields_AreEqual(swGetWaveSystemFields(), &one, &other) && left->record == right->record &&
+                  left->isReplay == right->isReplay &&
                   (!left->isReplay ||
                    (left->replay.location == right->replay.location && left->replay.speed == right->replay.speed &&
                     left->replay.startTime == right->replay.startTime &&
@@ -151,11 +151,14 @@ static char* CheckReadBack(const swHost* host, const swScene* scene)
 
 static const char* const nasty[] = {
     "waves: []",
-    "\xEF\xBB\xBF# \xC3\xA9t\xC3\xA9\r\nname: \"Mer d'\xC3\x89t\xC3\xA9\" # \xC3\xA9\r\n\r\nwaves:\r\n  - beaufort: 4 # breeze\r\n",
+    "\xEF\xBB\xBF# \xC3\xA9t\xC3\xA9\r\nname: \"Mer d'\xC3\x89t\xC3\xA9\" # \xC3\xA9\r\n\r\nwaves:\r\n  - beaufort: 4 "
+    "# breeze\r\n",
     "---\nwaves:\n- {spectrum: swell, significant_height_m: 1.5, peak_period_s: +12,}\n...\n# end\n",
     "%YAML 1.1\n--- # here\nname: >\n  a long\n  name\n\nwaves:\n  -\n    # deep\n    sea_state:   4.50\n    seed: 1e1",
-    "\"name\": 'it''s'\nsky: {\n  haze: 2, # thick\n  clouds: .5\n}\nwaves: [ {beaufort: 3} , {beaufort: 2, seed: 2} ]\n",
-    "name: a\tb\nwater:\n      absorption_per_m:\n        - 0.1\n        # red\n        - 0.2\n        - 3e-1\nwaves:\n   - components:\n     - {wavelength_m: 90, amplitude_m: .55, direction_from_deg: 240}\n",
+    "\"name\": 'it''s'\nsky: {\n  haze: 2, # thick\n  clouds: .5\n}\nwaves: [ {beaufort: 3} , {beaufort: 2, seed: 2} "
+    "]\n",
+    "name: a\tb\nwater:\n      absorption_per_m:\n        - 0.1\n        # red\n        - 0.2\n        - "
+    "3e-1\nwaves:\n   - components:\n     - {wavelength_m: 90, amplitude_m: .55, direction_from_deg: 240}\n",
 };
 
 static void WhatIsNotChangedKeepsItsBytes(void** state)
@@ -210,6 +213,23 @@ static void CheckChange(const char* text, const char* made, const char* old, con
     }
 }
 
+static void ItsSizeCanBeAskedFor(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swScene* scene = Read(&host, "waves: []\n");
+    char text[16] = "";
+    size_t size = 0;
+    assert_int_equal(swPrintScene(scene, NULL, &size), SW_SUCCESS);
+    assert_int_equal(size, 10);
+    size = 9;
+    assert_int_equal(swPrintScene(scene, text, &size), SW_ERROR_LIMIT);
+    assert_true(size == 10 && text[0] == '\0');
+    assert_int_equal(swPrintScene(scene, text, &size), SW_SUCCESS);
+    assert_string_equal(text, "waves: []\n");
+    swDestroyScene(scene);
+}
+
 static void OneValueChangesItsBytes(void** state)
 {
     (void)state;
@@ -240,7 +260,8 @@ static void OneValueChangesItsBytes(void** state)
     view->position.x = 0.0;
     scene->waves[2].def.chop = 0.5f; // a new key
     made = CheckReadBack(&host, scene);
-    CheckChange(text, made, "    min_wavelength_m: 16\n    seed: 3\n", "    min_wavelength_m: 16\n    seed: 3\n    chop: 0.5\n");
+    CheckChange(text, made, "    min_wavelength_m: 16\n    seed: 3\n",
+                "    min_wavelength_m: 16\n    seed: 3\n    chop: 0.5\n");
     free(made);
     scene->waves[2].def.chop = 1.0f;
     scene->world.gravity = 3.7f; // a new section
@@ -313,7 +334,8 @@ static void WhatComesAndGoesIsWritten(void** state)
     assert_int_equal(swScene_AddView(scene, &view), SW_SUCCESS);
     assert_int_equal(swScene_AddView(scene, &view), SW_ERROR_INVALID);
     char* made = CheckReadBack(&host, scene);
-    assert_non_null(strstr(made, "    direction_from_deg: 225\n  - beaufort: 4\n    direction_from_deg: 250\n    seed: 7\n"));
+    assert_non_null(
+        strstr(made, "    direction_from_deg: 225\n  - beaufort: 4\n    direction_from_deg: 250\n    seed: 7\n"));
     assert_non_null(strstr(made, "    fov_deg: 55\n  - name: \"from above: all\"\n    sun_azimuth_deg: 0\n"));
     free(made);
 
@@ -403,7 +425,8 @@ static void ChangeField(const swField* field, void* def)
 {
     if (field->type == SW_FIELD_TEXT)
     {
-        static const char* const words[] = {"word", "two words", "it's: here # no", "\"q\"", "- x", "\xC3\xA9t\xC3\xA9 12", " a "};
+        static const char* const words[] = {
+            "word", "two words", "it's: here # no", "\"q\"", "- x", "\xC3\xA9t\xC3\xA9 12", " a "};
         snprintf((char*)def + field->offset, field->size, "%s%d", words[(int)(Random() * 7.0)], (int)(Random() * 1e6));
         return;
     }
@@ -430,7 +453,8 @@ static void MendWaves(swWaveSystemDef* def)
     def->resolution = resolution;
     def->tileWaves = def->tileWaves > resolution / 4 ? resolution / 4 : def->tileWaves;
     // What has no effect is not written.
-    def->spectrum.spreadExponent = def->spectrum.spreading == SW_SPREADING_COSINE_2S ? def->spectrum.spreadExponent : 8.0f;
+    def->spectrum.spreadExponent =
+        def->spectrum.spreading == SW_SPREADING_COSINE_2S ? def->spectrum.spreadExponent : 8.0f;
     def->spectrum.growth = def->spectrum.peakPeriod > 0.0f ? SW_GROWTH_HASSELMANN : def->spectrum.growth;
     if (def->minWavelength >= def->maxWavelength)
     {
@@ -540,7 +564,8 @@ static void EveryFieldOfWavesSurvives(void** state)
         "waves: [{spectrum: swell, significant_height_m: 2, peak_period_s: 12, spread_deg: 20, seed: 2}]\n",
         "waves:\n  - spectrum: wind_sea\n    duration_h: 6\n    wind_speed_mps: 12\n    fetch_m: 1e5\n",
         "waves:\n  - spectrum: jonswap\n    growth: cube_root\n    spread_exponent: 3\n    # end\n",
-        "waves:\n  - spectrum: octaves\n    octaves_from: pierson_moskowitz\n    octaves:\n      - {wavelength_m: 4, power: -1}\n"
+        "waves:\n  - spectrum: octaves\n    octaves_from: pierson_moskowitz\n    octaves:\n      - {wavelength_m: 4, "
+        "power: -1}\n"
         "      - wavelength_m: 0.5\n        enabled: true\n",
         "waves:\n  - components: [{wavelength_m: 9, amplitude_m: 1, direction_from_deg: 3}]\n    depth_m: 4\n",
     };
@@ -849,8 +874,9 @@ static void WhatIsSharedIsRefusedWithItsLine(void** state)
 static void FailingMemoryLosesNothing(void** state)
 {
     (void)state;
-    static const char text[] = "sky: {haze: 1}\nwaves:\n  - beaufort: 3\n  - components: [{wavelength_m: 9, amplitude_m: 1, "
-                               "direction_from_deg: 3}]\nviews:\n  - name: a\n";
+    static const char text[] =
+        "sky: {haze: 1}\nwaves:\n  - beaufort: 3\n  - components: [{wavelength_m: 9, amplitude_m: 1, "
+        "direction_from_deg: 3}]\nviews:\n  - name: a\n";
     char path[256];
     snprintf(path, sizeof(path), "%s", PutText("c.yaml", text));
     CountingMemory counting;
@@ -885,6 +911,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(WhatIsNotChangedKeepsItsBytes),
+        cmocka_unit_test(ItsSizeCanBeAskedFor),
         cmocka_unit_test(OneValueChangesItsBytes),
         cmocka_unit_test(WavesAreToldAsBefore),
         cmocka_unit_test(WhatComesAndGoesIsWritten),

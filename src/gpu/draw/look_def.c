@@ -8,9 +8,9 @@
 
 #define SW_DEF swSkyDef
 static const swField skyFields[] = {
-    SW_NUMBER(sunAzimuth, "deg", SW_WITHIN(-1000.0, 1000.0), DEGREES(135.0), .key = "azimuth_deg",
-              .section = "sun", .label = "from", .tip = "Clockwise from north", .form = SW_FORM_DEGREES,
-              .use = SW_USE_HERE, SW_KNOB(0.0, 360.0)),
+    SW_NUMBER(sunAzimuth, "deg", SW_WITHIN(-1000.0, 1000.0), DEGREES(135.0), .key = "azimuth_deg", .section = "sun",
+              .label = "from", .tip = "Clockwise from north", .form = SW_FORM_DEGREES, .use = SW_USE_HERE,
+              SW_KNOB(0.0, 360.0)),
     SW_NUMBER(sunElevation, "deg", SW_WITHIN(DEGREES(-90.0), DEGREES(90.0)), DEGREES(40.0), .key = "elevation_deg",
               .section = "sun", .label = "above the horizon", .form = SW_FORM_DEGREES, .use = SW_USE_HERE,
               SW_KNOB(-10.0, 90.0)),
