@@ -22,7 +22,7 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
         .foam = def->foam,
         .views = world->viewFrames,
     };
-    world->moment = (swMoment){&world->host, kernels, &world->frame, &world->origin};
+    world->moment = (swMoment){.host = &world->host, .kernels = kernels, .frame = &world->frame, .origin = &world->origin};
     *worldOut = world;
     return SW_SUCCESS;
 }
