@@ -9,6 +9,8 @@
 // Tiles and free waves are there to notice a machine that works out other ones from the same. They are left out while a
 // change waits for its step, because they are of the sea before it, which a world that was just restored never had.
 //
+// Zones are there with their simulated fields, which have a past: what they are now decides what they will be.
+//
 // Not part of it are the origin, views and their foam, and handles: each machine has its own.
 //
 // The digest is made when it is asked for, not in every step: hashing 14 tiles of 128 x 128 takes about a third of the
@@ -17,7 +19,7 @@
 #include <string.h>
 
 #include "core/base/hash.h"
-#include "core/world/world.h"
+#include "core/world/zone.h"
 
 static void addDef(swHash* hash, const swWorldDef* def)
 {
@@ -63,5 +65,6 @@ uint64_t swHashWorld(const swWorld* world)
     {
         swAddHashFreeWave(&hash, &frame->waves[i]);
     }
+    swHashZones(&hash, world);
     return swEndHash(&hash);
 }

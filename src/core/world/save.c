@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, then views
-// (view_save.c). What a step works out is not saved: it is derived again.
+// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, views
+// (view_save.c), zones (zone_save.c). What a step works out is not saved: it is derived again.
 
 #include <math.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "core/base/host.h"
 #include "core/waves/waves_save.h"
 #include "core/world/view_save.h"
-#include "core/world/world.h"
+#include "core/world/zone.h"
 
 void swStreamWorldDef(swStream* stream, swWorldDef* def)
 {
@@ -95,6 +95,7 @@ static void finishReading(swWorld* world, const Clocks* clocks, const swPos last
     world->waves.isTileListStale = true;
     swAdvanceWaves(&world->waves, world->frame.ticks);
     swDeriveWater(world);
+    swDeriveZones(world);
     swDeriveViews(world, last);
     world->time = clocks->time;
     world->waves.isChanged = clocks->isChanged;
@@ -129,6 +130,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
         swReleaseSet(&world->waves, list.sets[i]);
     }
     result = result == SW_SUCCESS ? swStreamViews(world, stream, last) : result;
+    result = result == SW_SUCCESS ? swStreamZones(world, stream) : result;
     if (result == SW_SUCCESS && swIsReading(stream))
     {
         result = swIsWithinLimits(&world->waves, world->waves.systems) ? SW_SUCCESS : SW_ERROR_FORMAT;
@@ -151,6 +153,7 @@ typedef struct Rewind
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swViewState views[SW_MAX_VIEWS];
     size_t layers[SW_MAX_VIEWS]; // where they are in the stream
+    size_t zones;                // likewise
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -196,6 +199,12 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
 
+static swResult findZones(const swWorld* world, swStream* stream)
+{
+    swResult result = swCheckZones(world, stream);
+    return result != SW_ERROR_UNSUPPORTED ? result : failRewind(world, "it had other zones then");
+}
+
 static void applyRewind(swWorld* world, const swStream* stream, const Rewind* rewind)
 {
     swUseLayers(rewind->systems);
@@ -212,6 +221,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
         swSetViewState(view, &rewind->views[i]);
         last[i] = rewind->views[i].last;
     }
+    swStream zones = *stream;
+    zones.at = rewind->zones;
+    swReadZones(world, &zones);
     world->waves.rewindCount += 1;
     finishReading(world, &rewind->clocks, last);
 }
@@ -227,6 +239,8 @@ swResult swRewindState(swWorld* world, swStream* stream)
     }
     streamSystems(stream, &rewind.sets, &rewind.ids, rewind.systems);
     result = stream->isBroken ? SW_ERROR_FORMAT : readViews(world, stream, &rewind);
+    rewind.zones = stream->at;
+    result = result == SW_SUCCESS ? findZones(world, stream) : result;
     bool isFine = stream->at == stream->size && swIsWithinLimits(&world->waves, rewind.systems);
     result = result == SW_SUCCESS && !isFine ? SW_ERROR_FORMAT : result;
     if (result == SW_SUCCESS)

@@ -9,4 +9,6 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/view_def.c
     ${CMAKE_CURRENT_LIST_DIR}/view_save.c
     ${CMAKE_CURRENT_LIST_DIR}/world.c
-    ${CMAKE_CURRENT_LIST_DIR}/world_def.c)
+    ${CMAKE_CURRENT_LIST_DIR}/world_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/zone.c
+    ${CMAKE_CURRENT_LIST_DIR}/zone_save.c)

@@ -26,6 +26,8 @@ struct swView
     swLayerStack layers;
 };
 
+typedef struct swZone swZone; // zone.h
+
 struct swWorld
 {
     swHost host; // the caller's
@@ -44,6 +46,11 @@ struct swWorld
     int viewCount;
     uint32_t viewVersion; // grows with every view
     swViewFrame viewFrames[SW_MAX_VIEWS];
+
+    swZone* zones[SW_MAX_ZONES];
+    int zoneCount;
+    uint32_t zoneVersion; // grows with every zone
+    swZoneFrame zoneFrames[SW_MAX_ZONES];
 
     swFrame frame;
     swMoment moment; // of the frame
