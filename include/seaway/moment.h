@@ -5,8 +5,8 @@
 
 /// @file
 /// The water at one time, which is what queries ask (query.h). A world has a moment of its own, the water of its last
-/// step. A host makes others: of any time, past or future, in memory of their own, so that any thread may ask them while
-/// the world steps on, and another process that maps their memory. docs/queries.md says what they cost.
+/// step. A host makes others: of any time, past or future, in memory of their own, so that any thread may ask them
+/// while the world steps on, and another process that maps their memory. docs/queries.md says what they cost.
 
 typedef struct swMoment swMoment;
 
@@ -37,10 +37,11 @@ SW_API swMomentDef swDefaultMomentDef(void);
 /// under way: about 4.5 MB of a default sea, twice as much with velocities.
 SW_API size_t swWorld_GetMomentSize(const swWorld* world);
 
-/// Make a moment of a world. It is, to the bit, what the world would have after swWorld_StepTo() to that time, and keeps
-/// nothing of the world, which may step on or be destroyed. Changes that are under way are as far as they are at that
-/// time. What the world cannot know of another time: changes that were or will be made at once, the records of a replay
-/// beyond the present pair (see swMoment_IsHeld()), and foam, which has a past and is of views.
+/// Make a moment of a world. It is, to the bit, what the world would have after swWorld_StepTo() to that time, and
+/// keeps nothing of the world, which may step on or be destroyed. Changes that are under way are as far as they are at
+/// that time. What the world cannot know of another time: changes that were or will be made at once, the records of a
+/// replay beyond the present pair (see swMoment_IsHeld()), and foam, which has a past and is of views.
+/// Places are from the world's origin as it was when the moment was made.
 /// Costs a step's transforms, on the calling thread (1 ms for a default sea). Several threads may make moments of a
 /// `const swWorld*` at once.
 /// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT if the def's memory is too small
@@ -67,6 +68,6 @@ SW_API swResult swMapMoment(const swHost* host, const void* memory, size_t size,
 /// Time of the water, s.
 SW_API double swMoment_GetTime(const swMoment* moment);
 
-/// Whether a replay's records that count at the moment's time were not the world's present pair: the sea is then that of
-/// the nearer record of the pair. Advance the replay to that time (swSeaReplay_Advance()) and make the moment again.
+/// Whether a replay's records that count at the moment's time were not the world's present pair: the sea is then that
+/// of the nearer record of the pair. Advance the replay to that time (swSeaReplay_Advance()) and make the moment again.
 SW_API bool swMoment_IsHeld(const swMoment* moment);

@@ -59,7 +59,8 @@ static const swHost* findHost(const swMoment* moment)
 
 swResult swMoment_Set(swMoment* moment, const swWorld* world, double time)
 {
-    SW_REQUIRE(isOwn(moment) && !((swOwnMoment*)moment)->isMapped, SW_ERROR_INVALID, findHost(moment),
+    SW_REQUIRE(isOwn(moment) && !((swOwnMoment*)moment)->isMapped, SW_ERROR_INVALID,
+               moment != NULL ? moment->host : swFindHost(world),
                "swMoment_Set() needs a moment made by swCreateMoment()");
     SW_REQUIRE(world != NULL && fabs(time) <= SW_LARGEST_TIME, SW_ERROR_INVALID, moment->host,
                "swMoment_Set() needs a world, and a time within %.17g of 0; it was given %.17g s", SW_LARGEST_TIME,

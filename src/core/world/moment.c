@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Moments with memory of their own. All that queries read lies in one block: a head, the tiles, free waves, then what the
-// tiles name: splines' responses, modes and texels. The block holds offsets and no addresses. A moment beside it has the
-// tiles with addresses of this process; a mapped one makes them once, after it has looked whether all offsets and counts
-// lie within the block, so that queries follow only addresses that are good.
+// Moments with memory of their own. All that queries read lies in one block: a head, the tiles, free waves, then what
+// the tiles name: splines' responses, modes and texels. The block holds offsets and no addresses. A moment beside it
+// has the tiles with addresses of this process; a mapped one makes them once, after it has looked whether all offsets
+// and counts lie within the block, so that queries follow only addresses that are good.
 
 #include "core/world/moment.h"
 
@@ -412,8 +412,8 @@ static swResult readHead(const swHost* host, const char* block, size_t size, Hea
     }
     bool isPlaced = head->tiles == roundUp(sizeof(Head)) &&
                     head->waves == head->tiles + roundUp((size_t)head->tileCount * sizeof(StoredTile));
-    bool isTime = fabs(head->time) <= SW_LARGEST_TIME &&
-                  head->ticks == (int64_t)floor(head->time * SW_TICKS_PER_SECOND + 0.5);
+    bool isTime =
+        fabs(head->time) <= SW_LARGEST_TIME && head->ticks == (int64_t)floor(head->time * SW_TICKS_PER_SECOND + 0.5);
     return isPlaced && isTime ? SW_SUCCESS : refuse(host, "holds a state that cannot be");
 }
 
