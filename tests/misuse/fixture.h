@@ -16,6 +16,7 @@
 #include "seaway/seaway.h"
 #if MISUSE_GPU
 #include "gpu/record/record.h"
+#include "seaway/layers.h"
 #include "seaway/stage.h"
 #endif
 #if MISUSE_SCENE
@@ -78,6 +79,8 @@ typedef struct Fixture
     _Alignas(64) char room[1 << 16];
 } Fixture;
 
+#define FIX_swFields (swGetFoamFields())
+#define FIX_swField (&swGetFoamFields()->fields[0])
 #define FIX_swHost (&f->host)
 #define FIX_swWaveSystemId (f->id)
 #define FIX_STALE (f->staleId)

@@ -105,15 +105,13 @@ void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int co
 double swMoment_GetHeight(const swMoment* moment, double x, double z)
 {
     swQueryDef def = swDefaultQueryDef();
-    swPosXZ point = {x, z};
-    swVec3 displacement = SW_NO_VECTOR;
-    swSurfaceSamples samples = {.displacement = &displacement};
     if (!checkDef(moment, "swMoment_GetHeight", &def))
     {
         return (double)NAN;
     }
-    swMoment_QuerySurface(moment, &def, 1, &point, &samples, NULL);
-    return moment->frame->seaLevel + (double)displacement.y;
+    swQuery query;
+    beginQuery(moment, &def, &query);
+    return swFindHeight(&query, x, z);
 }
 
 void swMoment_QueryParticles(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,

@@ -21,18 +21,6 @@
 #include "core/base/hash.h"
 #include "core/world/zone.h"
 
-static void addDef(swHash* hash, const swWorldDef* def)
-{
-    swAddHashDouble(hash, (double)def->gravity);
-    swAddHashDouble(hash, (double)def->surfaceTension);
-    swAddHashDouble(hash, def->seaLevel);
-    swAddHashDouble(hash, (double)def->foam.fadeRate);
-    swAddHashDouble(hash, (double)def->foam.coverage);
-    swAddHashDouble(hash, (double)def->foam.windSpeed);
-    swAddHashDouble(hash, (double)def->foam.minWavelength);
-    swAddHashDouble(hash, (double)def->foam.threshold);
-}
-
 // ---- the last step ----
 
 static void addTile(swHash* hash, const swTile* tile)
@@ -50,7 +38,7 @@ uint64_t swHashWorld(const swWorld* world)
 {
     const swFrame* frame = &world->frame;
     swHash hash = swBeginHash();
-    addDef(&hash, &world->def);
+    swHashDef(&hash, &swWorldFields, &world->def);
     swAddHash(&hash, (uint64_t)frame->ticks);
     swAddHashDouble(&hash, world->time);
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)

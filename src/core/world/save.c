@@ -10,21 +10,6 @@
 #include "core/world/view_save.h"
 #include "core/world/zone.h"
 
-void swStreamWorldDef(swStream* stream, swWorldDef* def)
-{
-    swStreamF32(stream, &def->gravity);
-    swStreamF32(stream, &def->surfaceTension);
-    swStreamF64(stream, &def->seaLevel);
-    swStreamBool(stream, &def->enableQueries);
-    swStreamBool(stream, &def->enableVelocity);
-    swStreamBool(stream, &def->enableAcceleration);
-    swStreamF32(stream, &def->foam.fadeRate);
-    swStreamF32(stream, &def->foam.coverage);
-    swStreamF32(stream, &def->foam.windSpeed);
-    swStreamF32(stream, &def->foam.minWavelength);
-    swStreamF32(stream, &def->foam.threshold);
-}
-
 // ---- systems ----
 
 // Layers that are read do not yet count as users of their sets.
@@ -170,12 +155,6 @@ static swResult findSets(const swWorld* world, swStream* stream, swSetList* sets
                                    "a world of it with swRestoreWorld()");
 }
 
-static bool isSameViewDef(const swViewDef* a, const swViewDef* b)
-{
-    return a->sliceCount == b->sliceCount && a->resolution == b->resolution && a->finestTexel == b->finestTexel &&
-           a->maxScaleLevel == b->maxScaleLevel && a->enableCpuLayers == b->enableCpuLayers;
-}
-
 static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind)
 {
     int count = 0;
@@ -187,8 +166,8 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
     for (int i = 0; i < count && !stream->isBroken; ++i)
     {
         swViewDef def = world->views[i]->def;
-        swStreamViewDef(stream, &def);
-        if (!stream->isBroken && !isSameViewDef(&def, &world->views[i]->def))
+        swStreamDef(stream, &swViewFields, &def);
+        if (!stream->isBroken && !swIsSameDef(&swViewFields, &def, &world->views[i]->def))
         {
             return failRewind(world, "a view had another def then");
         }
