@@ -69,6 +69,7 @@ if(NOT SW_INSTALL)
 endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/seaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# GLSL for hosts' own shaders: the layers of a view, and what the water's own shaders are put together from.
 set(SW_SHADER_INSTALL_DIR ${CMAKE_INSTALL_DATADIR}/seaway/shaders)
 if(TARGET seaway_gpu)
     foreach(folder IN ITEMS seaway shared lib)
