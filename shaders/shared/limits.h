@@ -15,12 +15,12 @@
 
 // Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_HEIGHT texels along z. See slices.comp.
 #define SW_SLICE_WIDTH 128
-#define SW_SLICE_HEIGHT 8
+#define SW_SLICE_HEIGHT 16
 // Tiles that are added as cubics (at most 32, the bits of a mask); columns of them that are laid out in shared memory at
 // once, and knots of columns.
 #define SW_SLICE_TILES 24
 #define SW_SLICE_COLUMNS 180
-#define SW_SLICE_JUMPS 560
+#define SW_SLICE_JUMPS 960
 // Spline units a texel of such a tile, at most.
 #define SW_SLICE_STEP 0.75f
 

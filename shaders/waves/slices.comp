@@ -14,7 +14,7 @@
 // Along z the sum of all tiles is one cubic from knot to knot. Each tile's columns are turned into cubics once for the
 // block, in shared memory, together with what changes at each knot: only the third derivative does, by the fourth
 // difference of the tile's coefficients. A thread weighs four columns of each tile along x (value and slope), which
-// gives the cubic of its first texel; then it goes down its column, takes in a knot where one is passed, and evaluates
+// gives the cubic of its middle texel; then it goes along its column, takes in a knot where one is passed, and evaluates
 // the cubic at each texel. That costs 8 bytes of shared memory a tile and texel and one step a knot, whatever the tile's
 // resolution. It is exact, not an approximation.
 //
@@ -30,9 +30,8 @@
 // leaves it, whatever would fit: 79 here, 255 where 24 KB hold knots that are read in other ways, so that hardly any
 // blocks run at once. Slower on an H100 than what is here: texels that change places, so that stores fill whole pieces
 // of images (two rows of sixteen: alone they store in 10 us, rows of thirty-two in 21, but each pair of rows needs
-// barriers), four copies of a run's steps (30 KB of code), 64, 192 and 384 columns, and cubics and knots laid out one
-// after the other in the same memory. Columns of sixteen texels are faster and lose digits: what a knot changes is
-// carried on with the third power of the way.
+// barriers), four copies of a run's steps (30 KB of code), 64, 192 and 384 columns, columns of eight texels (41), and
+// cubics and knots laid out one after the other in the same memory.
 
 #include "lib/turns.glsl"
 #include "shared/depth_share.h"
@@ -65,14 +64,14 @@ layout(std430, binding = 5) readonly buffer Waves
 
 // The slice's tiles that are added as cubics.
 shared swSliceTile blockTiles[SW_SLICE_TILES];
-// Columns of a batch of tiles: x, y and z of each, as cubics along z in powers of texels from the block's first row.
+// Columns of a batch of tiles: x, y and z of each, as cubics along z in powers of texels from the block's middle row.
 shared vec4 laidOut[3 * SW_SLICE_COLUMNS];
 // By how much the coefficient of the third power changes at the knots of each column of all tiles; x, then y, then z.
 shared float jumps[3 * SW_SLICE_JUMPS];
 // Bit b of a row: tile b has a knot between the row before and this one.
 shared uint knotTiles[SW_SLICE_HEIGHT];
 
-// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's first row, y and z the same; slopeX
+// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's middle row, y and z the same; slopeX
 // to slopeZ are its slope along x.
 struct Cubic
 {
@@ -125,6 +124,21 @@ float firstOfBlock(swSliceTile tile)
     return floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH));
 }
 
+// Rows are made from the middle to the end, then from the middle back to the beginning: step by step a cubic loses
+// digits with the third power of the way. Of the group of steps that begins with one: the rows between which its knots
+// lie.
+const uint MIDDLE = SW_SLICE_HEIGHT / 2;
+
+uvec2 rowsOfGroup(swSliceList list, uint step)
+{
+    if (list.groupRows == SW_SLICE_HEIGHT)
+    {
+        return uvec2(0, SW_SLICE_HEIGHT - 1);
+    }
+    return step < MIDDLE ? MIDDLE - 1 + uvec2(max(step, 1u), step + list.groupRows)
+                         : SW_SLICE_HEIGHT - step - uvec2(list.groupRows, 0);
+}
+
 // Laying out tiles ---------------------------------------------------------------------------------------------------
 
 vec3 texelOf(swSliceTile tile, uint column, uint row)
@@ -142,23 +156,33 @@ void placeJump(uint at, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e, float cube)
     jumps[2 * SW_SLICE_JUMPS + at] = jump.z;
 }
 
-// Lays out a column of a tile: its cubic, and what changes at its knots between the rows of a group.
-void placeColumn(swSliceTile tile, uint column, uint firstRow, uint endRow)
+// The cubic of a column of a tile, at the block's middle.
+void placeCubic(swSliceTile tile, uint column, uint at)
 {
-    float s = splineZ(tile, max(firstRow, 1u) - 1);
+    float s = splineZ(tile, MIDDLE);
     float cell = floor(s);
     uint row = (tile.base >> 16) + uint(cell);
-    uint at = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
     vec3 a = texelOf(tile, at, row), b = texelOf(tile, at, row + 1);
     vec3 c = texelOf(tile, at, row + 2), d = texelOf(tile, at, row + 3);
-    if (firstRow == 0)
+    mat4 pieces = cubicPieces(s - cell, tile.step);
+    laidOut[tile.firstColumn + column] = pieces * vec4(a.x, b.x, c.x, d.x);
+    laidOut[SW_SLICE_COLUMNS + tile.firstColumn + column] = pieces * vec4(a.y, b.y, c.y, d.y);
+    laidOut[2 * SW_SLICE_COLUMNS + tile.firstColumn + column] = pieces * vec4(a.z, b.z, c.z, d.z);
+}
+
+// Lays out a column of a tile: its cubic if it is the first time, and what changes at its knots between two rows.
+void placeColumn(swSliceTile tile, uint column, bool isFirst, uvec2 rows)
+{
+    float cell = floor(splineZ(tile, rows.x));
+    uint row = (tile.base >> 16) + uint(cell);
+    uint at = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
+    if (isFirst)
     {
-        mat4 pieces = cubicPieces(s - cell, tile.step);
-        laidOut[tile.firstColumn + column] = pieces * vec4(a.x, b.x, c.x, d.x);
-        laidOut[SW_SLICE_COLUMNS + tile.firstColumn + column] = pieces * vec4(a.y, b.y, c.y, d.y);
-        laidOut[2 * SW_SLICE_COLUMNS + tile.firstColumn + column] = pieces * vec4(a.z, b.z, c.z, d.z);
+        placeCubic(tile, column, at);
     }
-    uint knotCount = uint(floor(splineZ(tile, endRow - 1)) - cell);
+    vec3 a = texelOf(tile, at, row), b = texelOf(tile, at, row + 1);
+    vec3 c = texelOf(tile, at, row + 2), d = texelOf(tile, at, row + 3);
+    uint knotCount = uint(floor(splineZ(tile, rows.y)) - cell);
     uint to = tile.firstJump + column;
     float cube = tile.step * tile.step * tile.step * (1.0 / 6.0);
     for (uint k = 0; k < knotCount; k += 3) // three loads at a time
@@ -181,8 +205,8 @@ void placeColumn(swSliceTile tile, uint column, uint firstRow, uint endRow)
     }
 }
 
-// Lays out the columns of tiles [first, end), each by a thread, with the knots of a group of rows.
-void placeColumns(uint first, uint end, uint firstRow, uint endRow)
+// Lays out the columns of tiles [first, end), each by a thread.
+void placeColumns(uint first, uint end, bool isFirst, uvec2 rows)
 {
     uint begin = blockTiles[first].firstOfAll;
     uint columnCount = blockTiles[end - 1].firstOfAll + blockTiles[end - 1].columnCount - begin;
@@ -193,7 +217,7 @@ void placeColumns(uint first, uint end, uint firstRow, uint endRow)
         {
             b += begin + i >= blockTiles[next].firstOfAll ? 1 : 0;
         }
-        placeColumn(blockTiles[b], begin + i - blockTiles[b].firstOfAll, firstRow, endRow);
+        placeColumn(blockTiles[b], begin + i - blockTiles[b].firstOfAll, isFirst, rows);
     }
 }
 
@@ -274,20 +298,20 @@ vec3 readJump(uint at)
     return vec3(jumps[at], jumps[SW_SLICE_JUMPS + at], jumps[2 * SW_SLICE_JUMPS + at]);
 }
 
-// Takes in the knots between a row and the one before.
-void addKnots(inout Cubic cubic, swSliceList list, uint row, uint column)
+// Takes in the knots between a row and the one before, or leaves them behind (`sign` -1). `origin` is the row from which
+// those laid out are counted.
+void addKnots(inout Cubic cubic, uint row, uint origin, float sign, uint column)
 {
-    uint groupRow = row - row % list.groupRows;
     for (uint bits = knotTiles[row]; bits != 0; bits &= bits - 1)
     {
         swSliceTile tile = blockTiles[findLSB(bits)];
         float cell = floor(splineZ(tile, row));
-        uint knot = uint(cell - floor(splineZ(tile, max(groupRow, 1u) - 1))) - 1;
-        float t = (cell - splineZ(tile, 0)) * tile.texelsPerUnit;
+        uint knot = uint(cell - floor(splineZ(tile, origin))) - 1;
+        float t = (cell - splineZ(tile, MIDDLE)) * tile.texelsPerUnit;
         Window window = makeWindow(tile, column);
         uint at = tile.firstJump + knot * tile.columnCount + window.first;
         vec3 a = readJump(at), b = readJump(at + 1), c = readJump(at + 2), d = readJump(at + 3);
-        addCubic(cubic, vec4(-t * t * t, 3.0 * t * t, -3.0 * t, 1.0), weigh(window.value, a, b, c, d),
+        addCubic(cubic, sign * vec4(-t * t * t, 3.0 * t * t, -3.0 * t, 1.0), weigh(window.value, a, b, c, d),
                  weigh(window.slope, a, b, c, d));
     }
 }
@@ -436,24 +460,35 @@ void main()
         return;
     }
     prepareTiles(list);
+    Cubic middle = FLAT;
     Cubic cubic = FLAT;
     for (uint group = 0; group < SW_SLICE_HEIGHT; group += list.groupRows)
     {
+        uvec2 rows = rowsOfGroup(list, group);
         for (uint first = 0; first < list.count; first = blockTiles[first].batchEnd)
         {
             uint end = blockTiles[first].batchEnd;
             barrier(); // nobody reads what was laid out
-            placeColumns(first, end, group, group + list.groupRows);
+            placeColumns(first, end, group == 0, rows);
             barrier();
             for (uint b = group == 0 ? first : end; b < end; ++b)
             {
-                addTile(cubic, blockTiles[b], column);
+                addTile(middle, blockTiles[b], column);
             }
         }
-        for (uint row = group; row < group + list.groupRows; ++row)
+        for (uint i = group; i < group + list.groupRows; ++i)
         {
-            addKnots(cubic, list, row, column);
-            Texel texel = evaluateCubic(cubic, float(row), list.texelsPerMetre);
+            bool isBack = i >= MIDDLE;
+            uint row = isBack ? SW_SLICE_HEIGHT - 1 - i : MIDDLE + i;
+            if (i == 0 || i == MIDDLE)
+            {
+                cubic = middle;
+            }
+            if (i > 0)
+            {
+                addKnots(cubic, isBack ? row + 1 : row, rows.x, isBack ? -1.0 : 1.0, column);
+            }
+            Texel texel = evaluateCubic(cubic, float(row) - float(MIDDLE), list.texelsPerMetre);
             if (WITH_OTHERS)
             {
                 addOthers(texel, list, column, row);

@@ -117,6 +117,23 @@ static void TwoSystemsAgreeAfterAMonth(void** state)
     FreeParity(&parity);
 }
 
+// More tiles and knots than a block lays out at once.
+static void ManySystemsAgree(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef sea = Breeze();
+    AddParityView(&parity, 4, 128, (swPos){7.0, 8.0, -3.0});
+    for (int i = 0; i < 5; ++i)
+    {
+        sea.seed = 20u + (uint32_t)i;
+        sea.minWavelength = i < 2 ? 0.0625f : 1.0f;
+        AddParitySea(&parity, &sea);
+        StepParity(&parity, 0.3);
+        CheckSlices(&parity, "one system more");
+    }
+    FreeParity(&parity);
+}
+
 static void FreeWavesAgree(void** state)
 {
     Parity parity = MakeParity(state);
@@ -328,6 +345,7 @@ int main(void)
         cmocka_unit_test(ViewersEverywhereAgree),
         cmocka_unit_test(ASwellOfParallelTilesAgrees),
         cmocka_unit_test(TwoSystemsAgreeAfterAMonth),
+        cmocka_unit_test(ManySystemsAgree),
         cmocka_unit_test(FreeWavesAgree),
         cmocka_unit_test(ASeaThatChangesAgrees),
         cmocka_unit_test(WaterWithoutWavesIsFlat),

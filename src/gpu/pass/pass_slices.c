@@ -58,7 +58,7 @@ static uint32_t countColumns(const swSliceTile* tile)
     return (uint32_t)((float)(SW_SLICE_WIDTH - 1) * tile->step * 1.0001f) + 5;
 }
 
-// The most knots that a group of rows passes. The block's first row has none before it.
+// The most knots that a group of rows passes. All rows have one gap less between them.
 static uint32_t countKnots(const swSliceTile* tile, uint32_t rows)
 {
     uint32_t gaps = rows < SW_SLICE_HEIGHT ? rows : SW_SLICE_HEIGHT - 1;
