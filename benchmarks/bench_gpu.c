@@ -533,7 +533,8 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
     free(bench->rays);
 }
 
-// Slices where waves differ from place to place --------------------------------------------------------------------------
+// Slices where waves differ from place to place
+// --------------------------------------------------------------------------
 
 typedef struct PlaceCase
 {

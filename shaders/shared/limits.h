@@ -13,11 +13,12 @@
 // Columns that one workgroup of the FFT's second axis transforms, see waves_columns.comp.
 #define SW_COLUMN_BLOCK 4
 
-// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_HEIGHT texels along z. See slices.comp.
+// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_HEIGHT texels along z. See
+// slices.comp.
 #define SW_SLICE_WIDTH 128
 #define SW_SLICE_HEIGHT 16
-// Tiles that are added as cubics (at most 32, the bits of a mask); columns of them that are laid out in shared memory at
-// once, and knots of columns.
+// Tiles that are added as cubics (at most 32, the bits of a mask); columns of them that are laid out in shared memory
+// at once, and knots of columns.
 #define SW_SLICE_TILES 24
 #define SW_SLICE_COLUMNS 180
 #define SW_SLICE_JUMPS 960

@@ -86,8 +86,8 @@ SW_PARAMS(swSliceList)
     sw_uint waveCount;
     float texelsPerMetre;
     sw_uint groupRows; // rows of texels whose knots are laid out together
-    // Where waves differ from place to place: rows whose blocks are added in general, and the depth of the first texel, m,
-    // and its change from column to column and row to row.
+    // Where waves differ from place to place: rows whose blocks are added in general, and the depth of the first texel,
+    // m, and its change from column to column and row to row.
     sw_uint generalRows;
     float depth, depthAlongX, depthAlongZ;
     sw_uint unused;

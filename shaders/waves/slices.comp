@@ -14,24 +14,24 @@
 // Along z the sum of all tiles is one cubic from knot to knot. Each tile's columns are turned into cubics once for the
 // block, in shared memory, together with what changes at each knot: only the third derivative does, by the fourth
 // difference of the tile's coefficients. A thread weighs four columns of each tile along x (value and slope), which
-// gives the cubic of its middle texel; then it goes along its column, takes in a knot where one is passed, and evaluates
-// the cubic at each texel. That costs 8 bytes of shared memory a tile and texel and one step a knot, whatever the tile's
-// resolution. It is exact, not an approximation.
+// gives the cubic of its middle texel; then it goes along its column, takes in a knot where one is passed, and
+// evaluates the cubic at each texel. A tile costs 12 bytes of shared memory a texel, whatever its resolution, and a
+// little more at each of its knots. It is exact, not an approximation.
 //
-// Tiles that have more than one sample in two texels would have too many knots. They are added texel by texel, and so
-// are free waves, with their phases in integers. Pipelines of views that have neither are compiled without
-// (WITH_OTHERS).
+// Tiles that have more than three samples in four texels would have too many knots. They are added texel by texel, and
+// so are free waves, with their phases in integers: four texels at a time, each by turning the sine and cosine of the
+// one before on. Pipelines of views that have neither are compiled without (WITH_OTHERS).
 //
 // Where waves differ from place to place (WITH_PLACES), a block is added in one of two ways: far from all that shapes
 // waves as above; else in general, texel by texel, each tile and free wave with the weight that its place gives it. See
 // findShape().
 //
-// Registers and the length of the code decide. A compiler gives a thread as many registers as the block's shared memory
-// leaves it, whatever would fit: 79 here, 255 where 24 KB hold knots that are read in other ways, so that hardly any
-// blocks run at once. Slower on an H100 than what is here: texels that change places, so that stores fill whole pieces
-// of images (two rows of sixteen: alone they store in 10 us, rows of thirty-two in 21, but each pair of rows needs
-// barriers), four copies of a run's steps (30 KB of code), 64, 192 and 384 columns, columns of eight texels (41), and
-// cubics and knots laid out one after the other in the same memory.
+// What decides is how many blocks run at once, and the length of the code. A compiler gives a thread as many registers
+// as shared memory leaves it, whatever would fit. Slower on an H100 than what is here (33.6 us): columns of eight
+// texels (40.7), texels that change places, so that stores fill whole pieces of images (36.4; stores alone take 10 us
+// in two rows of sixteen and 21 in rows of thirty-two, but each pair of rows needs barriers), steps written out twice
+// (30 KB of code), blocks of 64, 192 and 384 columns, and cubics and knots laid out one after the other in the same
+// memory.
 
 #include "lib/turns.glsl"
 #include "shared/depth_share.h"
@@ -266,8 +266,7 @@ Window makeWindow(swSliceTile tile, uint column)
 {
     float s = splineX(tile, column);
     float cell = floor(s);
-    return Window(uint(cell - firstOfBlock(tile)), swSplineWeights(s - cell),
-                  swSplineSlopes(s - cell) * tile.perMetre);
+    return Window(uint(cell - firstOfBlock(tile)), swSplineWeights(s - cell), swSplineSlopes(s - cell) * tile.perMetre);
 }
 
 // Adds the cubic of a laid-out column, weighted.
@@ -298,8 +297,8 @@ vec3 readJump(uint at)
     return vec3(jumps[at], jumps[SW_SLICE_JUMPS + at], jumps[2 * SW_SLICE_JUMPS + at]);
 }
 
-// Takes in the knots between a row and the one before, or leaves them behind (`sign` -1). `origin` is the row from which
-// those laid out are counted.
+// Takes in the knots between a row and the one before, or leaves them behind (`sign` -1). `origin` is the row from
+// which those laid out are counted.
 void addKnots(inout Cubic cubic, uint row, uint origin, float sign, uint column)
 {
     for (uint bits = knotTiles[row]; bits != 0; bits &= bits - 1)
@@ -378,17 +377,60 @@ vec2 swingOf(swSliceWave wave, uint column, uint row)
     return wave.amplitude * unitOf(wave.phase + column * wave.stepX + z * wave.stepZ);
 }
 
-// Tiles that are no cubics, and free waves. `row` is of the block.
-void addOthers(inout Texel texel, swSliceList list, uint column, uint row)
+const Texel CALM = Texel(vec3(0.0), vec3(0.0), vec2(0.0));
+
+// Four texels that follow each other. They have names, not indices: an array that is indexed would leave the registers.
+struct Run
 {
-    for (uint i = list.count; i < list.count + list.windowCount; ++i)
-    {
-        addWindow(texel, tiles[list.first + i], column, row);
-    }
+    Texel a, b, c, d;
+};
+
+vec2 turnOn(vec2 unit, vec2 turn)
+{
+    return vec2(unit.x * turn.x - unit.y * turn.y, unit.x * turn.y + unit.y * turn.x);
+}
+
+// The free waves of a run that begins at a row and goes on or back.
+Run sumWaves(swSliceList list, uint column, uint row, bool isBack)
+{
+    Run run = Run(CALM, CALM, CALM, CALM);
     for (uint i = 0; i < list.waveCount; ++i)
     {
         swSliceWave wave = waves[list.firstWave + i];
-        addWave(texel, wave, swingOf(wave, column, row));
+        vec2 turn = vec2(wave.cosZ, isBack ? -wave.sinZ : wave.sinZ);
+        vec2 unit = swingOf(wave, column, row);
+        addWave(run.a, wave, unit);
+        unit = turnOn(unit, turn);
+        addWave(run.b, wave, unit);
+        unit = turnOn(unit, turn);
+        addWave(run.c, wave, unit);
+        unit = turnOn(unit, turn);
+        addWave(run.d, wave, unit);
+    }
+    return run;
+}
+
+void addTexel(inout Texel texel, Texel other)
+{
+    texel.sum += other.sum;
+    texel.alongX += other.alongX;
+    texel.alongZ += other.alongZ;
+}
+
+// Tiles that are no cubics, and the free waves of texel `i` of a run.
+void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run run, uint i)
+{
+    for (uint k = list.count; k < list.count + list.windowCount; ++k)
+    {
+        addWindow(texel, tiles[list.first + k], column, row);
+    }
+    if (i < 2)
+    {
+        addTexel(texel, i == 0 ? run.a : run.b);
+    }
+    else
+    {
+        addTexel(texel, i == 2 ? run.c : run.d);
     }
 }
 
@@ -417,8 +459,6 @@ void addShaped(inout Texel texel, Texel own, Shape shape)
     texel.alongX += shape.weight * own.alongX + shape.slope.x * own.sum;
     texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
 }
-
-const Texel CALM = Texel(vec3(0.0), vec3(0.0), vec2(0.0));
 
 // All waves of a texel, each as its place shapes it.
 Texel sumShaped(swSliceList list, uint column, uint row)
@@ -462,6 +502,7 @@ void main()
     prepareTiles(list);
     Cubic middle = FLAT;
     Cubic cubic = FLAT;
+    Run run = Run(CALM, CALM, CALM, CALM);
     for (uint group = 0; group < SW_SLICE_HEIGHT; group += list.groupRows)
     {
         uvec2 rows = rowsOfGroup(list, group);
@@ -491,7 +532,11 @@ void main()
             Texel texel = evaluateCubic(cubic, float(row) - float(MIDDLE), list.texelsPerMetre);
             if (WITH_OTHERS)
             {
-                addOthers(texel, list, column, row);
+                if (i % 4 == 0)
+                {
+                    run = sumWaves(list, column, row, isBack);
+                }
+                addOthers(texel, list, column, row, run, i % 4);
             }
             storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z), texel);
         }

@@ -245,7 +245,8 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
     (void)ticks;
     for (int i = 0; i < count; ++i)
     {
-        double depth = (double)bottom->depth + points[i].x * (double)bottom->alongX + points[i].z * (double)bottom->alongZ;
+        double depth =
+            (double)bottom->depth + points[i].x * (double)bottom->alongX + points[i].z * (double)bottom->alongZ;
         values[i] = depth > 0.0 ? (float)depth : 0.0f;
         gradients[i][0] = bottom->alongX;
         gradients[i][1] = bottom->alongZ;
