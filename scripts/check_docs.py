@@ -121,7 +121,7 @@ def read_ranges():
     """Rows of a table: the section of a scene file, and its numbers with their ranges as the reader has them."""
     names = {"waves": "`waves`", "sceneView": "`views`", "scene": "top", "component": "`components`",
              "octave": "`octaves`", "replay": "`replay`"}
-    values = {"FAR": "1e9", "SW_YAML_LARGEST_TIME": "2.7e11"}
+    values = {"FAR": "1e9", "SW_LARGEST_TIME": "2.7e11"}
     values["SW_MAX_SLICES"] = re.search(r"SW_MAX_SLICES (\d+)", read("include/seaway/view.h")).group(1)
     rows = []
     for path in ("scene_read.c", "scene_components.c", "scene_octaves.c", "scene_measured.c"):

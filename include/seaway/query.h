@@ -42,7 +42,7 @@ typedef enum swStretching
 /// Must be initialized with swDefaultQueryDef().
 typedef struct swQueryDef
 {
-    /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Default 0.
+    /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Range [0, inf]. Default 0.
     float minWavelength;
 
     /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, 1e9]. Default
@@ -52,9 +52,10 @@ typedef struct swQueryDef
     /// Range [1, 64]. Default 24.
     int maxIterations;
 
-    /// s, past or future. Default SW_QUERY_NOW. At another time than that of the last step each wave is summed by
-    /// itself: exact where the tiles of a step are interpolated (0.5 % of a band's height), and some hundred times
-    /// slower. Systems that are changing keep the amplitudes of the last step.
+    /// s, past or future. Range [-SW_LARGEST_TIME, SW_LARGEST_TIME], or SW_QUERY_NOW. Default SW_QUERY_NOW. At another
+    /// time than that of the last step each wave is summed by itself: exact where the tiles of a step are interpolated
+    /// (0.5 % of a band's height), and some hundred times slower. Systems that are changing keep the amplitudes of the
+    /// last step.
     double time;
 
     /// Of swMoment_QueryVolume(). Default SW_STRETCHING_WHEELER.

@@ -36,9 +36,6 @@ typedef struct swYaml
     int mistakeCount;
 } swYaml;
 
-// Of a world, s; see swWorld_SetTime().
-#define SW_YAML_LARGEST_TIME 2.7e11
-
 typedef enum swYamlType
 {
     SW_YAML_FLOAT,
