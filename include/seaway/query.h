@@ -67,6 +67,22 @@ typedef struct swQueryDef
 
 SW_API swQueryDef swDefaultQueryDef(void);
 
+/// What the last search for a point found, for callers that ask about the same points in each step: the next one then
+/// begins where the particle should have gone by now, and takes a third of the time. All zero: nothing is known.
+/// Keep one for each point, also of points that move with a ship; a query reads and writes it. The answer is as exact
+/// with a hint as without, but has other bits within the tolerance; the same hints give the same bits. A hint that is
+/// of no use (older than 0.25 s, of other waves, of another point) costs time and nothing else. Plain data: save it
+/// where a run must be repeated to the bit.
+typedef struct swSurfaceHint
+{
+    double time;            ///< of the search, s
+    float offsetX, offsetZ; ///< from the point to where its particle rests, m
+    float rateX, rateZ;     ///< m/s
+    float bendX, bendZ;     ///< m/s^2
+    float lastStep;         ///< between the last two searches, s
+    int searchCount;        ///< searches that the hint knows of, at most 3
+} swSurfaceHint;
+
 /// Where answers go: arrays of as many elements as points, or NULL to skip.
 typedef struct swSurfaceSamples
 {
@@ -90,6 +106,10 @@ typedef struct swSurfaceSamples
     /// swWorldDef::enableVelocity and enableAcceleration, else summed wave by wave.
     swVec3* velocity;
     swVec3* acceleration;
+
+    /// Read before and written after the search, or NULL. See swSurfaceHint. swWorld_QueryParticles() leaves them
+    /// alone.
+    swSurfaceHint* hints;
 } swSurfaceSamples;
 
 /// Of a batch; every query takes one, or NULL.

@@ -16,6 +16,7 @@
 #include "seaway/seaway.h"
 #if MISUSE_GPU
 #include "gpu/record/record.h"
+#include "seaway/layers.h"
 #include "seaway/stage.h"
 #endif
 #if MISUSE_SCENE

@@ -63,14 +63,10 @@ void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int co
 double swMoment_GetHeight(const swMoment* moment, double x, double z)
 {
     swQueryDef def = swDefaultQueryDef();
-    swPosXZ point = {x, z};
-    swVec3 displacement = SW_NO_VECTOR;
-    swSurfaceSamples samples = {.displacement = &displacement};
     SW_REQUIRE(moment != NULL, (double)NAN, NULL, "swMoment_GetHeight() needs a moment");
     swQuery query;
     beginQuery(moment, &def, &query);
-    swQuerySurface(&query, 1, &point, &samples, NULL);
-    return moment->frame->seaLevel + (double)displacement.y;
+    return swFindHeight(&query, x, z);
 }
 
 void swMoment_QueryParticles(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,
