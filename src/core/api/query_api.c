@@ -26,7 +26,12 @@ static bool checkDef(const swMoment* moment, const char* call, const swQueryDef*
         return refuse(moment, call, moment == NULL ? "the moment is NULL" : "the def is NULL");
     }
     char why[320];
-    return swFields_Check(&swQueryFields, def, why, sizeof(why)) || refuse(moment, call, why);
+    if (!swFields_Check(&swQueryFields, def, why, sizeof(why)))
+    {
+        return refuse(moment, call, why);
+    }
+    bool isLater = def->after == NULL || def->after->frame->ticks > moment->frame->ticks;
+    return isLater || refuse(moment, call, "the def's later moment is not later");
 }
 
 static bool checkBatch(const swMoment* moment, const char* call, const swQueryDef* def, int count, bool hasArrays)
@@ -45,6 +50,10 @@ static bool checkBatch(const swMoment* moment, const char* call, const swQueryDe
 static void beginQuery(const swMoment* moment, const swQueryDef* def, swQuery* query)
 {
     swBeginQuery(query, moment->frame, moment->kernels, def, *moment->origin);
+    if (def->after != NULL)
+    {
+        swBlendQuery(query, def->after->frame);
+    }
 }
 
 void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,
