@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+//@ end
+SW_PASS(WETNESS, wetness, "Wetness of all slices")
