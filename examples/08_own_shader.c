@@ -59,8 +59,8 @@ static bool CreateBuffer(Beach* beach, const swGpu* gpu)
     vkGetPhysicalDeviceMemoryProperties(swGpu_GetPhysicalDevice(gpu), &memory);
     const VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     uint32_t type = 0;
-    while (type < memory.memoryTypeCount && ((needs.memoryTypeBits & 1u << type) == 0 ||
-                                             (memory.memoryTypes[type].propertyFlags & wanted) != wanted))
+    while (type < memory.memoryTypeCount &&
+           ((needs.memoryTypeBits & 1u << type) == 0 || (memory.memoryTypes[type].propertyFlags & wanted) != wanted))
     {
         type += 1;
     }
@@ -79,9 +79,8 @@ static bool CreateOwnSet(Beach* beach)
     VkDescriptorSetLayoutBinding binding = {.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                             .descriptorCount = 1,
                                             .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
-    VkDescriptorSetLayoutCreateInfo layoutInfo = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                                  .bindingCount = 1,
-                                                  .pBindings = &binding};
+    VkDescriptorSetLayoutCreateInfo layoutInfo = {
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, .bindingCount = 1, .pBindings = &binding};
     VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1};
     VkDescriptorPoolCreateInfo poolInfo = {
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &size};

@@ -191,17 +191,32 @@ float sliceLevelAt(SurfaceGrid grid, float byDistance, Footprint footprint)
     return clamp(max(byDistance, byFootprint), 0.0, float(grid.ringCount));
 }
 
-// A layer of the slices at a place of the mesh; what the pair does not hold is `beyond`.
-vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 place, vec4 beyond)
+// One slice of a layer, linear between its texels: by the sampler, or by hand where the device cannot filter the
+// layer's format.
+vec4 sampleSlice(sampler2DArray layer, SurfaceGrid grid, uint slice, vec2 place, bool isFiltered)
 {
     float resolution = float(grid.resolution);
+    vec2 uv = sliceUv(meshSlice(slice), place, resolution);
+    if (isFiltered)
+    {
+        return textureLod(layer, vec3(uv, float(slice)), 0.0);
+    }
+    vec2 texel = clamp(uv * resolution - 0.5, vec2(0.0), vec2(resolution - 1.0));
+    ivec3 low = ivec3(min(ivec2(texel), ivec2(int(grid.resolution) - 2)), int(slice));
+    vec2 along = texel - vec2(low.xy);
+    vec4 near = mix(texelFetch(layer, low, 0), texelFetch(layer, low + ivec3(1, 0, 0), 0), along.x);
+    vec4 far = mix(texelFetch(layer, low + ivec3(0, 1, 0), 0), texelFetch(layer, low + ivec3(1, 1, 0), 0), along.x);
+    return mix(near, far, along.y);
+}
+
+// A layer of the slices at a place of the mesh; what the pair does not hold is `beyond`.
+vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 place, vec4 beyond, bool isFiltered)
+{
     vec4 sum = (1.0 - pair.firstWeight - pair.secondWeight) * beyond;
-    vec2 uv = sliceUv(meshSlice(pair.first), place, resolution);
-    sum += pair.firstWeight * textureLod(layer, vec3(uv, float(pair.first)), 0.0);
+    sum += pair.firstWeight * sampleSlice(layer, grid, pair.first, place, isFiltered);
     if (pair.secondWeight > 0.0)
     {
-        uv = sliceUv(meshSlice(pair.second), place, resolution);
-        sum += pair.secondWeight * textureLod(layer, vec3(uv, float(pair.second)), 0.0);
+        sum += pair.secondWeight * sampleSlice(layer, grid, pair.second, place, isFiltered);
     }
     return sum;
 }
@@ -210,7 +225,7 @@ vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 p
 Slopes slopesAt(SurfaceGrid grid, SlicePair pair, vec2 place, vec2 rest, Footprint footprint,
                 sampler2DArray derivatives, sampler2DArray detail, bool isFast)
 {
-    vec4 d = sampleSlices(derivatives, grid, pair, place, vec4(0.0, 0.0, 1.0, 0.0));
+    vec4 d = sampleSlices(derivatives, grid, pair, place, vec4(0.0, 0.0, 1.0, 0.0), true);
     Slopes slopes;
     slopes.jacobian = d.z;
     // A fold would be vertical; its place is under foam, and steeper than this no water stands.
@@ -222,9 +237,9 @@ Slopes slopesAt(SurfaceGrid grid, SlicePair pair, vec2 place, vec2 rest, Footpri
     return slopes;
 }
 
-// Smooth amount of foam, [0, 1]; `atRest` is that beyond the slices.
-float foamAmountAt(SurfaceGrid grid, SlicePair pair, vec2 place, sampler2DArray foam, float atRest)
+// Smooth amount of foam, [0, 1]; `atRest` is that beyond the slices. `isFiltered`: the device filters 32-bit floats.
+float foamAmountAt(SurfaceGrid grid, SlicePair pair, vec2 place, sampler2DArray foam, float atRest, bool isFiltered)
 {
-    return clamp(sampleSlices(foam, grid, pair, place, vec4(atRest)).r, 0.0, 1.0);
+    return clamp(sampleSlices(foam, grid, pair, place, vec4(atRest), isFiltered).r, 0.0, 1.0);
 }
 #endif

@@ -10,6 +10,7 @@ swResult swCreateSurfacePipelines(swGpu* gpu, const swPictureDef* formats, swPip
 {
     const swSurfaceConstants constants = {
         .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
+        .filtersFloats = gpu->filtersFloats ? 1 : 0,
     };
     swGraphicsDef draw = {
         .vertex = &swSurfaceVertex,
