@@ -11,7 +11,7 @@
 #include "gpu/vk/vk_device.h"
 #include "support/cmocka_setup.h"
 
-#define SIDE 128
+#define SIDE 96
 #define PIXELS (SIDE * SIDE)
 
 static PFN_vkGetInstanceProcAddr s_loader;
@@ -76,7 +76,7 @@ static void DrawBoth(PFN_vkGetInstanceProcAddr loader, float* foam, float* hdr)
                  .fovDeg = 60.0f,
                  .sunElevationDeg = 40.0f,
                  .time = 40.0,
-                 .steps = 20,
+                 .steps = 3,
                  .hasCoreLayers = true};
     assert_true(DrawShot(canvas, &shot, NULL, hdr));
     shot.debug = SW_DEBUG_FOAM;
