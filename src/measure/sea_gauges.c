@@ -197,7 +197,8 @@ static swResult fillRecords(swWorld* world, const swSeaGauges* gauges, const Gau
         {
             return result;
         }
-        swMoment_QueryParticles(swWorld_GetMoment(world), &def, records->gaugeCount, space->points, &samples, space->slopes, NULL);
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, records->gaugeCount, space->points, &samples,
+                                space->slopes, NULL);
         for (size_t i = 0; i < (size_t)records->gaugeCount; ++i)
         {
             size_t at = i * (size_t)records->sampleCount + (size_t)j;

@@ -113,7 +113,7 @@ static swResult fillSpectra(swWorld* world, double begin, double dt, double shor
             return result;
         }
         swMoment_QueryParticles(swWorld_GetMoment(world), &query, PATCH_POINTS, space->points,
-                               &(swSurfaceSamples){.displacement = space->displacement}, NULL, NULL);
+                                &(swSurfaceSamples){.displacement = space->displacement}, NULL, NULL);
         for (int i = 0; i < PATCH_POINTS; ++i)
         {
             double window = space->window[i % SW_PATCH_SIDE] * space->window[i / SW_PATCH_SIDE];

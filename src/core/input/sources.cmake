@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/raster.c)
