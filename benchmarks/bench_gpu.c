@@ -391,7 +391,7 @@ static Floor WavesFloor(const swFrame* frame, bool isRows)
 static Floor DetailFloor(const Bench* bench, const swFrame* frame)
 {
     Floor least = {0};
-    double texels = pow((double)bench->gpuWorld->detail.width, 2.0);
+    double texels = pow((double)swGetDetailImage(bench->gpuWorld)->width, 2.0);
     for (int i = 0; i < frame->tileCount; ++i)
     {
         double n = frame->tiles[i].resolution;

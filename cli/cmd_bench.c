@@ -153,15 +153,15 @@ static bool BenchCpu(int threads, CpuResult* cpu)
     return isFine;
 }
 
-static swPicture MakeBenchPicture(const swView* view, const swWorld* world, PixelSize size)
+static swShot MakeBenchShot(const swView* view, const swWorld* world, PixelSize size)
 {
     swPos position = {0.0, swWorld_GetSeaLevel(world) + 12.0, 0.0};
-    return (swPicture){
-        .view = view,
-        .camera = swMakeCamera(position, 0.6f, -0.08f, 0.0f, 0.9f, (uint32_t)size.width, (uint32_t)size.height),
-        .sky = swDefaultSkyDef(),
-        .water = swDefaultWaterDef(),
-        .time = swWorld_GetTime(world)};
+    return (swShot){.view = view,
+                    .camera =
+                        swMakeCamera(position, 0.6f, -0.08f, 0.0f, 0.9f, (uint32_t)size.width, (uint32_t)size.height),
+                    .sky = swDefaultSkyDef(),
+                    .water = swDefaultWaterDef(),
+                    .time = swWorld_GetTime(world)};
 }
 
 static void NotePasses(const swGpu* gpu, double times[MAX_PASSES][MAX_ROUNDS], int round, GpuResult* result)
@@ -186,8 +186,8 @@ static bool TimeFrames(PictureMaker* maker, swWorld* world, swView* view, GpuRes
         swView_SetViewpoint(view, (swPos){0.0, 12.0, 0.0});
         double begin = GetSeconds();
         isFine = swWorld_Step(world, 1.0 / 60.0) == SW_SUCCESS;
-        swPicture picture = MakeBenchPicture(view, world, result->size);
-        isFine = isFine && MakePicture(maker, &picture, 1.0f / 60.0f, i == 0);
+        swShot shot = MakeBenchShot(view, world, result->size);
+        isFine = isFine && MakePicture(maker, &shot, 1.0f / 60.0f, i == 0);
         frameTimes[i] = 1e3 * (GetSeconds() - begin);
         NotePasses(GetPictureGpu(maker), times, i, result);
         UpdateProgress(i + 1);

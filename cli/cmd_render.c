@@ -207,18 +207,18 @@ static bool DrawFrame(Render* render, int frame, double time)
         return false;
     }
     swPos position = PlaceCamera(render, &view); // on the water of this step
-    swPicture picture = {.view = render->view,
-                         .camera = swMakeCamera(position, view.heading, view.pitch, view.roll, view.verticalFov,
-                                                (uint32_t)options->size.width, (uint32_t)options->size.height),
-                         .sky = FindFrameSky(render, frame),
-                         .water = render->scene->water,
-                         .debug = (swDebugMode)options->debug,
-                         .time = time + frame / options->fps,
-                         .exposureEv = render->scene->exposureEv + (float)options->exposureEv};
+    swShot shot = {.view = render->view,
+                   .camera = swMakeCamera(position, view.heading, view.pitch, view.roll, view.verticalFov,
+                                          (uint32_t)options->size.width, (uint32_t)options->size.height),
+                   .sky = FindFrameSky(render, frame),
+                   .water = render->scene->water,
+                   .debug = (swDebugMode)options->debug,
+                   .time = time + frame / options->fps,
+                   .exposureEv = render->scene->exposureEv + (float)options->exposureEv};
     int factor = (int)lround(sqrt((double)options->samples));
-    picture.camera.width *= (uint32_t)factor;
-    picture.camera.height *= (uint32_t)factor;
-    return MakePicture(render->maker, &picture, (float)dt, frame == 0);
+    shot.camera.width *= (uint32_t)factor;
+    shot.camera.height *= (uint32_t)factor;
+    return MakePicture(render->maker, &shot, (float)dt, frame == 0);
 }
 
 static bool IsExr(const RenderOptions* options)

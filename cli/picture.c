@@ -17,6 +17,7 @@ struct PictureMaker
     swGpu* gpu;
     swGpuWorld* world;
     swRenderer* renderer;
+    swPicture* picture;
     swStageTargets targets;
     swStageBuffer hdrData, outputData; // 4 half floats and 4 bytes a pixel
 };
@@ -53,11 +54,9 @@ swViewDef FitPictureView(const PictureMaker* maker, const swViewDef* def)
 bool ShowWorld(PictureMaker* maker, const swWorld* world)
 {
     swResult result = swCreateGpuWorld(maker->gpu, world, &maker->world);
-    if (result == SW_SUCCESS)
-    {
-        swRendererDef def = swDefaultRendererDef();
-        result = swCreateRenderer(maker->world, &def, &maker->renderer);
-    }
+    const swPictureDef def = swDefaultPictureDef();
+    result = result == SW_SUCCESS ? swCreateRenderer(maker->world, &maker->renderer) : result;
+    result = result == SW_SUCCESS ? swCreatePicture(maker->renderer, &def, &maker->picture) : result;
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the sea cannot be drawn");
@@ -97,6 +96,7 @@ int DestroyPictureMaker(PictureMaker* maker)
     if (maker->stage != NULL)
     {
         swStage_Wait(maker->stage);
+        swDestroyPicture(maker->picture);
         swDestroyRenderer(maker->renderer);
         swDestroyGpuWorld(maker->world);
         swStage_DestroyTargets(maker->stage, &maker->targets);
@@ -145,14 +145,14 @@ bool AdvancePicture(PictureMaker* maker)
     return swGpu_WantsCpuLayers(maker->gpu) || (BeginFrame(maker, &frame) && FinishFrame(maker, &frame));
 }
 
-bool MakePicture(PictureMaker* maker, const swPicture* picture, float dt, bool isFirst)
+bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst)
 {
     swStageFrame frame;
     if (!BeginFrame(maker, &frame))
     {
         return false;
     }
-    swResult result = swRenderer_Prepare(maker->renderer, frame.commands, picture, frame.index);
+    swResult result = swPicture_Prepare(maker->picture, frame.commands, shot, frame.index);
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the picture could not be prepared");
@@ -160,7 +160,7 @@ bool MakePicture(PictureMaker* maker, const swPicture* picture, float dt, bool i
         return false;
     }
     const swStageTargets* targets = &maker->targets;
-    swStage_DrawPicture(maker->stage, frame.commands, maker->renderer, targets, dt, isFirst);
+    swStage_DrawPicture(maker->stage, frame.commands, maker->picture, targets, dt, isFirst);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->hdr, SW_STAGE_USE_SAMPLED, &maker->hdrData);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->output, SW_STAGE_USE_COLOR_TARGET, &maker->outputData);
     return FinishFrame(maker, &frame);

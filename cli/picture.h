@@ -35,7 +35,7 @@ bool AdvancePicture(PictureMaker* maker);
 
 // Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;
 // `isFirst` jumps to the measured exposure.
-bool MakePicture(PictureMaker* maker, const swPicture* picture, float dt, bool isFirst);
+bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst);
 
 // Room for width * height * 3. Bytes are tone mapped and sRGB encoded; floats are linear light before tone mapping.
 void ReadPictureBytes(const PictureMaker* maker, uint8_t* rgb);

@@ -20,7 +20,7 @@ typedef struct Image
     VkImageView view;
 } Image;
 
-typedef struct Picture
+typedef struct Targets
 {
     swGpu* gpu;
     VkDevice device;
@@ -29,19 +29,19 @@ typedef struct Picture
     VkDeviceMemory bufferMemory;
     VkCommandPool pool;
     VkCommandBuffer commands;
-} Picture;
+} Targets;
 
-static VkDeviceMemory Allocate(const Picture* picture, VkMemoryRequirements needs, VkMemoryPropertyFlags wanted)
+static VkDeviceMemory Allocate(const Targets* targets, VkMemoryRequirements needs, VkMemoryPropertyFlags wanted)
 {
     VkPhysicalDeviceMemoryProperties properties;
-    vkGetPhysicalDeviceMemoryProperties(swGpu_GetPhysicalDevice(picture->gpu), &properties);
+    vkGetPhysicalDeviceMemoryProperties(swGpu_GetPhysicalDevice(targets->gpu), &properties);
     VkDeviceMemory memory = VK_NULL_HANDLE;
     for (uint32_t i = 0; i < properties.memoryTypeCount && !memory; ++i)
     {
         bool fits = (needs.memoryTypeBits & (1u << i)) && (properties.memoryTypes[i].propertyFlags & wanted) == wanted;
         VkMemoryAllocateInfo info = {
             .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = i};
-        if (fits && vkAllocateMemory(picture->device, &info, NULL, &memory) != VK_SUCCESS)
+        if (fits && vkAllocateMemory(targets->device, &info, NULL, &memory) != VK_SUCCESS)
         {
             memory = VK_NULL_HANDLE;
         }
@@ -49,7 +49,7 @@ static VkDeviceMemory Allocate(const Picture* picture, VkMemoryRequirements need
     return memory;
 }
 
-static bool CreateImage(Picture* picture, Image* image, VkFormat format, VkImageUsageFlags usage)
+static bool CreateImage(Targets* targets, Image* image, VkFormat format, VkImageUsageFlags usage)
 {
     bool isDepth = format == VK_FORMAT_D32_SFLOAT;
     VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
@@ -60,21 +60,21 @@ static bool CreateImage(Picture* picture, Image* image, VkFormat format, VkImage
                               .arrayLayers = 1,
                               .samples = VK_SAMPLE_COUNT_1_BIT,
                               .usage = usage};
-    if (vkCreateImage(picture->device, &info, NULL, &image->image) != VK_SUCCESS)
+    if (vkCreateImage(targets->device, &info, NULL, &image->image) != VK_SUCCESS)
     {
         return false;
     }
     VkMemoryRequirements needs;
-    vkGetImageMemoryRequirements(picture->device, image->image, &needs);
-    image->memory = Allocate(picture, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    vkGetImageMemoryRequirements(targets->device, image->image, &needs);
+    image->memory = Allocate(targets, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
     VkImageAspectFlags aspect = isDepth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
     VkImageViewCreateInfo viewInfo = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                       .image = image->image,
                                       .viewType = VK_IMAGE_VIEW_TYPE_2D,
                                       .format = format,
                                       .subresourceRange = {aspect, 0, 1, 0, 1}};
-    return image->memory && vkBindImageMemory(picture->device, image->image, image->memory, 0) == VK_SUCCESS &&
-           vkCreateImageView(picture->device, &viewInfo, NULL, &image->view) == VK_SUCCESS;
+    return image->memory && vkBindImageMemory(targets->device, image->image, image->memory, 0) == VK_SUCCESS &&
+           vkCreateImageView(targets->device, &viewInfo, NULL, &image->view) == VK_SUCCESS;
 }
 
 static void DestroyImage(VkDevice device, const Image* image)
@@ -84,62 +84,62 @@ static void DestroyImage(VkDevice device, const Image* image)
     vkFreeMemory(device, image->memory, NULL);
 }
 
-static bool CreateBuffer(Picture* picture)
+static bool CreateBuffer(Targets* targets)
 {
     VkBufferCreateInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                .size = 4u * WIDTH * HEIGHT,
                                .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT};
-    if (vkCreateBuffer(picture->device, &info, NULL, &picture->buffer) != VK_SUCCESS)
+    if (vkCreateBuffer(targets->device, &info, NULL, &targets->buffer) != VK_SUCCESS)
     {
         return false;
     }
     VkMemoryRequirements needs;
-    vkGetBufferMemoryRequirements(picture->device, picture->buffer, &needs);
-    picture->bufferMemory =
-        Allocate(picture, needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-    return picture->bufferMemory &&
-           vkBindBufferMemory(picture->device, picture->buffer, picture->bufferMemory, 0) == VK_SUCCESS;
+    vkGetBufferMemoryRequirements(targets->device, targets->buffer, &needs);
+    targets->bufferMemory =
+        Allocate(targets, needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+    return targets->bufferMemory &&
+           vkBindBufferMemory(targets->device, targets->buffer, targets->bufferMemory, 0) == VK_SUCCESS;
 }
 
-static bool CreateCommands(Picture* picture)
+static bool CreateCommands(Targets* targets)
 {
     VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                        .queueFamilyIndex = swGpu_GetQueueFamily(picture->gpu)};
-    if (vkCreateCommandPool(picture->device, &poolInfo, NULL, &picture->pool) != VK_SUCCESS)
+                                        .queueFamilyIndex = swGpu_GetQueueFamily(targets->gpu)};
+    if (vkCreateCommandPool(targets->device, &poolInfo, NULL, &targets->pool) != VK_SUCCESS)
     {
         return false;
     }
     VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                        .commandPool = picture->pool,
+                                        .commandPool = targets->pool,
                                         .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                         .commandBufferCount = 1};
-    return vkAllocateCommandBuffers(picture->device, &info, &picture->commands) == VK_SUCCESS;
+    return vkAllocateCommandBuffers(targets->device, &info, &targets->commands) == VK_SUCCESS;
 }
 
-static bool CreatePicture(Picture* picture, swGpu* gpu, const swRendererDef* def)
+static bool CreateTargets(Targets* targets, swGpu* gpu, const swPictureDef* def)
 {
     VkImageUsageFlags target = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    picture->gpu = gpu;
-    picture->device = swGpu_GetDevice(gpu);
-    return CreateImage(picture, &picture->hdr, def->colorFormat, target | VK_IMAGE_USAGE_SAMPLED_BIT) &&
-           CreateImage(picture, &picture->depth, def->depthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) &&
-           CreateImage(picture, &picture->output, def->outputFormat, target | VK_IMAGE_USAGE_TRANSFER_SRC_BIT) &&
-           CreateBuffer(picture) && CreateCommands(picture);
+    targets->gpu = gpu;
+    targets->device = swGpu_GetDevice(gpu);
+    return CreateImage(targets, &targets->hdr, def->colorFormat, target | VK_IMAGE_USAGE_SAMPLED_BIT) &&
+           CreateImage(targets, &targets->depth, def->depthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) &&
+           CreateImage(targets, &targets->output, def->outputFormat, target | VK_IMAGE_USAGE_TRANSFER_SRC_BIT) &&
+           CreateBuffer(targets) && CreateCommands(targets);
 }
 
-static void DestroyPicture(Picture* picture)
+static void DestroyTargets(Targets* targets)
 {
-    if (!picture->device)
+    if (!targets->device)
     {
         return;
     }
-    vkDeviceWaitIdle(picture->device);
-    vkDestroyCommandPool(picture->device, picture->pool, NULL);
-    vkDestroyBuffer(picture->device, picture->buffer, NULL);
-    vkFreeMemory(picture->device, picture->bufferMemory, NULL);
-    DestroyImage(picture->device, &picture->hdr);
-    DestroyImage(picture->device, &picture->depth);
-    DestroyImage(picture->device, &picture->output);
+    vkDeviceWaitIdle(targets->device);
+    vkDestroyCommandPool(targets->device, targets->pool, NULL);
+    vkDestroyBuffer(targets->device, targets->buffer, NULL);
+    vkFreeMemory(targets->device, targets->bufferMemory, NULL);
+    DestroyImage(targets->device, &targets->hdr);
+    DestroyImage(targets->device, &targets->depth);
+    DestroyImage(targets->device, &targets->output);
 }
 
 // Wait for everything before, then change the layout: simple, and fast enough for one picture.
@@ -190,48 +190,48 @@ static void BeginRendering(VkCommandBuffer commands, const Image* color, const I
 
 // [passes]
 // Water, sky, exposure, tone curve, and a copy that the CPU can read.
-static void RecordPicture(Picture* picture, swRenderer* renderer)
+static void RecordPicture(Targets* targets, swPicture* picture)
 {
-    VkCommandBuffer commands = picture->commands;
+    VkCommandBuffer commands = targets->commands;
     VkImageAspectFlags color = VK_IMAGE_ASPECT_COLOR_BIT;
-    Transition(commands, &picture->hdr, color, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-    Transition(commands, &picture->depth, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
+    Transition(commands, &targets->hdr, color, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    Transition(commands, &targets->depth, VK_IMAGE_ASPECT_DEPTH_BIT, VK_IMAGE_LAYOUT_UNDEFINED,
                VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL);
-    BeginRendering(commands, &picture->hdr, &picture->depth);
-    swRenderer_DrawSurface(renderer, commands);
-    swRenderer_DrawSky(renderer, commands);
+    BeginRendering(commands, &targets->hdr, &targets->depth);
+    swPicture_DrawSurface(picture, commands);
+    swPicture_DrawSky(picture, commands);
     vkCmdEndRendering(commands);
 
-    Transition(commands, &picture->hdr, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+    Transition(commands, &targets->hdr, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-    swRenderer_Expose(renderer, commands, picture->hdr.view, 0.0f, true);
+    swPicture_Expose(picture, commands, targets->hdr.view, 0.0f, true);
 
-    Transition(commands, &picture->output, color, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-    BeginRendering(commands, &picture->output, NULL);
-    swRenderer_Tonemap(renderer, commands, picture->hdr.view);
+    Transition(commands, &targets->output, color, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    BeginRendering(commands, &targets->output, NULL);
+    swPicture_Tonemap(picture, commands, targets->hdr.view);
     vkCmdEndRendering(commands);
 
-    Transition(commands, &picture->output, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+    Transition(commands, &targets->output, color, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
     VkBufferImageCopy copy = {.imageSubresource = {color, 0, 0, 1}, .imageExtent = {WIDTH, HEIGHT, 1}};
-    vkCmdCopyImageToBuffer(commands, picture->output.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, picture->buffer, 1,
+    vkCmdCopyImageToBuffer(commands, targets->output.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, targets->buffer, 1,
                            &copy);
 }
 // [/passes]
 
-static bool SubmitAndWait(const Picture* picture)
+static bool SubmitAndWait(const Targets* targets)
 {
-    VkQueue queue = swGpu_GetQueue(picture->gpu);
+    VkQueue queue = swGpu_GetQueue(targets->gpu);
     VkSubmitInfo info = {
-        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &picture->commands};
-    return vkEndCommandBuffer(picture->commands) == VK_SUCCESS &&
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &targets->commands};
+    return vkEndCommandBuffer(targets->commands) == VK_SUCCESS &&
            vkQueueSubmit(queue, 1, &info, VK_NULL_HANDLE) == VK_SUCCESS && vkQueueWaitIdle(queue) == VK_SUCCESS;
 }
 
-static bool WritePpm(const Picture* picture, const char* path)
+static bool WritePpm(const Targets* targets, const char* path)
 {
     void* mapped;
-    if (vkMapMemory(picture->device, picture->bufferMemory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
+    if (vkMapMemory(targets->device, targets->bufferMemory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
     {
         return false;
     }
@@ -248,28 +248,28 @@ static bool WritePpm(const Picture* picture, const char* path)
         isWritten = !ferror(file);
         isWritten = fclose(file) == 0 && isWritten;
     }
-    vkUnmapMemory(picture->device, picture->bufferMemory);
+    vkUnmapMemory(targets->device, targets->bufferMemory);
     return isWritten;
 }
 
 // A gale seen from a ship's bridge.
-static bool DrawSea(Picture* picture, swWorld* world, swView* view, swGpuWorld* gpuWorld, swRenderer* renderer)
+static bool DrawSea(Targets* targets, swWorld* world, swView* view, swGpuWorld* gpuWorld, swPicture* picture)
 {
     swPos eye = {0.0, 12.0, 0.0};
-    swPicture what = {.view = view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
-    what.camera = swMakeCamera(eye, 3.6f, -0.09f, 0.0f, 0.9f, WIDTH, HEIGHT);
-    what.water.windSpeed = 16.0f;
+    swShot shot = {.view = view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
+    shot.camera = swMakeCamera(eye, 3.6f, -0.09f, 0.0f, 0.9f, WIDTH, HEIGHT);
+    shot.water.windSpeed = 16.0f;
     VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
 
     swView_SetViewpoint(view, eye);
-    if (swWorld_Step(world, 0.0) != SW_SUCCESS || vkBeginCommandBuffer(picture->commands, &begin) != VK_SUCCESS ||
-        swGpuWorld_Record(gpuWorld, picture->commands, 0) != SW_SUCCESS ||
-        swRenderer_Prepare(renderer, picture->commands, &what, 0) != SW_SUCCESS)
+    if (swWorld_Step(world, 0.0) != SW_SUCCESS || vkBeginCommandBuffer(targets->commands, &begin) != VK_SUCCESS ||
+        swGpuWorld_Record(gpuWorld, targets->commands, 0) != SW_SUCCESS ||
+        swPicture_Prepare(picture, targets->commands, &shot, 0) != SW_SUCCESS)
     {
         return false;
     }
-    RecordPicture(picture, renderer);
-    return SubmitAndWait(picture);
+    RecordPicture(targets, picture);
+    return SubmitAndWait(targets);
 }
 
 int main(int argc, char** argv)
@@ -279,7 +279,7 @@ int main(int argc, char** argv)
     swWorldDef worldDef = swDefaultWorldDef();
     swViewDef viewDef = swDefaultViewDef();
     swGpuDef gpuDef = swDefaultGpuDef();
-    swRendererDef rendererDef = swDefaultRendererDef();
+    swPictureDef pictureDef = swDefaultPictureDef();
     swWaveSystemDef waves = swDefaultWaveSystemDef();
     waves.spectrum.windSpeed = 16.0f;
 
@@ -288,20 +288,21 @@ int main(int argc, char** argv)
     swGpu* gpu = NULL;
     swGpuWorld* gpuWorld = NULL;
     swRenderer* renderer = NULL;
+    swPicture* picture = NULL;
     swWaveSystemId sea;
-    Picture picture = {0};
+    Targets targets = {0};
     bool isDrawn = swCreateGpu(&host, &gpuDef, &gpu) == SW_SUCCESS;
     if (isDrawn)
     {
         viewDef = swGpu_FitView(gpu, &viewDef, HEIGHT); // without a GPU the core makes the view's layers
     }
-    isDrawn = isDrawn && swCreateWorld(&host, &worldDef, &world) == SW_SUCCESS &&
-              swCreateWaveSystem(world, &waves, &sea) == SW_SUCCESS &&
-              swCreateView(world, &viewDef, &view) == SW_SUCCESS &&
-              swCreateGpuWorld(gpu, world, &gpuWorld) == SW_SUCCESS &&
-              swCreateRenderer(gpuWorld, &rendererDef, &renderer) == SW_SUCCESS &&
-              CreatePicture(&picture, gpu, &rendererDef) && DrawSea(&picture, world, view, gpuWorld, renderer);
-    bool isWritten = isDrawn && WritePpm(&picture, path);
+    isDrawn =
+        isDrawn && swCreateWorld(&host, &worldDef, &world) == SW_SUCCESS &&
+        swCreateWaveSystem(world, &waves, &sea) == SW_SUCCESS && swCreateView(world, &viewDef, &view) == SW_SUCCESS &&
+        swCreateGpuWorld(gpu, world, &gpuWorld) == SW_SUCCESS && swCreateRenderer(gpuWorld, &renderer) == SW_SUCCESS &&
+        swCreatePicture(renderer, &pictureDef, &picture) == SW_SUCCESS && CreateTargets(&targets, gpu, &pictureDef) &&
+        DrawSea(&targets, world, view, gpuWorld, picture);
+    bool isWritten = isDrawn && WritePpm(&targets, path);
     if (isWritten)
     {
         printf("%s: %u x %u, drawn by %s\n", path, WIDTH, HEIGHT, swGpu_GetDeviceName(gpu));
@@ -311,7 +312,8 @@ int main(int argc, char** argv)
         fprintf(stderr, "02_headless_picture: cannot write %s\n", path);
     }
 
-    DestroyPicture(&picture);
+    DestroyTargets(&targets);
+    swDestroyPicture(picture);
     swDestroyRenderer(renderer);
     swDestroyGpuWorld(gpuWorld);
     swDestroyGpu(gpu);

@@ -272,14 +272,14 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swWaveSystemId", "swPicture", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.
-COPIED = {"swPicture", "swHeightMapDef", "swSeaGauges"}
+COPIED = {"swShot", "swHeightMapDef", "swSeaGauges"}
 # Made with a host, which is told.
-OBJECTS = {"swWorld", "swMoment", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swMeasuredSea", "swSeaReplay",
-           "swScene", "swStage", "swSeaPatches"}
+OBJECTS = {"swWorld", "swMoment", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swPicture", "swMeasuredSea",
+           "swSeaReplay", "swScene", "swStage", "swSeaPatches"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.
 FREES = set()

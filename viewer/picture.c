@@ -23,7 +23,7 @@ VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware)
 
 bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent, VkExtent2D drawn)
 {
-    swRendererDef formats = swDefaultRendererDef();
+    swPictureDef formats = swDefaultPictureDef();
     ImageDef hdr =
         DescribeTarget(drawn, formats.colorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                        VK_IMAGE_ASPECT_COLOR_BIT);
@@ -89,8 +89,8 @@ static void DrawSea(const PictureDef* def, VkCommandBuffer commands)
     VkRenderingAttachmentInfo far = DescribeAttachment(depth->view, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                                        VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_DONT_CARE);
     BeginDrawing(def, commands, hdr, &color, &far);
-    swRenderer_DrawSurface(def->sea->renderer, commands);
-    swRenderer_DrawSky(def->sea->renderer, commands);
+    swPicture_DrawSurface(def->sea->picture, commands);
+    swPicture_DrawSky(def->sea->picture, commands);
     graphics->vk.CmdEndRendering(commands);
     UseImage(graphics, commands, hdr->image, hdr->aspect, USE_COLOR_TARGET, USE_SAMPLED);
 }
@@ -99,12 +99,12 @@ static void Tonemap(const PictureDef* def, VkCommandBuffer commands)
 {
     const Graphics* graphics = def->graphics;
     const Image* picture = &def->targets->picture;
-    swRenderer_Expose(def->sea->renderer, commands, def->targets->hdr.view, def->dt, def->jumpExposure);
+    swPicture_Expose(def->sea->picture, commands, def->targets->hdr.view, def->dt, def->jumpExposure);
     UseImage(graphics, commands, picture->image, picture->aspect, USE_DISCARD, USE_COLOR_TARGET);
     VkRenderingAttachmentInfo color = DescribeAttachment(picture->otherView, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
                                                          VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE);
     BeginDrawing(def, commands, picture, &color, NULL);
-    swRenderer_Tonemap(def->sea->renderer, commands, def->targets->hdr.view);
+    swPicture_Tonemap(def->sea->picture, commands, def->targets->hdr.view);
     graphics->vk.CmdEndRendering(commands);
 }
 
@@ -178,7 +178,7 @@ static void CopyToWindow(const PictureDef* def, VkCommandBuffer commands)
 bool RecordPicture(const PictureDef* def, VkCommandBuffer commands)
 {
     if (swGpuWorld_Record(def->sea->gpuWorld, commands, def->frameIndex) != SW_SUCCESS ||
-        swRenderer_Prepare(def->sea->renderer, commands, &def->picture, def->frameIndex) != SW_SUCCESS)
+        swPicture_Prepare(def->sea->picture, commands, &def->shot, def->frameIndex) != SW_SUCCESS)
     {
         return false;
     }

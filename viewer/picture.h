@@ -9,7 +9,7 @@
 #include "ui_draw.h"
 
 // The picture holds sRGB bytes in a UNORM image: the panel blends them as they are, tone mapping encodes through a
-// second view in the renderer's output format.
+// second view in the picture's output format.
 #define PICTURE_FORMAT VK_FORMAT_R8G8B8A8_UNORM
 
 typedef struct Targets
@@ -48,7 +48,7 @@ typedef struct PictureDef
     Sea* sea;
     UiDrawer* drawer;
     const UiMesh* mesh;
-    swPicture picture;
+    swShot shot;
     uint64_t frameIndex;
     float dt;          // s since the last frame, for exposure
     bool jumpExposure; // the first frame, or a new place

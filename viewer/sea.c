@@ -145,7 +145,7 @@ static swResult BuildSea(Sea* sea, uint32_t height)
 {
     swViewDef usual = swDefaultViewDef();
     swViewDef viewDef = swGpu_FitView(sea->gpu, sea->scene ? &sea->scene->view : &usual, height);
-    swRendererDef rendererDef = swDefaultRendererDef();
+    swPictureDef pictureDef = swDefaultPictureDef();
     swResult result = swCreateWorld(sea->host, &sea->worldDef, &sea->world);
     if (result == SW_SUCCESS)
     {
@@ -157,7 +157,8 @@ static swResult BuildSea(Sea* sea, uint32_t height)
     }
     result = result ? result : swCreateView(sea->world, &viewDef, &sea->view);
     result = result ? result : swCreateGpuWorld(sea->gpu, sea->world, &sea->gpuWorld);
-    return result ? result : swCreateRenderer(sea->gpuWorld, &rendererDef, &sea->renderer);
+    result = result ? result : swCreateRenderer(sea->gpuWorld, &sea->renderer);
+    return result ? result : swCreatePicture(sea->renderer, &pictureDef, &sea->picture);
 }
 
 bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, uint32_t height, const char* path)
@@ -187,6 +188,7 @@ bool OpenSea(Sea* sea, const swHost* host, swGpu* gpu, uint32_t height, const ch
 
 void CloseSea(Sea* sea)
 {
+    swDestroyPicture(sea->picture);
     swDestroyRenderer(sea->renderer);
     swDestroyGpuWorld(sea->gpuWorld);
     swDestroyView(sea->view);

@@ -81,6 +81,7 @@ typedef struct Sea
     swView* view;
     swGpuWorld* gpuWorld;
     swRenderer* renderer;
+    swPicture* picture;
 } Sea;
 
 // Read and build, with slices for pictures of `height` pixels; `path` NULL is an open sea. Reasons for failing go to

@@ -242,7 +242,7 @@ static PictureDef DescribePicture(App* app, double passed)
         .sea = &app->sea,
         .drawer = &app->drawer,
         .mesh = &app->mesh,
-        .picture =
+        .shot =
             {
                 .view = sea->view,
                 .camera = MakePictureCamera(&app->camera, app->targets.hdr.width, app->targets.hdr.height),

@@ -60,24 +60,40 @@ typedef enum swDebugMode
 } swDebugMode;
 SW_API const char* swDebugMode_GetName(swDebugMode mode);
 
+/// What all pictures of a world share: pipelines, and the pattern of foam.
 typedef struct swRenderer swRenderer;
 
-/// Must be initialized with swDefaultRendererDef().
-typedef struct swRendererDef
+/// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
+SW_API swResult swCreateRenderer(swGpuWorld* gpuWorld, swRenderer** renderer);
+
+/// Destroys its pictures too. The device must be idle. NULL is allowed.
+SW_API void swDestroyRenderer(swRenderer* renderer);
+
+/// A camera's eye: what it has got used to, the sky as it is at its height, the part of the mesh that it sees. A
+/// renderer has any number: halves of a split screen, a mirror, a map. Each is prepared and drawn on its own, in the
+/// same frame or not, and pictures of one view share its layers. The commands of a frame's pictures run in the order in
+/// which they were recorded.
+typedef struct swPicture swPicture;
+
+/// What a picture is drawn to. Must be initialized with swDefaultPictureDef().
+typedef struct swPictureDef
 {
     VkFormat colorFormat;  ///< HDR target. Default VK_FORMAT_R16G16B16A16_SFLOAT
     VkFormat depthFormat;  ///< Default VK_FORMAT_D32_SFLOAT
-    VkFormat outputFormat; ///< target of swRenderer_Tonemap(). Default VK_FORMAT_R8G8B8A8_SRGB
+    VkFormat outputFormat; ///< target of swPicture_Tonemap(). Default VK_FORMAT_R8G8B8A8_SRGB
     int internalValue;
-} swRendererDef;
-SW_API swRendererDef swDefaultRendererDef(void);
+} swPictureDef;
+SW_API swPictureDef swDefaultPictureDef(void);
 
+/// The first picture of its formats makes their pipelines.
 /// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE, SW_ERROR_UNSUPPORTED (a format cannot be drawn to)
-SW_API swResult swCreateRenderer(swGpuWorld* gpuWorld, const swRendererDef* def, swRenderer** renderer);
-SW_API void swDestroyRenderer(swRenderer* renderer);
+SW_API swResult swCreatePicture(swRenderer* renderer, const swPictureDef* def, swPicture** picture);
 
-/// What one picture shows.
-typedef struct swPicture
+/// At any time: what frames in flight use of it goes when they are done. NULL is allowed.
+SW_API void swDestroyPicture(swPicture* picture);
+
+/// What a picture shows in one frame.
+typedef struct swShot
 {
     const swView* view; ///< its slices are drawn
     swCamera camera;
@@ -86,21 +102,21 @@ typedef struct swPicture
     swDebugMode debug;
     double time;      ///< for clouds, s
     float exposureEv; ///< added to automatic exposure, stops. Default 0
-} swPicture;
+} swShot;
 
 /// After swGpuWorld_Record() and outside of rendering: sky tables, culling, indirect arguments.
-SW_API swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
-                                   uint64_t frameIndex);
+/// @return SW_ERROR_INVALID (the shot's view was not recorded), SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
+SW_API swResult swPicture_Prepare(swPicture* picture, VkCommandBuffer commands, const swShot* shot,
+                                  uint64_t frameIndex);
 
 /// Inside the host's dynamic rendering with the def's formats, viewport and scissor set, depth cleared to 0 (reversed
 /// Z): opaque water, and the sky behind everything with depth 0.
-SW_API void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands);
-SW_API void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands);
+SW_API void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands);
+SW_API void swPicture_DrawSky(swPicture* picture, VkCommandBuffer commands);
 
 /// Outside of rendering: measure exposure from `hdr` (sampled, SHADER_READ_ONLY_OPTIMAL) for this and later frames.
 /// `immediate` jumps to the measured exposure instead of adapting.
-SW_API void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt,
-                              bool immediate);
+SW_API void swPicture_Expose(swPicture* picture, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate);
 
 /// Inside dynamic rendering with one colour target of outputFormat: exposure, tone curve, dither.
-SW_API void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr);
+SW_API void swPicture_Tonemap(swPicture* picture, VkCommandBuffer commands, VkImageView hdr);

@@ -172,8 +172,8 @@ SW_API swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t h
                                       uint32_t drawnHeight, swStageTargets* targets);
 SW_API void swStage_DestroyTargets(swStage* stage, swStageTargets* targets);
 
-/// After swRenderer_Prepare(): draw surface and sky, measure exposure and tone map. `dt` is the time since the last
+/// After swPicture_Prepare(): draw surface and sky, measure exposure and tone map. `dt` is the time since the last
 /// picture, s; `immediate` jumps to the measured exposure. Leaves hdr in SW_STAGE_USE_SAMPLED and output in
 /// SW_STAGE_USE_COLOR_TARGET.
-SW_API void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swRenderer* renderer,
+SW_API void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swPicture* picture,
                                 const swStageTargets* targets, float dt, bool immediate);

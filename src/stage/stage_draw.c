@@ -155,7 +155,7 @@ swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t height, 
     SW_REQUIRE(targets != NULL && width > 0 && height > 0, SW_ERROR_INVALID, &stage->host,
                "swStage_CreateTargets() needs a size and a place for the targets");
     *targets = (swStageTargets){0};
-    const swRendererDef formats = swDefaultRendererDef();
+    const swPictureDef formats = swDefaultPictureDef();
     const VkImageUsageFlags drawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     const swStageImageDef hdr = {.name = "the drawn picture",
                                  .format = formats.colorFormat,
@@ -192,26 +192,26 @@ void swStage_DestroyTargets(swStage* stage, swStageTargets* targets)
     swStage_DestroyImage(stage, &targets->output);
 }
 
-void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swRenderer* renderer, const swStageTargets* targets,
+void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swPicture* picture, const swStageTargets* targets,
                          float dt, bool immediate)
 {
     if (!canRecord(stage, commands, "swStage_DrawPicture()"))
     {
         return;
     }
-    SW_REQUIRE_VOID(renderer != NULL && targets != NULL && isImage(&targets->hdr) && isImage(&targets->depth) &&
+    SW_REQUIRE_VOID(picture != NULL && targets != NULL && isImage(&targets->hdr) && isImage(&targets->depth) &&
                         isImage(&targets->output),
-                    &stage->host, "swStage_DrawPicture() needs a renderer and targets");
+                    &stage->host, "swStage_DrawPicture() needs a picture and targets");
     swStage_UseImage(stage, commands, &targets->hdr, SW_STAGE_USE_DISCARD, SW_STAGE_USE_COLOR_TARGET);
     swStage_UseImage(stage, commands, &targets->depth, SW_STAGE_USE_DISCARD, SW_STAGE_USE_DEPTH_TARGET);
     swStage_BeginDrawing(stage, commands, &targets->hdr, targets->hdr.view, false, &targets->depth);
-    swRenderer_DrawSurface(renderer, commands);
-    swRenderer_DrawSky(renderer, commands);
+    swPicture_DrawSurface(picture, commands);
+    swPicture_DrawSky(picture, commands);
     swStage_EndDrawing(stage, commands);
     swStage_UseImage(stage, commands, &targets->hdr, SW_STAGE_USE_COLOR_TARGET, SW_STAGE_USE_SAMPLED);
-    swRenderer_Expose(renderer, commands, targets->hdr.view, dt, immediate);
+    swPicture_Expose(picture, commands, targets->hdr.view, dt, immediate);
     swStage_UseImage(stage, commands, &targets->output, SW_STAGE_USE_DISCARD, SW_STAGE_USE_COLOR_TARGET);
     swStage_BeginDrawing(stage, commands, &targets->output, targets->output.otherView, false, NULL);
-    swRenderer_Tonemap(renderer, commands, targets->hdr.view);
+    swPicture_Tonemap(picture, commands, targets->hdr.view);
     swStage_EndDrawing(stage, commands);
 }

@@ -35,18 +35,18 @@ static void Build(swWorld* world, swView* view, swPosXZ origin, swPos place, dou
 {
     swWorld_SetOrigin(world, origin);
     swPos inHost = {place.x - origin.x, place.y, place.z - origin.z};
-    swPicture picture = {
+    swShot shot = {
         .view = view,
         .camera = swMakeCamera(inHost, 0.7f, -0.1f, 0.0f, 1.0f, 64, 64),
         .sky = swDefaultSkyDef(),
         .water = swDefaultWaterDef(),
         .time = time,
     };
-    swView_SetViewpoint(view, picture.camera.position);
+    swView_SetViewpoint(view, shot.camera.position);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     const swFrame* frame = swGetWorldFrame(world);
     memset(built, 0, sizeof(*built));
-    swBuildPicture(&picture, swGetWorldOrigin(world), frame, &frame->views[0], 1024, built);
+    swBuildPicture(&shot, swGetWorldOrigin(world), frame, &frame->views[0], 1024, built);
 }
 
 static void AShiftOfTheOriginChangesNoNumber(void** state)

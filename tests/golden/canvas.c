@@ -27,6 +27,7 @@ typedef struct Sea
     swView* view;
     swGpuWorld* gpuWorld;
     swRenderer* renderer;
+    swPicture* picture;
 } Sea;
 
 static float Radians(float degrees)
@@ -78,6 +79,7 @@ void DestroyCanvas(Canvas* canvas)
 
 static void DestroySea(Sea* sea)
 {
+    swDestroyPicture(sea->picture);
     swDestroyRenderer(sea->renderer);
     swDestroyGpuWorld(sea->gpuWorld);
     swDestroyView(sea->view);
@@ -103,14 +105,15 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
     swell.seed = 7;
     swViewDef viewDef = swDefaultViewDef();
     viewDef.enableCpuLayers = shot->hasCoreLayers;
-    swRendererDef rendererDef = swDefaultRendererDef();
+    swPictureDef pictureDef = swDefaultPictureDef();
     swWaveSystemId id;
     return swCreateWorld(&canvas->host, &worldDef, &sea->world) == SW_SUCCESS &&
            swCreateWaveSystem(sea->world, &waves, &id) == SW_SUCCESS &&
            (shot->swellHeight <= 0.0f || swCreateWaveSystem(sea->world, &swell, &id) == SW_SUCCESS) &&
            swCreateView(sea->world, &viewDef, &sea->view) == SW_SUCCESS &&
            swCreateGpuWorld(canvas->gpu, sea->world, &sea->gpuWorld) == SW_SUCCESS &&
-           swCreateRenderer(sea->gpuWorld, &rendererDef, &sea->renderer) == SW_SUCCESS;
+           swCreateRenderer(sea->gpuWorld, &sea->renderer) == SW_SUCCESS &&
+           swCreatePicture(sea->renderer, &pictureDef, &sea->picture) == SW_SUCCESS;
 }
 
 static float HalfToFloat(uint16_t half)
@@ -123,35 +126,35 @@ static float HalfToFloat(uint16_t half)
     return half & 0x8000 ? -value : value;
 }
 
-static bool RecordAll(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, const swStageFrame* frame)
+static bool RecordAll(Canvas* canvas, Sea* sea, const swShot* what, bool readHdr, const swStageFrame* frame)
 {
     if (swGpuWorld_Record(sea->gpuWorld, frame->commands, frame->index) != SW_SUCCESS)
     {
         return false;
     }
-    if (!picture)
+    if (!what)
     {
         return true;
     }
-    if (swRenderer_Prepare(sea->renderer, frame->commands, picture, frame->index) != SW_SUCCESS)
+    if (swPicture_Prepare(sea->picture, frame->commands, what, frame->index) != SW_SUCCESS)
     {
         return false;
     }
     const swStageTargets* targets = &canvas->targets;
-    swStage_DrawPicture(canvas->stage, frame->commands, sea->renderer, targets, 0.0f, true);
+    swStage_DrawPicture(canvas->stage, frame->commands, sea->picture, targets, 0.0f, true);
     swStage_CopyToHost(canvas->stage, frame->commands, readHdr ? &targets->hdr : &targets->output,
                        readHdr ? SW_STAGE_USE_SAMPLED : SW_STAGE_USE_COLOR_TARGET, &canvas->readback);
     return true;
 }
 
-// One frame, of the waves alone or with the picture.
-static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool readHdr, bool isDroppedFirst)
+// One frame, of the waves alone or with the what.
+static bool RunFrame(Canvas* canvas, Sea* sea, const swShot* what, bool readHdr, bool isDroppedFirst)
 {
     swStageFrame frame;
     if (isDroppedFirst)
     {
         bool isRecorded =
-            swStage_BeginFrame(canvas->stage, &frame) == SW_SUCCESS && RecordAll(canvas, sea, picture, readHdr, &frame);
+            swStage_BeginFrame(canvas->stage, &frame) == SW_SUCCESS && RecordAll(canvas, sea, what, readHdr, &frame);
         if (!isRecorded)
         {
             return false;
@@ -163,7 +166,7 @@ static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool re
     {
         return false;
     }
-    if (!RecordAll(canvas, sea, picture, readHdr, &frame))
+    if (!RecordAll(canvas, sea, what, readHdr, &frame))
     {
         swStage_DropFrame(canvas->stage, &frame);
         return false;
@@ -173,19 +176,19 @@ static bool RunFrame(Canvas* canvas, Sea* sea, const swPicture* picture, bool re
 
 static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels, float* hdr)
 {
-    swPicture picture = {.view = sea->view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
-    picture.water.foamAlbedo = shot->hasBlackFoam ? (swVec3){0.0f, 0.0f, 0.0f} : picture.water.foamAlbedo;
-    picture.camera = swMakeCamera((swPos){shot->x, (double)shot->height, shot->z}, Radians(shot->headingDeg),
-                                  Radians(shot->pitchDeg), 0.0f, Radians(shot->fovDeg), canvas->width, canvas->height);
-    picture.sky.sunAzimuth = Radians(shot->sunAzimuthDeg);
-    picture.sky.sunElevation = Radians(shot->sunElevationDeg);
-    picture.sky.haze = shot->haze;
-    picture.sky.clouds = shot->clouds;
-    picture.water.windSpeed = shot->windSpeed;
-    picture.debug = shot->debug;
-    picture.time = shot->time;
+    swShot what = {.view = sea->view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
+    what.water.foamAlbedo = shot->hasBlackFoam ? (swVec3){0.0f, 0.0f, 0.0f} : what.water.foamAlbedo;
+    what.camera = swMakeCamera((swPos){shot->x, (double)shot->height, shot->z}, Radians(shot->headingDeg),
+                               Radians(shot->pitchDeg), 0.0f, Radians(shot->fovDeg), canvas->width, canvas->height);
+    what.sky.sunAzimuth = Radians(shot->sunAzimuthDeg);
+    what.sky.sunElevation = Radians(shot->sunElevationDeg);
+    what.sky.haze = shot->haze;
+    what.sky.clouds = shot->clouds;
+    what.water.windSpeed = shot->windSpeed;
+    what.debug = shot->debug;
+    what.time = shot->time;
 
-    swView_SetViewpoint(sea->view, picture.camera.position);
+    swView_SetViewpoint(sea->view, what.camera.position);
     swWorld_SetTime(sea->world, shot->time - 0.1 * shot->steps);
     bool isGood = swWorld_Step(sea->world, 0.0) == SW_SUCCESS;
     for (int i = 0; i < shot->steps && isGood; ++i)
@@ -195,12 +198,12 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
     size_t count = 4ull * canvas->width * canvas->height;
     if (isGood && pixels)
     {
-        isGood = RunFrame(canvas, sea, &picture, false, shot->dropsCommands);
+        isGood = RunFrame(canvas, sea, &what, false, shot->dropsCommands);
         memcpy(pixels, canvas->readback.data, count);
     }
     if (isGood && hdr)
     {
-        isGood = RunFrame(canvas, sea, &picture, true, shot->dropsCommands);
+        isGood = RunFrame(canvas, sea, &what, true, shot->dropsCommands);
         const uint16_t* halves = canvas->readback.data;
         for (size_t i = 0; i < count; ++i)
         {

@@ -58,7 +58,8 @@ typedef struct Fixture
     swGpuWorld* gpuWorld;
     swGpuQuery* gpuQuery;
     swRenderer* renderer;
-    swPicture picture;
+    swPicture* picture;
+    swShot shot;
     VkCommandBuffer VkCommandBuffer;
     VkInstance VkInstance;
     VkPhysicalDevice VkPhysicalDevice;
@@ -90,7 +91,7 @@ typedef struct Fixture
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
-#define FIX_swPicture (&f->picture)
+#define FIX_swShot (&f->shot)
 #define FIX_swStageImage (&f->image)
 #define FIX_swStageBuffer (&f->buffer)
 #define FIX_swStageFrame (&f->frame)
@@ -224,15 +225,16 @@ static inline void MakeGpu(Fixture* f)
     f->image = f->targets.output;
     f->VkImageView = f->targets.hdr.view;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
-    swRendererDef rendererDef = swDefaultRendererDef();
+    swPictureDef pictureDef = swDefaultPictureDef();
     Need(swCreateGpuWorld(f->gpu, f->world, &f->gpuWorld), "world on the device");
     Need(swCreateGpuQuery(f->gpuWorld, &queryDef, &f->gpuQuery), "query");
-    Need(swCreateRenderer(f->gpuWorld, &rendererDef, &f->renderer), "renderer");
+    Need(swCreateRenderer(f->gpuWorld, &f->renderer), "renderer");
+    Need(swCreatePicture(f->renderer, &pictureDef, &f->picture), "picture");
     Need(swStage_BeginFrame(f->stage, &f->frame), "commands");
     f->VkCommandBuffer = f->frame.commands;
     Need(swGpuWorld_Record(f->gpuWorld, f->VkCommandBuffer, f->frame.index), "frame");
-    f->picture = (swPicture){.view = f->view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
-    f->picture.camera = swMakeCamera((swPos){0.0, 5.0, 0.0}, 0.0f, -0.1f, 0.0f, 1.0f, 64, 64);
+    f->shot = (swShot){.view = f->view, .sky = swDefaultSkyDef(), .water = swDefaultWaterDef()};
+    f->shot.camera = swMakeCamera((swPos){0.0, 5.0, 0.0}, 0.0f, -0.1f, 0.0f, 1.0f, 64, 64);
     f->VkInstance = swGpu_GetInstance(f->gpu);
     f->VkPhysicalDevice = swGpu_GetPhysicalDevice(f->gpu);
     f->VkBuffer = f->gpuQuery->answers.handle;

@@ -6,6 +6,7 @@
 
 #include "support/cmocka_setup.h"
 
+#include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
 #include "scenarios/scenario.h"
 

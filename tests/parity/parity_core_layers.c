@@ -57,7 +57,7 @@ static void AViewWithoutCoreLayersIsMadeByThePasses(void** state)
     assert_int_equal(swCreateView(parity.world, &def, &plain), SW_SUCCESS);
     swView_SetViewpoint(plain, (swPos){0.0, 2.0, 0.0});
     StepParity(&parity, 1.0);
-    assert_true(parity.gpuWorld->hasCoreTiles);
+    assert_true(parity.gpuWorld->tiles.isCore);
     const size_t count = 64 * 64;
     float* texels = malloc(count * 4 * sizeof(float));
     assert_non_null(texels);
@@ -86,10 +86,10 @@ static void AQueryOfVelocityStillHasItsTiles(void** state)
     swGpuQuery* query = NULL;
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &def, &query), SW_SUCCESS);
     StepParity(&parity, 1.0);
-    assert_true(parity.gpuWorld->hasCoreTiles);
+    assert_true(parity.gpuWorld->tiles.isCore);
     swGpuQuery_SetPoints(query, 1, &(swPosXZ){5.0, 6.0});
     StepParity(&parity, 0.1);
-    assert_false(parity.gpuWorld->hasCoreTiles);
+    assert_false(parity.gpuWorld->tiles.isCore);
     swGpu_SetFinishedFrame(parity.gpu, parity.gpu->frameIndex);
     swGpuQueryResults results;
     assert_true(swGpuQuery_GetResults(query, &results));
@@ -108,11 +108,11 @@ static void DetailIsThatOfThePasses(void** state)
     AddParitySea(&parity, &sea);
     AddParityView(&parity, 2, 64, (swPos){0.0, 2.0, 0.0});
     StepParity(&parity, 1.0);
-    size_t side = parity.gpuWorld->detail.width;
+    size_t side = swGetDetailImage(parity.gpuWorld)->width;
     float* core = malloc(side * side * 4 * sizeof(float));
     float* passes = malloc(side * side * 4 * sizeof(float));
-    assert_true(core != NULL && passes != NULL && parity.gpuWorld->tileCount > 0);
-    for (int tile = 0; tile < parity.gpuWorld->tileCount; ++tile)
+    assert_true(core != NULL && passes != NULL && parity.gpuWorld->tiles.count > 0);
+    for (int tile = 0; tile < parity.gpuWorld->tiles.count; ++tile)
     {
         parity.gpu->usesCoreLayers = true;
         StepParity(&parity, 0.0);

@@ -74,7 +74,7 @@ static void HalveOracle(int side, float* moments)
 static void CheckDetail(Parity* parity, const char* what)
 {
     const swFrame* frame = swGetWorldFrame(parity->world);
-    int side = (int)parity->gpuWorld->detail.width;
+    int side = (int)swGetDetailImage(parity->gpuWorld)->width;
     float* oracle = malloc((size_t)side * (size_t)side * 4 * sizeof(float));
     float* texels = malloc((size_t)side * (size_t)side * 4 * sizeof(float));
     Difference total = {0};
@@ -119,7 +119,7 @@ static void TilesOfOtherResolutionsAreResampled(void** state)
     def.minWavelength = 64.0f;
     AddParitySea(&parity, &def);
     StepParity(&parity, 3.0);
-    assert_int_equal(parity.gpuWorld->detail.width, SW_DETAIL_MAX);
+    assert_int_equal(swGetDetailImage(parity.gpuWorld)->width, SW_DETAIL_MAX);
     CheckDetail(&parity, "N = 32 and 512 on 256 texels");
     FreeParity(&parity);
 }

@@ -389,11 +389,11 @@ static void MotionIsMadeOnlyWhereAskedFor(void** state)
     swGpuQuery* still = AskMotion(&parity, 500, 0, (swPosXZ){0.0, 0.0});
     StepParity(&parity, 0.7);
     size_t memory = swGpuWorld_GetMemory(parity.gpuWorld);
-    assert_int_equal(parity.gpuWorld->fields.count, 1);
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 1);
     swGpuQuery* resting = AskMotion(&parity, 500, SW_GPU_QUERY_VELOCITY, (swPosXZ){0.0, 0.0});
     swGpuQuery_SetPoints(resting, 0, NULL);
     StepParity(&parity, 0.7);
-    assert_int_equal(parity.gpuWorld->fields.count, 1);
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 1);
     swDestroyGpuQuery(resting);
     assert_true(swGpuWorld_GetMemory(parity.gpuWorld) == memory);
 
@@ -402,7 +402,7 @@ static void MotionIsMadeOnlyWhereAskedFor(void** state)
     {
         swGpuQuery* query = AskMotion(&parity, 500, outputs[i], (swPosXZ){0.0, 0.0});
         StepParity(&parity, 0.7);
-        assert_int_equal(parity.gpuWorld->fields.count, 2);
+        assert_int_equal(parity.gpuWorld->tiles.fields.count, 2);
         CheckMotion(&parity, query, i == 0 ? "velocity alone" : "acceleration alone", 500);
         CheckMotion(&parity, still, "a query without, beside it", 500);
         swDestroyGpuQuery(query);
@@ -411,7 +411,7 @@ static void MotionIsMadeOnlyWhereAskedFor(void** state)
     swGpuQuery* first = AskMotion(&parity, 500, outputs[0], (swPosXZ){0.0, 0.0});
     swGpuQuery* second = AskMotion(&parity, 500, outputs[1], (swPosXZ){0.0, 0.0});
     StepParity(&parity, 0.7);
-    assert_int_equal(parity.gpuWorld->fields.count, 3);
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 3);
     CheckMotion(&parity, first, "velocity by one query", 500);
     CheckMotion(&parity, second, "acceleration by another", 500);
     FreeParity(&parity);

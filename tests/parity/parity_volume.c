@@ -143,7 +143,7 @@ static void TheDeepMovesAsTheCoresDoes(void** state)
     CheckPlaces(&parity, &def, "without stretching", (swPosXZ){0.0, 0.0}, -60.0);
     def.minWavelength = 4.0f;
     CheckPlaces(&parity, &def, "waves of 4 m and more", (swPosXZ){0.0, 0.0}, -60.0);
-    assert_int_equal(parity.gpuWorld->fields.count, 1); // no tiles of motion
+    assert_int_equal(parity.gpuWorld->tiles.fields.count, 1); // no tiles of motion
     FreeParity(&parity);
 }
 
@@ -274,7 +274,7 @@ static void QueriesOfBothKindsShareAFrame(void** state)
     size_t memory = swGpuWorld_GetMemory(parity.gpuWorld);
     swDestroyGpuQuery(below);
     StepParity(&parity, 0.3);
-    assert_false(parity.gpuWorld->hasVolume);
+    assert_false(parity.gpuWorld->passes[SW_PASS_VOLUME_QUERY].isNeeded);
     assert_true(swGpuWorld_GetMemory(parity.gpuWorld) < memory);
     FreeParity(&parity);
 }

@@ -200,8 +200,8 @@ static void CheckLayersEqual(const Twins* twins, bool withFoam)
 static void CheckDetailEqual(const Twins* twins)
 {
     static float sound[SW_DETAIL_MAX * SW_DETAIL_MAX * 4], hurt[SW_DETAIL_MAX * SW_DETAIL_MAX * 4];
-    size_t side = twins->sound->detail.width;
-    for (int tile = 0; tile < twins->sound->tileCount; ++tile)
+    size_t side = swGetDetailImage(twins->sound)->width;
+    for (int tile = 0; tile < twins->sound->tiles.count; ++tile)
     {
         assert_int_equal(swReadDetail(twins->sound, tile, 0, sound), SW_SUCCESS);
         assert_int_equal(swReadDetail(twins->hurt, tile, 0, hurt), SW_SUCCESS);

@@ -24,6 +24,27 @@ swSeaReplayDef swDefaultSeaReplayDef(void)
     };
 }
 
+// The first record and the last count for all times before and after.
+static swRecordClock makeClock(const swSeaReplayDef* def, double seconds, int before, int after)
+{
+    swRecordClock clock = {
+        .isRunning = true,
+        .startTime = def->startTime,
+        .startSeconds = def->startSeconds,
+        .speed = def->speed,
+        .first = swMeasuredSea_GetRecord(def->sea, before).seconds,
+        .last = swMeasuredSea_GetRecord(def->sea, after).seconds,
+    };
+    if (before == after)
+    {
+        bool isAlone = swMeasuredSea_GetLocation(def->sea, def->location).recordCount == 1;
+        bool isBefore = seconds <= clock.first;
+        clock.first = isAlone || isBefore ? -(double)INFINITY : clock.first;
+        clock.last = isAlone || !isBefore ? (double)INFINITY : clock.last;
+    }
+    return clock;
+}
+
 swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
 {
     SW_REQUIRE(replay != NULL, SW_ERROR_INVALID, NULL, "swSeaReplay_Advance() needs a replay");
@@ -40,7 +61,9 @@ swResult swSeaReplay_Advance(swSeaReplay* replay, double time)
     {
         return swFail(&replay->world->host, SW_ERROR_INVALID, "a replay's place has no records");
     }
-    return swShowRecords(&replay->world->waves, &replay->replay, replay->system.index1 - 1, before, after, fraction);
+    swRecordClock clock = makeClock(&replay->def, seconds, before, after);
+    return swShowRecords(&replay->world->waves, &replay->replay, replay->system.index1 - 1, before, after, fraction,
+                         &clock);
 }
 
 static swResult failReplay(swWorld* world, const char* what)

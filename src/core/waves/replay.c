@@ -74,7 +74,8 @@ static swResult changePair(swWaves* waves, swReplay* replay, int slot, int befor
     return SW_SUCCESS;
 }
 
-swResult swShowRecords(swWaves* waves, swReplay* replay, int slot, int before, int after, double fraction)
+swResult swShowRecords(swWaves* waves, swReplay* replay, int slot, int before, int after, double fraction,
+                       const swRecordClock* clock)
 {
     if (before != replay->before || after != replay->after || replay->rewindCount != waves->rewindCount)
     {
@@ -85,7 +86,7 @@ swResult swShowRecords(swWaves* waves, swReplay* replay, int slot, int before, i
         }
     }
     replay->fraction = fraction;
-    swShareLayer(waves, slot, (float)fraction);
+    swShareLayer(waves, slot, (float)fraction, clock);
     return SW_SUCCESS;
 }
 

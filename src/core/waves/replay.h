@@ -18,8 +18,10 @@ typedef struct swReplay
     swWaveSet* sets[2];   // of both; the second may be the first
 } swReplay;
 
-// The system in `slot` becomes that of two records, `fraction` of the way from the first to the second.
-swResult swShowRecords(swWaves* waves, swReplay* replay, int slot, int before, int after, double fraction);
+// The system in `slot` becomes that of two records, `fraction` of the way from the first to the second. The clock says
+// when the pair counts.
+swResult swShowRecords(swWaves* waves, swReplay* replay, int slot, int before, int after, double fraction,
+                       const swRecordClock* clock);
 void swEndReplay(swWaves* waves, swReplay* replay);
 
 // The def of a record's waves; `table` must live as long.

@@ -9,7 +9,8 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/wave_system.c
     ${CMAKE_CURRENT_LIST_DIR}/waves.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_save.c
-    ${CMAKE_CURRENT_LIST_DIR}/wind_level.c)
+    ${CMAKE_CURRENT_LIST_DIR}/wind_level.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_of_waves.c)
 
 # The FFT's kernels, once per instruction set. AVX2 without its fused multiply-add: results are the same bits everywhere.
 target_sources(seaway_core PRIVATE

@@ -230,12 +230,13 @@ swResult swShowSet(swWaves* waves, int slot, swWaveSet* set)
     return replaceLayers(waves, slot, set);
 }
 
-void swShareLayer(swWaves* waves, int slot, float share)
+void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records)
 {
     swWaveSystem* system = &waves->systems[slot];
     swWaveLayer* layer = &system->layers[system->layerCount - 1];
     layer->share = swMakeConstantRamp(share);
     layer->isShared = layer->set->mix != NULL;
+    layer->records = *records;
     waves->isChanged = true;
 }
 
@@ -291,45 +292,22 @@ static void finishMix(swWaves* waves, swWaveLayer* layer)
     swWaveSet* mix = layer->set;
     layer->set = mix->to;
     layer->set->useCount += 1;
-    layer->isMixing = false;
+    layer->isMixing = layer->isShared = false;
     swReleaseSet(waves, mix);
-}
-
-static void shareMix(swWaves* waves, swWaveLayer* layer)
-{
-    swShareMix(layer->set, swGetRamp(&layer->share, waves->ticks));
-    waves->version += 1;
-    layer->set->version = waves->version;
-}
-
-static void advanceMix(swWaves* waves, swWaveLayer* layer)
-{
-    int64_t ticks = waves->ticks;
-    if (swGetRampProgress(&layer->share, ticks) >= 1.0)
-    {
-        finishMix(waves, layer);
-        return;
-    }
-    shareMix(waves, layer);
 }
 
 static void advanceSystem(swWaves* waves, swWaveSystem* system)
 {
-    int64_t ticks = waves->ticks;
     int gone = 0;
     for (int i = 0; i < system->layerCount; ++i)
     {
         swWaveLayer* layer = &system->layers[i];
-        if (layer->isMixing)
+        if (layer->isMixing && swIsRampOver(&layer->share, waves->ticks))
         {
-            advanceMix(waves, layer);
-        }
-        else if (layer->isShared)
-        {
-            shareMix(waves, layer);
+            finishMix(waves, layer);
         }
         bool isGone = i == gone && i + 1 < system->layerCount && layer->fade.to == 0.0f &&
-                      swGetRampProgress(&layer->fade, ticks) >= 1.0;
+                      swIsRampOver(&layer->fade, waves->ticks);
         gone += isGone ? 1 : 0;
     }
     if (gone > 0)
@@ -339,35 +317,67 @@ static void advanceSystem(swWaves* waves, swWaveSystem* system)
     }
 }
 
-static void weighSystem(swWaves* waves, int slot)
-{
-    swWaveSystem* system = &waves->systems[slot];
-    float weight = swGetRamp(&system->weight, waves->ticks);
-    for (int i = 0; i < system->layerCount; ++i)
-    {
-        swWaveSet* set = system->layers[i].set;
-        float share = weight * swGetFade(&system->layers[i].fade, waves->ticks);
-        set->system = share > 0.0f && set->weight == 0.0f ? slot : set->system;
-        set->weight += share;
-        system->layers[i].weight = share;
-    }
-}
-
 void swAdvanceSystems(swWaves* waves)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
         advanceSystem(waves, &waves->systems[slot]);
     }
-    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+}
+
+// ---- at any time ----
+
+// Of a mix by a replay's records: what swSeaReplay_Advance() would ask for at that time.
+static float getRecordShare(const swRecordClock* records, double time, bool* isHeld)
+{
+    double seconds = records->startSeconds + (time - records->startTime) * records->speed;
+    bool isInside = seconds >= records->first && seconds <= records->last;
+    *isHeld = *isHeld || !isInside;
+    if (!isInside)
     {
-        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
-        {
-            waves->systems[slot].layers[i].set->weight = 0.0f;
-        }
+        return seconds < records->first ? 0.0f : 1.0f;
     }
+    return (float)((seconds - records->first) / (records->last - records->first));
+}
+
+static void showSet(swShown* shown, const swWaveSet* set, float share, float weight, int slot)
+{
+    int i = 0;
+    while (i < shown->count && shown->sets[i].set != set)
+    {
+        i += 1;
+    }
+    if (i == shown->count)
+    {
+        shown->sets[shown->count++] = (swShownSet){.set = set, .system = slot, .share = share};
+    }
+    swShownSet* one = &shown->sets[i];
+    one->system = weight > 0.0f && one->weight == 0.0f ? slot : one->system;
+    one->weight += weight;
+}
+
+void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* shown)
+{
+    shown->count = 0;
+    shown->isHeld = false;
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        weighSystem(waves, slot);
+        const swWaveSystem* system = &waves->systems[slot];
+        for (int i = 0; i < system->layerCount; ++i)
+        {
+            const swWaveLayer* layer = &system->layers[i];
+            float weight = swGetRamp(&system->weight, ticks) * swGetFade(&layer->fade, ticks);
+            bool isOver = layer->isMixing && swIsRampOver(&layer->share, ticks);
+            float share = swGetRamp(&layer->share, ticks);
+            if (ticks != waves->ticks && layer->records.isRunning && !layer->isMixing)
+            {
+                share = getRecordShare(&layer->records, time, &shown->isHeld);
+            }
+            else if (ticks != waves->ticks && layer->isShared && !layer->isMixing)
+            {
+                shown->isHeld = true; // of a replay that was saved and has not been taken up
+            }
+            showSet(shown, isOver ? layer->set->to : layer->set, share, weight, slot);
+        }
     }
 }

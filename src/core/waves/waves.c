@@ -19,36 +19,79 @@ void swEndWaves(swWaves* waves)
     swFree(host, waves->scratch, waves->scratchSize * (size_t)host->workerCount);
 }
 
-void swAdvanceWaves(swWaves* waves, swFrame* frame)
+void swAdvanceWaves(swWaves* waves, int64_t ticks)
 {
-    waves->ticks = frame->ticks;
+    waves->ticks = ticks;
     swAdvanceSystems(waves);
-    swListTiles(waves, frame);
 }
 
-static float* getTexels(const swWaves* waves, int tile, int field)
+static void shareMixes(swWaves* waves)
 {
-    const swWaveSource* source = &waves->tileSources[tile];
-    return source->set->texels[field][source->index];
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
+        {
+            const swWaveLayer* layer = &waves->systems[slot].layers[i];
+            if (layer->set->mix != NULL)
+            {
+                swShareMix(layer->set, swGetRamp(&layer->share, waves->ticks));
+                waves->version += 1;
+                layer->set->version = waves->version;
+            }
+        }
+    }
 }
 
-// Item i is field i % SW_TEXELS_COUNT of a pair: displacement, velocity, acceleration.
-static void transformPairs(void* context, int begin, int end, int worker)
+// Whether other sets are listed than in the last step, or there was a change.
+static bool noticeSets(swWaves* waves, const swShown* shown)
+{
+    bool isSame = !waves->isTileListStale;
+    int count = 0;
+    for (int i = 0; i < shown->count; ++i)
+    {
+        if (shown->sets[i].weight != 0.0f)
+        {
+            isSame = isSame && count < waves->listedCount && waves->listed[count] == shown->sets[i].set;
+            waves->listed[count++] = shown->sets[i].set;
+        }
+    }
+    isSame = isSame && count == waves->listedCount;
+    waves->listedCount = count;
+    waves->isTileListStale = false;
+    return !isSame;
+}
+
+void swDeriveWaves(swWaves* waves, swFrame* frame)
+{
+    shareMixes(waves);
+    swShown shown;
+    swFindShown(waves, frame->time, waves->ticks, &shown);
+    if (noticeSets(waves, &shown))
+    {
+        swFreeRetiredSets(waves);
+        waves->version += 1;
+        frame->tilesVersion = waves->version;
+    }
+    swTileList* list = &waves->list;
+    swClearTileList(list);
+    for (int i = 0; i < shown.count; ++i)
+    {
+        swListSet(list, &shown.sets[i], shown.sets[i].set->bands);
+    }
+    frame->tileCount = list->tileCount;
+    frame->tiles = list->tiles;
+    frame->waveCount = list->waveCount;
+    frame->waves = list->waves;
+    frame->wind = swFindWindOfWaves(waves, &shown);
+}
+
+static void transform(void* context, int begin, int end, int worker)
 {
     swWaves* waves = context;
     char* scratch = (char*)waves->scratch + (size_t)worker * waves->scratchSize;
     for (int i = begin; i < end; ++i)
     {
-        const swTilePair* pair = &waves->pairs[i / SW_TEXELS_COUNT];
-        int field = i % SW_TEXELS_COUNT;
-        float* first = getTexels(waves, pair->first, field);
-        if (first == NULL)
-        {
-            continue;
-        }
-        bool isPair = pair->second >= 0;
-        swTransformTiles(waves->kernels, &waves->tiles[pair->first], first, isPair ? &waves->tiles[pair->second] : NULL,
-                         isPair ? getTexels(waves, pair->second, field) : NULL, waves->ticks, field, scratch);
+        swTransformListed(&waves->list, waves->kernels, waves->ticks, i, scratch);
     }
 }
 
@@ -56,6 +99,6 @@ void swTransformWaves(swWaves* waves)
 {
     if (waves->hasTexels[SW_TEXELS_DISPLACEMENT])
     {
-        swParallelFor(&waves->memory->host, transformPairs, waves, waves->pairCount * SW_TEXELS_COUNT, 1);
+        swParallelFor(&waves->memory->host, transform, waves, swCountTransforms(&waves->list), 1);
     }
 }

@@ -10,20 +10,12 @@
 #include "core/frame/frame.h"
 #include "core/waves/mode_mix.h"
 #include "core/waves/ramp.h"
+#include "core/waves/tile_list.h"
 #include "core/waves/waves_fft.h"
 #include "shared/limits.h"
 
-// Fields of a tile on the CPU: displacement and its derivatives by time.
-enum
-{
-    SW_TEXELS_DISPLACEMENT,
-    SW_TEXELS_VELOCITY,
-    SW_TEXELS_ACCELERATION,
-    SW_TEXELS_COUNT
-};
-
 // The waves of one def: bands with their tiles, or free waves. All systems that ask for the same share one.
-typedef struct swWaveSet
+struct swWaveSet
 {
     struct swWaveSet* nextRetired;
     int useCount; // layers, and mixes made of it
@@ -45,26 +37,27 @@ typedef struct swWaveSet
     // Of a set that turns from one sea into another: what it is to be, and what its modes are mixed from.
     struct swWaveSet* to;
     swModeMix* mix;
+};
 
-    float weight; // of all systems and layers together, in this step
-    int system;   // slot of the first of them
-    bool isListed;
-    bool isCounted; // in the wind's levels
-} swWaveSet;
+// When a replay shows the pair of records that a layer is made of.
+typedef struct swRecordClock
+{
+    bool isRunning;
+    double startTime, startSeconds, speed; // seconds of records at a time of the world
+    double first, last;                    // of the pair; infinite before the first record and after the last
+} swRecordClock;
 
 // A system is a stack of layers: the sea that was asked for on top, below it those that fade out. Waves that share
 // their phases never need a second layer: their set is a mix, whose share runs from 0 to 1.
 typedef struct swWaveLayer
 {
     swWaveSet* set;
-    swRamp fade;   // weight, along a quarter of a sine so that energy stays
-    swRamp share;  // of a mix
-    bool isMixing; // the share runs to 1, and then the mix is over
-    bool isShared; // the share is set from outside, by a replay
-    float weight;  // the system's times the fade, in this step
+    swRamp fade;           // weight, along a quarter of a sine so that energy stays
+    swRamp share;          // of a mix
+    bool isMixing;         // the share runs to 1, and then the mix is over
+    bool isShared;         // the share is set from outside, by a replay
+    swRecordClock records; // of a layer that a replay shows
 } swWaveLayer;
-
-#define SW_MAX_WAVE_LAYERS 4
 
 typedef struct swWaveSystem
 {
@@ -72,19 +65,6 @@ typedef struct swWaveSystem
     swWaveLayer layers[SW_MAX_WAVE_LAYERS]; // newest last
     swRamp weight;
 } swWaveSystem;
-
-// Two tiles that are transformed together; second is -1 for a single one.
-typedef struct swTilePair
-{
-    int first, second;
-} swTilePair;
-
-// Where a tile or a free wave of the frame comes from.
-typedef struct swWaveSource
-{
-    swWaveSet* set;
-    int index; // of its bands, or waves
-} swWaveSource;
 
 typedef struct swWaves
 {
@@ -104,23 +84,21 @@ typedef struct swWaves
     void* scratch; // one part a worker
     size_t scratchSize;
 
-    int tileCount;
-    swTile tiles[SW_MAX_TILES];
-    swWaveSource tileSources[SW_MAX_TILES];
-    int pairCount;
-    swTilePair pairs[SW_MAX_TILES];
-    int freeWaveCount;
-    swFreeWave freeWaves[SW_MAX_FREE_WAVES];
-    swWaveSource freeWaveSources[SW_MAX_FREE_WAVES];
+    swTileList list; // of the last step
+    int listedCount;
+    const swWaveSet* listed[SW_MAX_SHOWN_SETS];
 } swWaves;
 
 // waves.c
 void swBeginWaves(swWaves* waves, swMemory* memory, const swWaveKernels* kernels, const swWorldDef* def);
 void swEndWaves(swWaves* waves);
-// Systems at the frame's time, and its tiles, free waves and wind.
-void swAdvanceWaves(swWaves* waves, swFrame* frame);
-// Spectra to texels, of the time that the systems are at.
+// What has a past: changes that are over by a time end. Nothing that a frame names is touched.
+void swAdvanceWaves(swWaves* waves, int64_t ticks);
+// The frame's tiles, free waves and wind, of the time that the systems are at; then spectra to texels.
+void swDeriveWaves(swWaves* waves, swFrame* frame);
 void swTransformWaves(swWaves* waves);
+// What is seen at any time, past or future, by the changes that are under way.
+void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* shown);
 
 // wave_def.c
 swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def);
@@ -138,17 +116,17 @@ void swFreeRetiredSets(swWaves* waves);
 swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def);
 void swRemoveSystem(swWaves* waves, int slot);
 swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, double seconds);
-void swAdvanceSystems(swWaves* waves); // layers and mixes to the time, weights to sets
+void swAdvanceSystems(swWaves* waves); // changes that are over end
 void swFreeAllSystems(swWaves* waves);
 void swRampWeight(swWaves* waves, int slot, float weight, double seconds);
-swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);      // as the only layer, at once
-void swShareLayer(swWaves* waves, int slot, float share);          // of a mix that does not run by itself
-const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
+swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                           // as the only layer, at once
+void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records); // by a replay
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system);                      // what was asked for last
 // Tiles and free waves of some systems; a sentence in the log if there are too many.
 bool swIsWithinLimits(const swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);
 
-// tile_list.c
-void swListTiles(swWaves* waves, swFrame* frame); // systems and weights to the frame's tiles, free waves and wind
+// wind_of_waves.c
+float swFindWindOfWaves(const swWaves* waves, const swShown* shown);
 
 // wave_hash.c
 uint64_t swHashSet(const swWaveSet* set);

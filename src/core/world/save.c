@@ -54,32 +54,6 @@ static void streamSystems(swStream* stream, const swSetList* list, swIdPool* ids
 
 // ---- all of it ----
 
-// Work out what the last step left: a step of no time from its viewpoints, to its time. Views that were made since,
-// which come last, have no past: their first step is still to come.
-static void makeFrame(swWorld* world, double stepped, const swPos last[SW_MAX_VIEWS])
-{
-    double time = world->time;
-    swPos next[SW_MAX_VIEWS];
-    for (int i = 0; i < world->viewCount; ++i)
-    {
-        next[i] = world->views[i]->viewpoint;
-        world->views[i]->viewpoint = last[i];
-    }
-    int viewCount = world->viewCount;
-    while (world->viewCount > 0 && !world->views[world->viewCount - 1]->layers.stack.isPlaced)
-    {
-        world->viewCount -= 1;
-    }
-    world->time = stepped;
-    swStepWorld(world, 0.0);
-    world->time = time;
-    world->viewCount = viewCount;
-    for (int i = 0; i < world->viewCount; ++i)
-    {
-        world->views[i]->viewpoint = next[i];
-    }
-}
-
 // Times, the origin, and whether a change waits for the next step.
 typedef struct Clocks
 {
@@ -113,15 +87,16 @@ static void streamClocks(swStream* stream, Clocks* clocks)
     stream->isBroken = stream->isBroken || !isFine;
 }
 
-// Everything that was read is in its place but what a step works out.
+// Everything that was read is in its place but the frame of the last step, which is derived.
 static void finishReading(swWorld* world, const Clocks* clocks, const swPos last[SW_MAX_VIEWS])
 {
-    world->time = clocks->time;
     world->origin = clocks->origin;
-    world->frame.ticks = clocks->ticks;
-    world->waves.ticks = clocks->ticks;
+    swSetFrameTime(world, clocks->stepped, 0.0);
     world->waves.isTileListStale = true;
-    makeFrame(world, clocks->stepped, last);
+    swAdvanceWaves(&world->waves, world->frame.ticks);
+    swDeriveWater(world);
+    swDeriveViews(world, last);
+    world->time = clocks->time;
     world->waves.isChanged = clocks->isChanged;
 }
 

@@ -5,25 +5,29 @@
 
 #include "core/world/world.h"
 
-// Time, systems and the list of tiles, then the views, which need to know what waves there are.
-static void beginFrame(swWorld* world, double time)
+void swSetFrameTime(swWorld* world, double time, double dt)
 {
-    int64_t before = world->frame.ticks;
-    double dt = time - world->time;
     world->time = time;
-    world->frame.time = world->time;
-    world->frame.ticks = (int64_t)floor(world->time * SW_TICKS_PER_SECOND + 0.5);
+    world->frame.time = time;
+    world->frame.ticks = (int64_t)floor(time * SW_TICKS_PER_SECOND + 0.5);
     world->frame.dt = dt;
-    swAdvanceWaves(&world->waves, &world->frame);
+}
+
+// The water of the present time: its tiles and free waves, and what foam is born by. Nothing here has a past.
+void swDeriveWater(swWorld* world)
+{
+    swDeriveWaves(&world->waves, &world->frame);
     swFindFoamLaw(&world->whitecaps, &world->frame);
-    swPlaceViews(world, swGetTicksBetween(before, world->frame.ticks));
+    swTransformWaves(&world->waves); // spectra to tiles
 }
 
 void swStepWorldTo(swWorld* world, double time)
 {
-    beginFrame(world, time);         // time, tiles, slices snapped to texels
-    swTransformWaves(&world->waves); // spectra to tiles
-    swStepViews(world);              // tiles to slices, then foam
+    int64_t before = world->frame.ticks;
+    swSetFrameTime(world, time, time - world->time);
+    swAdvanceWaves(&world->waves, world->frame.ticks);                 // changes that are over end
+    swDeriveWater(world);                                              // waves to tiles
+    swStepViews(world, swGetTicksBetween(before, world->frame.ticks)); // tiles to slices, then foam
     world->waves.isChanged = false;
 }
 

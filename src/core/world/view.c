@@ -74,33 +74,46 @@ swViewFrame* swFindViewFrame(const swView* view)
     return NULL;
 }
 
-static void placeView(swWorld* world, int64_t elapsedTicks, swView* view, swViewFrame* frame)
+// A view at a place in the sea, and its frame. Of no elapsed time nothing is advanced.
+static void placeView(swWorld* world, swView* view, swPos place, int64_t elapsedTicks, swViewFrame* frame)
 {
-    swPlaceLayers(&view->layers, view->viewpoint, world->def.seaLevel, elapsedTicks, &frame->stack);
+    swPlaceLayers(&view->layers, place, world->def.seaLevel, elapsedTicks, &frame->stack);
     frame->view = view;
     frame->viewVersion = view->version;
-    frame->viewpoint = view->viewpoint;
+    frame->viewpoint = place;
     frame->fade = view->layers.stack.fade;
     frame->scaleLevel = view->layers.stack.scaleLevel;
     swPlanLayers(world, &view->layers, &frame->stack);
 }
 
-void swPlaceViews(swWorld* world, int64_t elapsedTicks)
+static void makeLayers(swWorld* world)
 {
-    for (int i = 0; i < world->viewCount; ++i)
-    {
-        placeView(world, elapsedTicks, world->views[i], &world->viewFrames[i]);
-    }
-    world->frame.viewCount = world->viewCount;
-}
-
-void swStepViews(swWorld* world)
-{
-    for (int i = 0; i < world->viewCount; ++i)
+    for (int i = 0; i < world->frame.viewCount; ++i)
     {
         if (world->views[i]->def.enableCpuLayers)
         {
             swMakeFrameLayers(world, &world->views[i]->layers, &world->viewFrames[i].stack);
         }
     }
+}
+
+void swStepViews(swWorld* world, int64_t elapsedTicks)
+{
+    for (int i = 0; i < world->viewCount; ++i)
+    {
+        placeView(world, world->views[i], world->views[i]->viewpoint, elapsedTicks, &world->viewFrames[i]);
+    }
+    world->frame.viewCount = world->viewCount;
+    makeLayers(world);
+}
+
+void swDeriveViews(swWorld* world, const swPos places[SW_MAX_VIEWS])
+{
+    world->frame.viewCount = 0;
+    for (int i = 0; i < world->viewCount && world->views[i]->layers.stack.isPlaced; ++i)
+    {
+        placeView(world, world->views[i], places[i], 0, &world->viewFrames[i]);
+        world->frame.viewCount = i + 1;
+    }
+    makeLayers(world);
 }

@@ -64,15 +64,19 @@ swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQuerie
 swResult swAddView(swWorld* world, const swViewDef* def, swView** view);
 void swRemoveView(swView* view);
 swLayerStack swDescribeViewLayers(const swViewDef* def); // without texels yet
-void swPlaceViews(swWorld* world, int64_t elapsedTicks); // viewpoints to the frame's views
-void swStepViews(swWorld* world);                        // layers of views
-swViewFrame* swFindViewFrame(const swView* view);        // NULL before its first step
+void swStepViews(swWorld* world, int64_t elapsedTicks);  // viewpoints to the frame's views, then their layers
+// The frame's views as a step left them that saw them at these places. Views made since come last and have no past:
+// their first step is still to come.
+void swDeriveViews(swWorld* world, const swPos places[SW_MAX_VIEWS]);
+swViewFrame* swFindViewFrame(const swView* view); // NULL before its first step
 
 // layer_makers.c
 void swPlanLayers(const swWorld* world, const swLayerStack* layers, swStackFrame* stack);
 void swMakeFrameLayers(const swWorld* world, swLayerStack* layers, swStackFrame* stack);
 
-// step.c
+// step.c: a step advances what has a past, and derives the water of its time, which has none.
+void swSetFrameTime(swWorld* world, double time, double dt);
+void swDeriveWater(swWorld* world);
 void swStepWorld(swWorld* world, double dt);
 void swStepWorldTo(swWorld* world, double time);
 

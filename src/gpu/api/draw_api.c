@@ -2,33 +2,15 @@
 #include "seaway/draw.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "core/base/misuse.h"
-#include "gpu/draw/sky.h"
-#include "gpu/draw/surface.h"
-#include "gpu/draw/tonemap.h"
+#include "gpu/draw/renderer.h"
 
 #define SW_SKY_COOKIE 0x534b59
 #define SW_WATER_COOKIE 0x575452
-#define SW_RENDERER_COOKIE 0x524e44
+#define SW_PICTURE_COOKIE 0x504943
 
 #define SW_NEAR_PLANE 0.1f
-
-struct swRenderer
-{
-    swGpuWorld* gpuWorld;
-    swRendererDef def;
-    swSky sky;
-    swSurface surface;
-    swTonemap tonemap;
-    bool isPrepared;
-    uint32_t discardCount;  // of the world, as far as the renderer knows
-    swPictureFrame picture; // of the last swRenderer_Prepare()
-    const swGpuView* view;
-    float time, exposureEv;
-    swDebugMode debug;
-};
 
 // Camera axes from heading, pitch and roll; the projection maps the near plane to depth 1 and infinity to 0.
 swCamera swMakeCamera(swPos position, float heading, float pitch, float roll, float verticalFov, uint32_t width,
@@ -91,48 +73,17 @@ const char* swDebugMode_GetName(swDebugMode mode)
     return (unsigned)mode < SW_DEBUG_COUNT ? names[mode] : "unknown";
 }
 
-swRendererDef swDefaultRendererDef(void)
+swPictureDef swDefaultPictureDef(void)
 {
-    return (swRendererDef){
+    return (swPictureDef){
         .colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT,
         .depthFormat = VK_FORMAT_D32_SFLOAT,
         .outputFormat = VK_FORMAT_R8G8B8A8_SRGB,
-        .internalValue = SW_RENDERER_COOKIE,
+        .internalValue = SW_PICTURE_COOKIE,
     };
 }
 
-static bool isDrawable(const swGpu* gpu, VkFormat format, VkFormatFeatureFlags feature)
-{
-    VkFormatProperties properties;
-    gpu->vk.GetPhysicalDeviceFormatProperties(gpu->physicalDevice, format, &properties);
-    return (properties.optimalTilingFeatures & feature) == feature;
-}
-
-static swResult checkFormats(const swGpu* gpu, const swRendererDef* def)
-{
-    const struct
-    {
-        const char* name;
-        VkFormat format;
-        VkFormatFeatureFlags feature;
-    } formats[] = {
-        {"colour", def->colorFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT},
-        {"depth", def->depthFormat, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT},
-        {"output", def->outputFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT},
-    };
-    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); ++i)
-    {
-        if (!isDrawable(gpu, formats[i].format, formats[i].feature))
-        {
-            return swFail(&gpu->host, SW_ERROR_UNSUPPORTED,
-                          "The device %s cannot draw to the renderer's %s format (VkFormat %d).",
-                          gpu->properties.deviceName, formats[i].name, (int)formats[i].format);
-        }
-    }
-    return SW_SUCCESS;
-}
-
-swResult swCreateRenderer(swGpuWorld* gpuWorld, const swRendererDef* def, swRenderer** renderer)
+swResult swCreateRenderer(swGpuWorld* gpuWorld, swRenderer** renderer)
 {
     if (renderer != NULL)
     {
@@ -141,50 +92,41 @@ swResult swCreateRenderer(swGpuWorld* gpuWorld, const swRendererDef* def, swRend
     const swHost* host = gpuWorld != NULL ? &gpuWorld->gpu->host : NULL;
     SW_REQUIRE(gpuWorld != NULL && renderer != NULL, SW_ERROR_INVALID, host,
                "swCreateRenderer() needs a swGpuWorld and a place for the renderer");
-    SW_REQUIRE(def != NULL && def->internalValue == SW_RENDERER_COOKIE, SW_ERROR_INVALID, host,
-               "swCreateRenderer() needs a def made by swDefaultRendererDef()");
-    swGpu* gpu = gpuWorld->gpu;
-    swResult result = checkFormats(gpu, def);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    swRenderer* created = swAllocateZero(&gpu->host, sizeof(*created));
-    if (!created)
-    {
-        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for a renderer.");
-    }
-    created->gpuWorld = gpuWorld;
-    created->def = *def;
-    result = swCreateSky(gpu, def, &created->sky);
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateSurface(gpu, def, &created->surface);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateTonemap(gpu, def, &created->tonemap);
-    }
-    if (result != SW_SUCCESS)
-    {
-        swDestroyRenderer(created);
-        return result;
-    }
-    *renderer = created;
-    return SW_SUCCESS;
+    return swMakeRenderer(gpuWorld, renderer);
 }
 
 void swDestroyRenderer(swRenderer* renderer)
 {
-    if (!renderer)
+    if (renderer != NULL)
     {
-        return;
+        swFreeRenderer(renderer);
     }
-    swGpu* gpu = renderer->gpuWorld->gpu;
-    swDestroyTonemap(gpu, &renderer->tonemap);
-    swDestroySurface(gpu, &renderer->surface);
-    swDestroySky(gpu, &renderer->sky);
-    swFree(&gpu->host, renderer, sizeof(*renderer));
+}
+
+static const swHost* findHost(const swRenderer* renderer)
+{
+    return renderer != NULL ? &renderer->gpuWorld->gpu->host : NULL;
+}
+
+swResult swCreatePicture(swRenderer* renderer, const swPictureDef* def, swPicture** picture)
+{
+    if (picture != NULL)
+    {
+        *picture = NULL;
+    }
+    SW_REQUIRE(renderer != NULL && picture != NULL, SW_ERROR_INVALID, findHost(renderer),
+               "swCreatePicture() needs a renderer and a place for the picture");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_PICTURE_COOKIE, SW_ERROR_INVALID, findHost(renderer),
+               "swCreatePicture() needs a def made by swDefaultPictureDef()");
+    return swMakePicture(renderer, def, picture);
+}
+
+void swDestroyPicture(swPicture* picture)
+{
+    if (picture != NULL)
+    {
+        swFreePicture(picture);
+    }
 }
 
 static bool isNumber(double value)
@@ -220,137 +162,92 @@ static bool isCameraGood(const swCamera* camera)
            isNumber(camera->position.z) && areNumbers(camera->view.m, 16) && areNumbers(camera->projection.m, 16);
 }
 
-static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view)
+swResult swPicture_Prepare(swPicture* picture, VkCommandBuffer commands, const swShot* shot, uint64_t frameIndex)
 {
-    for (int i = 0; i < frame->viewCount; ++i)
-    {
-        if (frame->views[i].view == view)
-        {
-            return &frame->views[i];
-        }
-    }
-    return NULL;
-}
-
-// Frames of the world were thrown away: what their commands were to leave is not there.
-static void forgetDiscarded(swRenderer* renderer)
-{
-    const swGpuWorld* gpuWorld = renderer->gpuWorld;
-    uint32_t missed = gpuWorld->discardCount - renderer->discardCount;
-    if (missed > 0)
-    {
-        uint64_t from = missed == 1 ? gpuWorld->discardedFrom : 0;
-        swForgetSky(&renderer->sky);
-        swForgetSurface(&renderer->surface);
-        swForgetExposure(&renderer->tonemap, from);
-        renderer->discardCount = gpuWorld->discardCount;
-    }
-}
-
-swResult swRenderer_Prepare(swRenderer* renderer, VkCommandBuffer commands, const swPicture* picture,
-                            uint64_t frameIndex)
-{
-    SW_REQUIRE(renderer != NULL, SW_ERROR_INVALID, NULL, "swRenderer_Prepare() needs a renderer");
-    swGpu* gpu = renderer->gpuWorld->gpu;
-    renderer->isPrepared = false;
-    SW_REQUIRE(commands != VK_NULL_HANDLE && picture != NULL, SW_ERROR_INVALID, &gpu->host,
-               "swRenderer_Prepare() needs a command buffer and a picture");
-    SW_REQUIRE(isLookGood(&picture->sky, &picture->water), SW_ERROR_INVALID, &gpu->host,
-               "swRenderer_Prepare() needs a sky made by swDefaultSkyDef() and water made by swDefaultWaterDef(), with "
+    SW_REQUIRE(picture != NULL, SW_ERROR_INVALID, NULL, "swPicture_Prepare() needs a picture");
+    const swHost* host = findHost(picture->renderer);
+    picture->isPrepared = false;
+    SW_REQUIRE(commands != VK_NULL_HANDLE && shot != NULL, SW_ERROR_INVALID, host,
+               "swPicture_Prepare() needs a command buffer and a shot");
+    SW_REQUIRE(isLookGood(&shot->sky, &shot->water), SW_ERROR_INVALID, host,
+               "swPicture_Prepare() needs a sky made by swDefaultSkyDef() and water made by swDefaultWaterDef(), with "
                "numbers in their fields");
-    SW_REQUIRE(
-        (unsigned)picture->debug < SW_DEBUG_COUNT && isNumber(picture->time) && isNumber((double)picture->exposureEv),
-        SW_ERROR_INVALID, &gpu->host,
-        "swRenderer_Prepare() was given the debug mode %d, the time %g s and the exposure %g; they must be a mode "
-        "of swDebugMode and numbers",
-        (int)picture->debug, picture->time, (double)picture->exposureEv);
-    SW_REQUIRE(isCameraGood(&picture->camera), SW_ERROR_INVALID, &gpu->host,
-               "swRenderer_Prepare() needs a camera with numbers and a size, as swMakeCamera() makes it");
-    const swFrame* frame = swGetWorldFrame(renderer->gpuWorld->world);
-    const swViewFrame* view = findViewFrame(frame, picture->view);
-    renderer->view = swFindGpuView(renderer->gpuWorld, picture->view);
-    if (!view || !renderer->view)
-    {
-        return swFail(&gpu->host, SW_ERROR_INVALID,
-                      "The picture's view was not recorded: step the world and call swGpuWorld_Record() first.");
-    }
-    forgetDiscarded(renderer);
-    swBeginGpuFrame(gpu, frameIndex);
-    renderer->time = (float)fmod(picture->time, 4096.0);
-    renderer->exposureEv = picture->exposureEv;
-    renderer->debug = picture->debug;
-    swBuildPicture(picture, swGetWorldOrigin(renderer->gpuWorld->world), frame, view, renderer->gpuWorld->detail.width,
-                   &renderer->picture);
-    swResult result = swUploadPicture(gpu, &renderer->picture);
-    result = result == SW_SUCCESS ? swPrepareSurface(gpu, &renderer->surface, &renderer->picture) : result;
-    if (result != SW_SUCCESS)
-    {
-        return result; // nothing is recorded yet
-    }
-    swStartPassTimer(gpu, commands);
-    swClearExposure(gpu, commands, &renderer->tonemap);
-    swRecordSkyTables(gpu, commands, &renderer->sky, &renderer->picture);
-    swRecordSurface(gpu, commands, &renderer->surface, &renderer->sky.halvePipeline, &renderer->picture);
-    renderer->isPrepared = true;
-    return SW_SUCCESS;
+    SW_REQUIRE((unsigned)shot->debug < SW_DEBUG_COUNT && isNumber(shot->time) && isNumber((double)shot->exposureEv),
+               SW_ERROR_INVALID, host,
+               "swPicture_Prepare() was given the debug mode %d, the time %g s and the exposure %g; they must be a "
+               "mode of swDebugMode and numbers",
+               (int)shot->debug, shot->time, (double)shot->exposureEv);
+    SW_REQUIRE(isCameraGood(&shot->camera), SW_ERROR_INVALID, host,
+               "swPicture_Prepare() needs a camera with numbers and a size, as swMakeCamera() makes it");
+    return swPreparePicture(picture, commands, shot, frameIndex);
 }
 
-static bool canDraw(const swRenderer* renderer, VkCommandBuffer commands, const char* call)
+static bool canDraw(const swPicture* picture, VkCommandBuffer commands, const char* call)
 {
-    SW_REQUIRE(renderer != NULL && commands != VK_NULL_HANDLE, false,
-               renderer != NULL ? &renderer->gpuWorld->gpu->host : NULL, "%s needs a renderer and a command buffer",
-               call);
+    SW_REQUIRE(picture != NULL && commands != VK_NULL_HANDLE, false,
+               picture != NULL ? findHost(picture->renderer) : NULL, "%s needs a picture and a command buffer", call);
     return true;
 }
 
-static bool checkPrepared(const swRenderer* renderer)
+static bool checkPrepared(const swPicture* picture)
 {
-    SW_REQUIRE(renderer->isPrepared, false, &renderer->gpuWorld->gpu->host,
-               "a renderer was asked to draw before swRenderer_Prepare(), or after it failed");
+    SW_REQUIRE(picture->isPrepared, false, findHost(picture->renderer),
+               "a picture was asked to draw before swPicture_Prepare(), or after it failed");
     return true;
 }
 
-void swRenderer_DrawSurface(swRenderer* renderer, VkCommandBuffer commands)
+void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands)
 {
-    if (canDraw(renderer, commands, "swRenderer_DrawSurface()") && checkPrepared(renderer))
-    {
-        swDrawSurface(renderer->gpuWorld->gpu, commands, &renderer->surface, &renderer->sky, renderer->gpuWorld,
-                      renderer->view, &renderer->picture);
-    }
-}
-
-void swRenderer_DrawSky(swRenderer* renderer, VkCommandBuffer commands)
-{
-    if (canDraw(renderer, commands, "swRenderer_DrawSky()") && checkPrepared(renderer))
-    {
-        swDrawSky(renderer->gpuWorld->gpu, commands, &renderer->sky, &renderer->picture);
-    }
-}
-
-void swRenderer_Expose(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate)
-{
-    if (!canDraw(renderer, commands, "swRenderer_Expose()"))
+    if (!canDraw(picture, commands, "swPicture_DrawSurface()") || !checkPrepared(picture))
     {
         return;
     }
-    swGpu* gpu = renderer->gpuWorld->gpu;
+    const swRenderer* renderer = picture->renderer;
+    const swFormatPipelines* pipelines = picture->pipelines;
+    const swSurfaceSources sources = {
+        .gpuWorld = renderer->gpuWorld,
+        .view = picture->view,
+        .foam = &renderer->foam,
+        .sky = &picture->sky,
+    };
+    bool isWire = picture->debug == SW_DEBUG_WIREFRAME && pipelines->wire.handle != VK_NULL_HANDLE;
+    swDrawSurface(renderer->gpuWorld->gpu, commands, isWire ? &pipelines->wire : &pipelines->surface, &sources,
+                  &picture->surface, &picture->frame);
+}
+
+void swPicture_DrawSky(swPicture* picture, VkCommandBuffer commands)
+{
+    if (canDraw(picture, commands, "swPicture_DrawSky()") && checkPrepared(picture))
+    {
+        swDrawSky(picture->renderer->gpuWorld->gpu, commands, &picture->pipelines->sky, &picture->sky, &picture->frame);
+    }
+}
+
+void swPicture_Expose(swPicture* picture, VkCommandBuffer commands, VkImageView hdr, float dt, bool immediate)
+{
+    if (!canDraw(picture, commands, "swPicture_Expose()"))
+    {
+        return;
+    }
+    swGpu* gpu = picture->renderer->gpuWorld->gpu;
     SW_REQUIRE_VOID(hdr != VK_NULL_HANDLE && isNumber((double)dt), &gpu->host,
-                    "swRenderer_Expose() needs a picture, and a time that is a number");
-    swClearExposure(gpu, commands, &renderer->tonemap);
-    if (renderer->debug == SW_DEBUG_NONE)
+                    "swPicture_Expose() needs an image, and a time that is a number");
+    swClearExposure(gpu, commands, &picture->tonemap);
+    if (picture->debug == SW_DEBUG_NONE)
     {
-        swRecordExposure(gpu, commands, &renderer->tonemap, hdr, dt, immediate);
+        swRecordExposure(gpu, commands, &picture->renderer->expose, &picture->tonemap, hdr, dt, immediate);
     }
 }
 
-void swRenderer_Tonemap(swRenderer* renderer, VkCommandBuffer commands, VkImageView hdr)
+void swPicture_Tonemap(swPicture* picture, VkCommandBuffer commands, VkImageView hdr)
 {
-    if (!canDraw(renderer, commands, "swRenderer_Tonemap()"))
+    if (!canDraw(picture, commands, "swPicture_Tonemap()"))
     {
         return;
     }
-    SW_REQUIRE_VOID(hdr != VK_NULL_HANDLE, &renderer->gpuWorld->gpu->host, "swRenderer_Tonemap() needs a picture");
-    bool isRaw = renderer->debug != SW_DEBUG_NONE;
-    swDrawTonemap(renderer->gpuWorld->gpu, commands, &renderer->tonemap, hdr, renderer->time, renderer->exposureEv,
-                  isRaw);
+    swGpu* gpu = picture->renderer->gpuWorld->gpu;
+    SW_REQUIRE_VOID(hdr != VK_NULL_HANDLE, &gpu->host, "swPicture_Tonemap() needs an image");
+    bool isRaw = picture->debug != SW_DEBUG_NONE;
+    swDrawTonemap(gpu, commands, &picture->pipelines->tonemap, &picture->tonemap, hdr, picture->time,
+                  picture->exposureEv, isRaw);
 }

@@ -216,18 +216,7 @@ void swGpuWorld_Discard(swGpuWorld* gpuWorld, uint64_t frameIndex)
 size_t swGpuWorld_GetMemory(const swGpuWorld* gpuWorld)
 {
     SW_REQUIRE(gpuWorld != NULL, 0, NULL, "swGpuWorld_GetMemory() needs a swGpuWorld");
-    size_t bytes = (size_t)(gpuWorld->detail.memory.size + gpuWorld->roots.memory.size + gpuWorld->modes.memory.size +
-                            gpuWorld->rows.memory.size + gpuWorld->lines.memory.size + gpuWorld->texels.memory.size +
-                            gpuWorld->volumeWaves.memory.size);
-    for (int i = 0; i < SW_MAX_VIEWS; ++i)
-    {
-        bytes += swGetGpuViewMemory(&gpuWorld->views[i]);
-    }
-    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
-    {
-        bytes += swGetQueryMemory(query);
-    }
-    return bytes;
+    return swGetGpuWorldMemory(gpuWorld);
 }
 
 swResult swGpuWorld_ReadLayer(swGpuWorld* gpuWorld, const swView* view, swLayer layer, int slice, float* texels)

@@ -74,9 +74,9 @@ static void setSky(const swSkyDef* sky, swPictureParams* p)
     p->sunLight = (swVec4){light * SW_SUN_RED, light * SW_SUN_GREEN, light * SW_SUN_BLUE, sky->haze};
 }
 
-static void setWater(const swPicture* picture, const swFrame* frame, swPictureFrame* built)
+static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* built)
 {
-    const swWaterDef* water = &picture->water;
+    const swWaterDef* water = &shot->water;
     swPictureParams* p = &built->params;
     float variance = 0.0f;
     float slopes = 0.0f;
@@ -93,7 +93,7 @@ static void setWater(const swPicture* picture, const swFrame* frame, swPictureFr
     float deviation = sqrtf(variance);
     p->absorption = withW(water->absorption, water->refractiveIndex);
     p->scattering = withW(water->scattering, deviation);
-    p->foamAlbedo = withW(water->foamAlbedo, picture->sky.clouds);
+    p->foamAlbedo = withW(water->foamAlbedo, shot->sky.clouds);
     p->rippleVariance = swRippleVariance(water->windSpeed, slopes);
     p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
@@ -101,11 +101,11 @@ static void setWater(const swPicture* picture, const swFrame* frame, swPictureFr
     p->horizontalReach = 12.0f * deviation + 0.1f;
 }
 
-static void setMesh(const swPicture* picture, const swFrame* frame, const swViewFrame* view, swPictureFrame* built)
+static void setMesh(const swShot* shot, const swFrame* frame, const swViewFrame* view, swPictureFrame* built)
 {
     swPictureParams* p = &built->params;
     const swMeshRings* rings = &built->rings;
-    const swPos* camera = &picture->camera.position;
+    const swPos* camera = &shot->camera.position;
     p->cameraHeight = (float)(camera->y - frame->seaLevel);
     p->seaY = (float)(frame->seaLevel - camera->y);
     p->anchorX = (float)(rings->anchorX - camera->x);
@@ -179,35 +179,35 @@ static void setFreeWaves(const swFrame* frame, swPictureFrame* built)
     }
 }
 
-static void setTime(const swPicture* picture, swPictureFrame* built)
+static void setTime(const swShot* shot, swPictureFrame* built)
 {
     swPictureParams* p = &built->params;
-    double turn = picture->time / SW_FOAM_RENEWAL;
+    double turn = shot->time / SW_FOAM_RENEWAL;
     p->foamX = (float)wrap(built->rings.anchorX, SW_FOAM_PERIOD);
     p->foamZ = (float)wrap(built->rings.anchorZ, SW_FOAM_PERIOD);
     p->foamPhase = (float)(turn - floor(turn));
     p->foamSeed = (float)wrap(2.0 * floor(turn), 512.0);
-    placeInClouds(picture->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * picture->time, &p->cloudX, &p->cloudWayX);
-    placeInClouds(picture->camera.position.z * 1e-3, &p->cloudZ, &p->cloudWayZ);
+    placeInClouds(shot->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * shot->time, &p->cloudX, &p->cloudWayX);
+    placeInClouds(shot->camera.position.z * 1e-3, &p->cloudZ, &p->cloudWayZ);
 }
 
-void swBuildPicture(const swPicture* inHost, swPosXZ origin, const swFrame* frame, const swViewFrame* view,
+void swBuildPicture(const swShot* inHost, swPosXZ origin, const swFrame* frame, const swViewFrame* view,
                     uint32_t detailSide, swPictureFrame* built)
 {
-    swPicture inSea = *inHost;
+    swShot inSea = *inHost;
     inSea.camera.position.x += origin.x;
     inSea.camera.position.z += origin.z;
-    const swPicture* picture = &inSea;
+    const swShot* shot = &inSea;
     memset(&built->params, 0, sizeof(built->params));
-    built->params.debugMode = (uint32_t)picture->debug;
+    built->params.debugMode = (uint32_t)shot->debug;
     swBuildMeshRings(view, &built->rings);
-    setCamera(&picture->camera, &built->params);
-    setSky(&picture->sky, &built->params);
-    setWater(picture, frame, built);
-    setMesh(picture, frame, view, built);
+    setCamera(&shot->camera, &built->params);
+    setSky(&shot->sky, &built->params);
+    setWater(shot, frame, built);
+    setMesh(shot, frame, view, built);
     setBands(frame, detailSide, built);
     setFreeWaves(frame, built);
-    setTime(picture, built);
+    setTime(shot, built);
     built->params.foamAtRest = frame->foamLaw.cover;
 }
 

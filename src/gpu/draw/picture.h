@@ -4,7 +4,7 @@
 // One picture's numbers for the shaders, and what the stages of drawing share.
 
 #include "gpu/draw/mesh_rings.h"
-#include "gpu/pass/gpu_world.h"
+#include "gpu/pass/passes.h"
 #include "seaway/draw.h"
 #include "shared/picture.h"
 
@@ -23,7 +23,7 @@ typedef struct swPictureFrame
 
 // Fill everything but the uploads. The camera's place is in the host's coordinates, which begin at `origin` in the sea:
 // the same place of the sea gives the same numbers, wherever that is. `detailSide` is the width of the detail layers.
-void swBuildPicture(const swPicture* picture, swPosXZ origin, const swFrame* frame, const swViewFrame* view,
+void swBuildPicture(const swShot* shot, swPosXZ origin, const swFrame* frame, const swViewFrame* view,
                     uint32_t detailSide, swPictureFrame* built);
 
 // After swBeginGpuFrame().

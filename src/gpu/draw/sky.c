@@ -13,20 +13,20 @@
 #include "sky_transmittance_shader.h"
 #include "sky_view_shader.h"
 
-static swResult createSkyPipelines(swGpu* gpu, const swRendererDef* def, swSky* sky)
+swResult swCreateSkyPipelines(swGpu* gpu, swSkyPipelines* pipelines)
 {
     const struct
     {
         const swShader* shader;
         swPipeline* pipeline;
     } computes[] = {
-        {&swSkyTransmittanceShader, &sky->transmittancePipeline},
-        {&swSkyMultipleShader, &sky->multiplePipeline},
-        {&swSkyViewShader, &sky->viewPipeline},
-        {&swSkyAirShader, &sky->airPipeline},
-        {&swSkyLightShader, &sky->lightPipeline},
-        {&swSkyMapShader, &sky->mapPipeline},
-        {&swHalveShader, &sky->halvePipeline},
+        {&swSkyTransmittanceShader, &pipelines->transmittance},
+        {&swSkyMultipleShader, &pipelines->multiple},
+        {&swSkyViewShader, &pipelines->view},
+        {&swSkyAirShader, &pipelines->air},
+        {&swSkyLightShader, &pipelines->light},
+        {&swSkyMapShader, &pipelines->map},
+        {&swHalveShader, &pipelines->halve},
     };
     for (size_t i = 0; i < sizeof(computes) / sizeof(computes[0]); ++i)
     {
@@ -36,16 +36,31 @@ static swResult createSkyPipelines(swGpu* gpu, const swRendererDef* def, swSky* 
             return result;
         }
     }
+    return SW_SUCCESS;
+}
+
+void swDestroySkyPipelines(swGpu* gpu, swSkyPipelines* pipelines)
+{
+    swPipeline* all[] = {&pipelines->transmittance, &pipelines->multiple, &pipelines->view, &pipelines->air,
+                         &pipelines->light,         &pipelines->map,      &pipelines->halve};
+    for (size_t i = 0; i < sizeof(all) / sizeof(all[0]); ++i)
+    {
+        swDestroyPipeline(gpu, all[i]);
+    }
+}
+
+swResult swCreateSkyPipeline(swGpu* gpu, const swPictureDef* formats, swPipeline* pipeline)
+{
     const swGraphicsDef draw = {
         .vertex = &swSkyVertex,
         .fragment = &swSkyFragment,
-        .colorFormat = def->colorFormat,
-        .depthFormat = def->depthFormat,
+        .colorFormat = formats->colorFormat,
+        .depthFormat = formats->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
         .depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL,
         .name = "sky",
     };
-    return swCreateGraphicsPipeline(gpu, &draw, &sky->drawPipeline);
+    return swCreateGraphicsPipeline(gpu, &draw, pipeline);
 }
 
 static swResult createTable(swGpu* gpu, uint32_t width, uint32_t height, uint32_t layers, uint32_t mips,
@@ -65,7 +80,7 @@ static swResult createTable(swGpu* gpu, uint32_t width, uint32_t height, uint32_
     return swCreateImage(gpu, &def, image);
 }
 
-static swResult createTables(swGpu* gpu, swSky* sky)
+swResult swCreateSky(swGpu* gpu, swSky* sky)
 {
     swResult result = createTable(gpu, SW_SKY_TRANSMITTANCE_WIDTH, SW_SKY_TRANSMITTANCE_HEIGHT, 1, 1,
                                   "sky transmittance", &sky->transmittance);
@@ -94,27 +109,14 @@ static swResult createTables(swGpu* gpu, swSky* sky)
     return result;
 }
 
-swResult swCreateSky(swGpu* gpu, const swRendererDef* def, swSky* sky)
+void swRetireSky(swGpu* gpu, swSky* sky)
 {
-    swResult result = createSkyPipelines(gpu, def, sky);
-    return result == SW_SUCCESS ? createTables(gpu, sky) : result;
-}
-
-void swDestroySky(swGpu* gpu, swSky* sky)
-{
-    swPipeline* pipelines[] = {&sky->transmittancePipeline, &sky->multiplePipeline, &sky->viewPipeline,
-                               &sky->airPipeline,           &sky->lightPipeline,    &sky->mapPipeline,
-                               &sky->halvePipeline,         &sky->drawPipeline};
-    for (size_t i = 0; i < sizeof(pipelines) / sizeof(pipelines[0]); ++i)
-    {
-        swDestroyPipeline(gpu, pipelines[i]);
-    }
     swImage* images[] = {&sky->transmittance, &sky->multiple, &sky->view, &sky->air, &sky->map};
     for (size_t i = 0; i < sizeof(images) / sizeof(images[0]); ++i)
     {
-        swDestroyImage(gpu, images[i]);
+        swRetireImage(gpu, images[i]);
     }
-    swDestroyBuffer(gpu, &sky->light);
+    swRetireBuffer(gpu, &sky->light);
 }
 
 static bool differs(float a, float b, float limit)
@@ -156,11 +158,12 @@ void swRecordMips(swGpu* gpu, VkCommandBuffer commands, const swPipeline* halve,
     }
 }
 
-static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                            swBinding params)
 {
     swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
     const swSkyTransmittanceBindings first = {.picture = params, .target = transmittance};
-    swBindSkyTransmittance(gpu, commands, &sky->transmittancePipeline, &first);
+    swBindSkyTransmittance(gpu, commands, &pipelines->transmittance, &first);
     gpu->vk.CmdDispatch(commands, SW_SKY_TRANSMITTANCE_WIDTH / 8, SW_SKY_TRANSMITTANCE_HEIGHT / 8, 1);
     swComputeBarrier(gpu, commands);
     const swSkyMultipleBindings second = {
@@ -168,12 +171,13 @@ static void recordAirTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, sw
         .transmittance = transmittance,
         .target = swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP),
     };
-    swBindSkyMultiple(gpu, commands, &sky->multiplePipeline, &second);
+    swBindSkyMultiple(gpu, commands, &pipelines->multiple, &second);
     gpu->vk.CmdDispatch(commands, SW_SKY_MULTIPLE_SIDE / 8, SW_SKY_MULTIPLE_SIDE / 8, 1);
     swComputeBarrier(gpu, commands);
 }
 
-static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                              swBinding params)
 {
     swBinding transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP);
     swBinding multiple = swBindImage(gpu, &sky->multiple, SW_SAMPLER_LINEAR_CLAMP);
@@ -184,7 +188,7 @@ static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, 
         .multiple = multiple,
         .target = view,
     };
-    swBindSkyView(gpu, commands, &sky->viewPipeline, &seen);
+    swBindSkyView(gpu, commands, &pipelines->view, &seen);
     gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 2);
     const swSkyAirBindings air = {
         .picture = params,
@@ -192,7 +196,7 @@ static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, 
         .multiple = multiple,
         .target = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
     };
-    swBindSkyAir(gpu, commands, &sky->airPipeline, &air);
+    swBindSkyAir(gpu, commands, &pipelines->air, &air);
     gpu->vk.CmdDispatch(commands, SW_SKY_AIR_SIDE / 8, SW_SKY_AIR_SIDE / 8, 1);
     swComputeBarrier(gpu, commands);
     const swSkyLightBindings light = {
@@ -201,12 +205,13 @@ static void recordLightTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, 
         .skyView = view,
         .light = swBindBuffer(&sky->light),
     };
-    swBindSkyLight(gpu, commands, &sky->lightPipeline, &light);
+    swBindSkyLight(gpu, commands, &pipelines->light, &light);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swComputeBarrier(gpu, commands);
 }
 
-static void recordMap(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBinding params)
+static void recordMap(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                      swBinding params)
 {
     const swSkyMapBindings bindings = {
         .picture = params,
@@ -214,12 +219,13 @@ static void recordMap(swGpu* gpu, VkCommandBuffer commands, swSky* sky, swBindin
         .skyView = swBindImage(gpu, &sky->view, SW_SAMPLER_LINEAR_REPEAT_X),
         .target = swBindView(gpu, sky->map.mipViews[0], VK_IMAGE_LAYOUT_GENERAL, SW_SAMPLER_NEAREST_CLAMP),
     };
-    swBindSkyMap(gpu, commands, &sky->mapPipeline, &bindings);
+    swBindSkyMap(gpu, commands, &pipelines->map, &bindings);
     gpu->vk.CmdDispatch(commands, SW_SKY_VIEW_WIDTH / 8, SW_SKY_VIEW_HEIGHT / 8, 1);
-    swRecordMips(gpu, commands, &sky->halvePipeline, &sky->map);
+    swRecordMips(gpu, commands, &pipelines->halve, &sky->map);
 }
 
-void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const swPictureFrame* picture)
+void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, const swSkyPipelines* pipelines, swSky* sky,
+                       const swPictureFrame* picture)
 {
     swSkyState now = getState(&picture->params);
     const swSkyState* old = &sky->state;
@@ -248,15 +254,15 @@ void swRecordSkyTables(swGpu* gpu, VkCommandBuffer commands, swSky* sky, const s
               VK_ACCESS_2_SHADER_WRITE_BIT);
     if (airChanged)
     {
-        recordAirTables(gpu, commands, sky, params);
+        recordAirTables(gpu, commands, pipelines, sky, params);
         sky->state.haze = now.haze;
     }
     if (lightChanged)
     {
-        recordLightTables(gpu, commands, sky, params);
+        recordLightTables(gpu, commands, pipelines, sky, params);
         sky->state = now;
     }
-    recordMap(gpu, commands, sky, params);
+    recordMap(gpu, commands, pipelines, sky, params);
     sky->state.clouds = now.clouds;
     sky->state.cloudX = now.cloudX;
     sky->state.cloudZ = now.cloudZ;
@@ -276,7 +282,8 @@ void swForgetSky(swSky* sky)
     sky->isValid = false;
 }
 
-void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swPictureFrame* picture)
+void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSky* sky,
+               const swPictureFrame* picture)
 {
     const swSkyBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
@@ -285,7 +292,7 @@ void swDrawSky(swGpu* gpu, VkCommandBuffer commands, const swSky* sky, const swP
         .transmittance = swBindImage(gpu, &sky->transmittance, SW_SAMPLER_LINEAR_CLAMP),
     };
     swBeginPass(gpu, commands, "sky");
-    swBindSky(gpu, commands, &sky->drawPipeline, &bindings);
+    swBindSky(gpu, commands, pipeline, &bindings);
     gpu->vk.CmdDraw(commands, 3, 1, 0, 0);
     swEndPass(gpu, commands);
 }

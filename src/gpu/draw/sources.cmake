@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_gpu PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/foam_texture.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_rings.c
     ${CMAKE_CURRENT_LIST_DIR}/picture.c
+    ${CMAKE_CURRENT_LIST_DIR}/renderer.c
     ${CMAKE_CURRENT_LIST_DIR}/sky.c
     ${CMAKE_CURRENT_LIST_DIR}/surface.c
     ${CMAKE_CURRENT_LIST_DIR}/tonemap.c

@@ -6,15 +6,8 @@
 #include "surface_cull_shader.h"
 #include "surface_shader.h"
 
-// RGBA, SW_FOAM_TEXTURE_SIDE squared. See generators/foam_texture.c.
-static const uint8_t foamPixels[] = {
-#include "foam_texture.inc"
-};
-static_assert(sizeof(foamPixels) == 4 * SW_FOAM_TEXTURE_SIDE * SW_FOAM_TEXTURE_SIDE, "the foam texture has its size");
-
-static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swSurface* surface)
+swResult swCreateSurfacePipelines(swGpu* gpu, const swPictureDef* formats, swPipeline* fill, swPipeline* wire)
 {
-    swResult result = swCreateComputePipeline(gpu, &swSurfaceCullShader, NULL, &surface->cullPipeline);
     const swSurfaceConstants constants = {
         .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
     };
@@ -22,90 +15,46 @@ static swResult createSurfacePipelines(swGpu* gpu, const swRendererDef* def, swS
         .vertex = &swSurfaceVertex,
         .fragment = &swSurfaceFragment,
         .constants = &constants,
-        .colorFormat = def->colorFormat,
-        .depthFormat = def->depthFormat,
+        .colorFormat = formats->colorFormat,
+        .depthFormat = formats->depthFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
         .depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL,
         .depthWrite = true,
         .name = "surface",
     };
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateGraphicsPipeline(gpu, &draw, &surface->drawPipeline);
-    }
+    swResult result = swCreateGraphicsPipeline(gpu, &draw, fill);
     if (result == SW_SUCCESS && gpu->hasWireframe)
     {
         draw.polygonMode = VK_POLYGON_MODE_LINE;
         draw.name = "surface wireframe";
-        result = swCreateGraphicsPipeline(gpu, &draw, &surface->wirePipeline);
+        result = swCreateGraphicsPipeline(gpu, &draw, wire);
     }
     return result;
 }
 
-swResult swCreateSurface(swGpu* gpu, const swRendererDef* def, swSurface* surface)
+swResult swCreateCullPipeline(swGpu* gpu, swPipeline* pipeline)
 {
-    swResult result = createSurfacePipelines(gpu, def, surface);
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateBuffer(gpu, SW_MAX_MESH_TILES * sizeof(swMeshTile), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                SW_MEMORY_DEVICE, "visible mesh tiles", &surface->visible);
-    }
+    return swCreateComputePipeline(gpu, &swSurfaceCullShader, NULL, pipeline);
+}
+
+swResult swCreateSurface(swGpu* gpu, swSurface* surface)
+{
+    swResult result = swCreateBuffer(gpu, SW_MAX_MESH_TILES * sizeof(swMeshTile), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                                     SW_MEMORY_DEVICE, "visible mesh tiles", &surface->visible);
     if (result == SW_SUCCESS)
     {
         result = swCreateBuffer(gpu, sizeof(VkDrawIndexedIndirectCommand),
                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
                                 SW_MEMORY_DEVICE, "surface draw arguments", &surface->arguments);
     }
-    if (result == SW_SUCCESS)
-    {
-        const swImageDef foam = {
-            .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-            .width = SW_FOAM_TEXTURE_SIDE,
-            .height = SW_FOAM_TEXTURE_SIDE,
-            .mips = SW_FOAM_TEXTURE_MIPS,
-            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-            .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = "foam texture",
-        };
-        result = swCreateImage(gpu, &foam, &surface->foamTexture);
-    }
     return result;
 }
 
-void swDestroySurface(swGpu* gpu, swSurface* surface)
+void swRetireSurface(swGpu* gpu, swSurface* surface)
 {
-    swDestroyPipeline(gpu, &surface->cullPipeline);
-    swDestroyPipeline(gpu, &surface->drawPipeline);
-    swDestroyPipeline(gpu, &surface->wirePipeline);
-    swDestroyBuffer(gpu, &surface->indices);
-    swDestroyBuffer(gpu, &surface->visible);
-    swDestroyBuffer(gpu, &surface->arguments);
-    swDestroyImage(gpu, &surface->foamTexture);
-}
-
-// Half float of n / 255, exact to its last bit: the bytes are below 2^11, and halves of them are too.
-static uint16_t halfOfByte(uint32_t byte)
-{
-    if (byte == 0)
-    {
-        return 0;
-    }
-    float value = (float)byte / 255.0f;
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof(bits));
-    uint32_t exponent = (bits >> 23) - 112;
-    return (uint16_t)((exponent << 10) + ((bits & 0x7fffffu) >> 13));
-}
-
-static swResult prepareFoamTexture(swGpu* gpu, swSurface* surface)
-{
-    swResult result = swReserveUpload(gpu, sizeof(foamPixels) * sizeof(uint16_t), &surface->foamUpload);
-    uint16_t* pixels = surface->foamUpload.data;
-    for (size_t i = 0; i < sizeof(foamPixels) && result == SW_SUCCESS; ++i)
-    {
-        pixels[i] = halfOfByte(foamPixels[i]);
-    }
-    return result;
+    swRetireBuffer(gpu, &surface->indices);
+    swRetireBuffer(gpu, &surface->visible);
+    swRetireBuffer(gpu, &surface->arguments);
 }
 
 // Two triangles a quad, all with the same diagonal: a ring that moves on by one step must not turn a quad over.
@@ -145,23 +94,12 @@ static swResult fillIndices(swGpu* gpu, swSurface* surface, uint32_t side)
 
 swResult swPrepareSurface(swGpu* gpu, swSurface* surface, const swPictureFrame* picture)
 {
-    swResult result = fillIndices(gpu, surface, picture->params.tileSide);
-    return result == SW_SUCCESS && !surface->foamTexture.isInitialized ? prepareFoamTexture(gpu, surface) : result;
+    return fillIndices(gpu, surface, picture->params.tileSide);
 }
 
-void swForgetSurface(swSurface* surface)
-{
-    surface->foamTexture.isInitialized = false;
-}
-
-void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, const swPipeline* halve,
+void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
                      const swPictureFrame* picture)
 {
-    if (!surface->foamTexture.isInitialized)
-    {
-        swRecordImageUpload(gpu, commands, &surface->foamUpload, &surface->foamTexture);
-        swRecordMips(gpu, commands, halve, &surface->foamTexture);
-    }
     const swSurfaceCullBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
         .slices = swBindUpload(&picture->slicesUpload),
@@ -172,7 +110,7 @@ void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, c
     swBeginPass(gpu, commands, "surface_cull");
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT, 0,
               VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT);
-    swBindSurfaceCull(gpu, commands, &surface->cullPipeline, &bindings);
+    swBindSurfaceCull(gpu, commands, cull, &bindings);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT |
@@ -181,27 +119,26 @@ void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, swSurface* surface, c
     swEndPass(gpu, commands);
 }
 
-void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swSurface* surface, const swSky* sky,
-                   const swGpuWorld* gpuWorld, const swGpuView* view, const swPictureFrame* picture)
+void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSurfaceSources* from,
+                   const swSurface* surface, const swPictureFrame* picture)
 {
     const swSurfaceBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
         .slices = swBindUpload(&picture->slicesUpload),
         .tiles = swBindBuffer(&surface->visible),
-        .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+        .displacement = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
         .bands = swBindUpload(&picture->bandsUpload),
-        .light = swBindBuffer(&sky->light),
-        .derivatives = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
-        .foamLayer = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_LINEAR_CLAMP),
-        .detail = swBindImage(gpu, &gpuWorld->detail, SW_SAMPLER_LINEAR_REPEAT),
-        .skyMap = swBindImage(gpu, &sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
-        .air = swBindImage(gpu, &sky->air, SW_SAMPLER_LINEAR_CLAMP),
-        .foamTexture = swBindImage(gpu, &surface->foamTexture, SW_SAMPLER_LINEAR_REPEAT),
+        .light = swBindBuffer(&from->sky->light),
+        .derivatives = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
+        .foamLayer = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FOAM), SW_SAMPLER_LINEAR_CLAMP),
+        .detail = swBindImage(gpu, swGetDetailImage(from->gpuWorld), SW_SAMPLER_LINEAR_REPEAT),
+        .skyMap = swBindImage(gpu, &from->sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
+        .air = swBindImage(gpu, &from->sky->air, SW_SAMPLER_LINEAR_CLAMP),
+        .foamTexture = swBindImage(gpu, &from->foam->image, SW_SAMPLER_LINEAR_REPEAT),
         .waves = swBindUpload(&picture->wavesUpload),
     };
-    bool isWire = picture->params.debugMode == SW_DEBUG_WIREFRAME && surface->wirePipeline.handle != VK_NULL_HANDLE;
     swBeginPass(gpu, commands, "surface");
-    swBindSurface(gpu, commands, isWire ? &surface->wirePipeline : &surface->drawPipeline, &bindings);
+    swBindSurface(gpu, commands, pipeline, &bindings);
     gpu->vk.CmdBindIndexBuffer(commands, surface->indices.handle, 0, VK_INDEX_TYPE_UINT16);
     gpu->vk.CmdDrawIndexedIndirect(commands, surface->arguments.handle, 0, 1, 0);
     swEndPass(gpu, commands);

@@ -23,35 +23,34 @@ static bool encodesItself(VkFormat format)
     }
 }
 
-swResult swCreateTonemap(swGpu* gpu, const swRendererDef* def, swTonemap* tonemap)
+swResult swCreateExposePipeline(swGpu* gpu, swPipeline* pipeline)
 {
-    swResult result = swCreateComputePipeline(gpu, &swExposeShader, NULL, &tonemap->exposePipeline);
-    const swTonemapConstants constants = {.targetEncodes = encodesItself(def->outputFormat) ? 1 : 0};
+    return swCreateComputePipeline(gpu, &swExposeShader, NULL, pipeline);
+}
+
+swResult swCreateTonemapPipeline(swGpu* gpu, const swPictureDef* formats, swPipeline* pipeline)
+{
+    const swTonemapConstants constants = {.targetEncodes = encodesItself(formats->outputFormat) ? 1 : 0};
     const swGraphicsDef draw = {
         .vertex = &swTonemapVertex,
         .fragment = &swTonemapFragment,
         .constants = &constants,
-        .colorFormat = def->outputFormat,
+        .colorFormat = formats->outputFormat,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
         .name = "tonemap",
     };
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateGraphicsPipeline(gpu, &draw, &tonemap->tonemapPipeline);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateBuffer(gpu, sizeof(swExposure), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
-                                "exposure", &tonemap->exposure);
-    }
-    return result;
+    return swCreateGraphicsPipeline(gpu, &draw, pipeline);
 }
 
-void swDestroyTonemap(swGpu* gpu, swTonemap* tonemap)
+swResult swCreateTonemap(swGpu* gpu, swTonemap* tonemap)
 {
-    swDestroyPipeline(gpu, &tonemap->exposePipeline);
-    swDestroyPipeline(gpu, &tonemap->tonemapPipeline);
-    swDestroyBuffer(gpu, &tonemap->exposure);
+    return swCreateBuffer(gpu, sizeof(swExposure), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE, "exposure",
+                          &tonemap->exposure);
+}
+
+void swRetireTonemap(swGpu* gpu, swTonemap* tonemap)
+{
+    swRetireBuffer(gpu, &tonemap->exposure);
 }
 
 void swClearExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap)
@@ -73,8 +72,8 @@ void swForgetExposure(swTonemap* tonemap, uint64_t frameIndex)
     tonemap->isCleared = tonemap->isCleared && tonemap->clearedFrame < frameIndex;
 }
 
-void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, VkImageView hdr, float dt,
-                      bool immediate)
+void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, const swPipeline* expose, swTonemap* tonemap,
+                      VkImageView hdr, float dt, bool immediate)
 {
     const swExposeBindings bindings = {
         .hdr = swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
@@ -86,15 +85,15 @@ void swRecordExposure(swGpu* gpu, VkCommandBuffer commands, swTonemap* tonemap, 
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
               VK_ACCESS_2_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
               VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_SHADER_WRITE_BIT);
-    swBindExpose(gpu, commands, &tonemap->exposePipeline, &bindings, &keep);
+    swBindExpose(gpu, commands, expose, &bindings, &keep);
     gpu->vk.CmdDispatch(commands, 1, 1, 1);
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT, VK_ACCESS_2_SHADER_READ_BIT);
     swEndPass(gpu, commands);
 }
 
-void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonemap, VkImageView hdr, float time,
-                   float stops, bool isRaw)
+void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swTonemap* tonemap,
+                   VkImageView hdr, float time, float stops, bool isRaw)
 {
     const swTonemapBindings bindings = {
         .hdr = swBindView(gpu, hdr, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_LINEAR_CLAMP),
@@ -103,7 +102,7 @@ void swDrawTonemap(swGpu* gpu, VkCommandBuffer commands, const swTonemap* tonema
     static_assert(3 * sizeof(float) == SW_TONEMAP_PUSH_SIZE, "what tonemap.frag is given");
     const float push[3] = {time, stops, isRaw ? 1.0f : 0.0f};
     swBeginPass(gpu, commands, "tonemap");
-    swBindTonemap(gpu, commands, &tonemap->tonemapPipeline, &bindings, push);
+    swBindTonemap(gpu, commands, pipeline, &bindings, push);
     gpu->vk.CmdDraw(commands, 3, 1, 0, 0);
     swEndPass(gpu, commands);
 }

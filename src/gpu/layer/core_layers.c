@@ -87,7 +87,7 @@ static void copyLayer(swGpu* gpu, VkCommandBuffer commands, const swUpload* from
     gpu->vk.CmdCopyBufferToImage(commands, from->buffer, to->handle, to->layout, 1, &copy);
 }
 
-void swRecordCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view)
+void swCopyCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view)
 {
     for (int i = 0; i < SW_LAYERS; ++i)
     {

@@ -43,7 +43,17 @@ static swResult createImages(swGpu* gpu, swGpuView* view)
     return SW_SUCCESS;
 }
 
-swResult swMakeGpuView(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
+static void retireView(swGpu* gpu, swGpuView* view)
+{
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        swRetireImage(gpu, &view->layers[i].images[0]);
+        swRetireImage(gpu, &view->layers[i].images[1]);
+    }
+    *view = (swGpuView){0};
+}
+
+static swResult makeView(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
 {
     *view = (swGpuView){
         .viewVersion = frame->viewVersion,
@@ -54,43 +64,84 @@ swResult swMakeGpuView(swGpu* gpu, const swViewFrame* frame, swGpuView* view)
     swResult result = createImages(gpu, view);
     if (result != SW_SUCCESS)
     {
-        swRetireGpuView(gpu, view);
+        retireView(gpu, view);
         return result;
     }
     view->isUsed = true;
     return SW_SUCCESS;
 }
 
-void swRetireGpuView(swGpu* gpu, swGpuView* view)
+static void retireGoneViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
 {
-    for (int i = 0; i < SW_LAYERS; ++i)
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        swRetireImage(gpu, &view->layers[i].images[0]);
-        swRetireImage(gpu, &view->layers[i].images[1]);
-    }
-    *view = (swGpuView){0};
-}
-
-void swDestroyGpuView(swGpu* gpu, swGpuView* view)
-{
-    for (int i = 0; i < SW_LAYERS; ++i)
-    {
-        swDestroyImage(gpu, &view->layers[i].images[0]);
-        swDestroyImage(gpu, &view->layers[i].images[1]);
+        bool isGone = views[i].isUsed;
+        for (int v = 0; v < frame->viewCount; ++v)
+        {
+            isGone = isGone && frame->views[v].viewVersion != views[i].viewVersion;
+        }
+        if (isGone)
+        {
+            retireView(gpu, &views[i]);
+        }
     }
 }
 
-size_t swGetGpuViewMemory(const swGpuView* view)
+// The entry of a view, made if it is new.
+static swResult findOrMakeView(swGpu* gpu, const swViewFrame* frame, swGpuView* views, swGpuView** out)
 {
-    VkDeviceSize size = 0;
-    for (int i = 0; i < SW_LAYERS; ++i)
+    swGpuView* unused = NULL;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        size += view->layers[i].images[0].memory.size + view->layers[i].images[1].memory.size;
+        swGpuView* view = &views[i];
+        if (view->isUsed && view->viewVersion == frame->viewVersion)
+        {
+            *out = view;
+            return SW_SUCCESS;
+        }
+        unused = !view->isUsed && unused == NULL ? view : unused;
     }
-    return (size_t)size;
+    if (unused == NULL) // a world has no more views than there are entries, and views that are gone were retired
+    {
+        return swFail(&gpu->host, SW_ERROR_LIMIT, "more than %d views", SW_MAX_VIEWS);
+    }
+    *out = unused;
+    return makeView(gpu, frame, unused);
 }
 
-void swBeginGpuView(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
+static void planView(swGpuView* view)
+{
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        if (isInView(i) && swGetLayerInfo(i)->hasPast)
+        {
+            view->layers[i].due = swFindCatchUp(&view->layers[i].mark.at, i, &view->frame->stack);
+            view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore;
+        }
+    }
+}
+
+swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
+{
+    retireGoneViews(gpu, frame, views);
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < frame->viewCount && result == SW_SUCCESS; ++i)
+    {
+        const swViewFrame* viewFrame = &frame->views[i];
+        swGpuView* view = NULL;
+        result = findOrMakeView(gpu, viewFrame, views, &view);
+        if (result == SW_SUCCESS)
+        {
+            view->frame = viewFrame;
+            view->isCore = gpu->usesCoreLayers && viewFrame->stack.layers[SW_LAYER_DISPLACEMENT].texels != NULL;
+            planView(view);
+            result = view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : SW_SUCCESS;
+        }
+    }
+    return result;
+}
+
+static void beginImages(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
 {
     if (!view->hasBegun)
     {
@@ -106,19 +157,27 @@ void swBeginGpuView(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
     }
 }
 
-void swPlanGpuView(swGpuView* view)
+bool swCopyGpuViews(swGpu* gpu, VkCommandBuffer commands, swGpuView* views)
 {
-    for (int i = 0; i < SW_LAYERS; ++i)
+    bool hasCopies = false;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
-        if (isInView(i) && swGetLayerInfo(i)->hasPast)
+        swGpuView* view = &views[i];
+        if (!view->isUsed)
         {
-            view->layers[i].due = swFindCatchUp(&view->layers[i].mark.at, i, &view->frame->stack);
-            view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore;
+            continue;
+        }
+        beginImages(gpu, commands, view);
+        if (view->isCore)
+        {
+            swCopyCoreLayers(gpu, commands, view);
+            hasCopies = true;
         }
     }
+    return hasCopies;
 }
 
-void swCommitGpuView(uint64_t frameIndex, swGpuView* view)
+static void commitView(uint64_t frameIndex, swGpuView* view)
 {
     for (int i = 0; i < SW_LAYERS; ++i)
     {
@@ -130,6 +189,17 @@ void swCommitGpuView(uint64_t frameIndex, swGpuView* view)
             layer->mark.frameIndex = frameIndex;
             layer->mark.index ^= 1;
             swMoveMark(&layer->mark.at, i, &view->frame->stack);
+        }
+    }
+}
+
+void swCommitGpuViews(uint64_t frameIndex, swGpuView* views)
+{
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        if (views[i].isUsed)
+        {
+            commitView(frameIndex, &views[i]);
         }
     }
 }
@@ -152,7 +222,7 @@ static void discardLayer(swGpuLayer* layer, uint64_t frameIndex)
     layer->mark = found;
 }
 
-void swDiscardGpuView(swGpuView* view, uint64_t frameIndex)
+static void discardView(swGpuView* view, uint64_t frameIndex)
 {
     view->hasBegun = view->hasBegun && view->firstFrame < frameIndex;
     for (int i = 0; i < SW_LAYERS; ++i)
@@ -164,4 +234,41 @@ void swDiscardGpuView(swGpuView* view, uint64_t frameIndex)
         }
         discardLayer(&view->layers[i], frameIndex);
     }
+}
+
+void swDiscardGpuViews(swGpuView* views, uint64_t frameIndex)
+{
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        if (views[i].isUsed)
+        {
+            discardView(&views[i], frameIndex);
+        }
+    }
+}
+
+void swDestroyGpuViews(swGpu* gpu, swGpuView* views)
+{
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        for (int layer = 0; layer < SW_LAYERS; ++layer)
+        {
+            swDestroyImage(gpu, &views[i].layers[layer].images[0]);
+            swDestroyImage(gpu, &views[i].layers[layer].images[1]);
+        }
+    }
+}
+
+size_t swGetGpuViewMemory(const swGpuView* views)
+{
+    VkDeviceSize size = 0;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        for (int layer = 0; layer < SW_LAYERS; ++layer)
+        {
+            const swImage* images = views[i].layers[layer].images;
+            size += images[0].memory.size + images[1].memory.size;
+        }
+    }
+    return (size_t)size;
 }

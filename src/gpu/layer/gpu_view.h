@@ -42,35 +42,28 @@ typedef struct swGpuView
     swGpuLayer layers[SW_LAYERS];
 
     // Set by each swGpuWorld_Record(), valid for this frame.
-    swUpload sliceLists;  // swSliceList[sliceCount]
-    swUpload sliceTiles;  // swSliceTile[]
-    swUpload sliceWaves;  // swSliceWave[]
-    swUpload foamParams;  // swFoamSliceParams[sliceCount]
-    swUpload foamSources; // swPastSource[sliceCount * (SW_PAST_SOURCES + 1)]
     const swViewFrame* frame;
     bool isCore; // the core made the layers, they are only copied
 } swGpuView;
 
-// Make the images of a view that is new; an entry that is in use keeps its own.
-swResult swMakeGpuView(swGpu* gpu, const swViewFrame* frame, swGpuView* view);
-// Once no frame in flight can use them any more. Clears the entry.
-void swRetireGpuView(swGpu* gpu, swGpuView* view);
-// At once; the device is idle.
-void swDestroyGpuView(swGpu* gpu, swGpuView* view);
-// Record what new images need, once.
-void swBeginGpuView(swGpu* gpu, VkCommandBuffer commands, swGpuView* view);
-// Find what each layer with a past has to make up for in this frame.
-void swPlanGpuView(swGpuView* view);
-// The passes were recorded.
-void swCommitGpuView(uint64_t frameIndex, swGpuView* view);
+// The images of a frame's views: entries of views that are gone are retired, and new ones made. `views` are
+// SW_MAX_VIEWS entries. All that may fail, also what the core has made; records nothing. Finds what each layer with a
+// past has to make up for in this frame.
+swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views);
+// Record what new images need, and the copies of what the core has made. Says whether there were such copies.
+bool swCopyGpuViews(swGpu* gpu, VkCommandBuffer commands, swGpuView* views);
+// The passes were recorded: layers with a past have moved on.
+void swCommitGpuViews(uint64_t frameIndex, swGpuView* views);
 // Take back what frame `frameIndex` and all later frames did, which will not run.
-void swDiscardGpuView(swGpuView* view, uint64_t frameIndex);
+void swDiscardGpuViews(swGpuView* views, uint64_t frameIndex);
+// At once; the device is idle.
+void swDestroyGpuViews(swGpu* gpu, swGpuView* views);
 // Bytes of device memory.
-size_t swGetGpuViewMemory(const swGpuView* view);
+size_t swGetGpuViewMemory(const swGpuView* views);
 
 // Layers that the core has made: all that may fail, then the copies.
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view);
-void swRecordCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view);
+void swCopyCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view);
 
 // Copy one slice of a layer to the host; waits.
 swResult swReadLayer(swGpu* gpu, const swGpuView* view, int layer, int slice, float* texels);

@@ -2,18 +2,29 @@
 // One dispatch a query of rays; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
+#include "gpu/pass/query_passes.h"
 #include "ray_query_shader.h"
 
-swResult swCreateRayQuery(swGpu* gpu, swPasses* passes)
+typedef struct State
 {
-    if (passes->rayQuery.handle != VK_NULL_HANDLE)
-    {
-        return SW_SUCCESS;
-    }
-    return swCreateComputePipeline(gpu, &swRayQueryShader, NULL, &passes->rayQuery);
+    swPipeline pipeline;
+} State;
+
+static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
+{
+    (void)frame;
+    (void)state;
+    *isNeeded = swHasQuery(gpuWorld, SW_GPU_QUERY_KIND_RAYS);
+    return SW_SUCCESS;
 }
 
-static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
+static swResult create(swGpuWorld* gpuWorld, void* state)
+{
+    return swCreateOnce(gpuWorld->gpu, &swRayQueryShader, &((State*)state)->pipeline);
+}
+
+static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, const State* state,
+                        VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
     static_assert(sizeof(swRayParams) == SW_RAY_QUERY_PUSH_SIZE, "what ray_query.comp is given");
@@ -21,29 +32,39 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
     const swRayQueryBindings bindings = {
         .tiles = swBindUpload(&query->tiles),
         .waves = swBindUpload(&query->waves),
-        .texels = swBindBuffer(&gpuWorld->texels),
+        .texels = swBindBuffer(&gpuWorld->tiles.texels),
         .points = swBindPoints(query, &params.source),
         .heights = swBindPlane(query, query->planes.heights),
         .hits = swBindPlane(query, query->planes.hits),
         .normals = swBindPlane(query, query->planes.normals),
     };
-    swBindRayQuery(gpu, commands, &gpuWorld->passes.rayQuery, &bindings, &params);
+    swBindRayQuery(gpu, commands, &state->pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
 }
 
-void swRecordRayQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
-    if (!gpuWorld->hasRays)
-    {
-        return;
-    }
-    swBeginPass(gpuWorld->gpu, commands, "ray_query");
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
         if (query->count > 0 && query->def.kind == SW_GPU_QUERY_KIND_RAYS)
         {
-            recordQuery(gpuWorld, query, commands);
+            recordQuery(gpuWorld, query, state, commands);
         }
     }
-    swEndPass(gpuWorld->gpu, commands);
 }
+
+static void destroy(swGpu* gpu, void* state)
+{
+    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+}
+
+const swPass swPass_ray_query = {
+    .name = "ray_query",
+    .stateSize = sizeof(State),
+    .reads = SW_TEXELS_BIT,
+    .writes = SW_OUTPUT_BIT(SW_PASS_RAY_QUERY),
+    .upload = upload,
+    .create = create,
+    .record = record,
+    .destroy = destroy,
+};

@@ -1,41 +1,206 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a view for all its slices; nothing waits between views.
+// One dispatch a view for all its slices; nothing waits between views. Where a slice lies on a tile is reduced in
+// double here, so that the shader sees small numbers wherever in the world the viewer is.
 
+#include <math.h>
+
+#include "core/math/scalar.h"
 #include "gpu/pass/passes.h"
 #include "slices_shader.h"
 
-swResult swCreateSlices(swGpu* gpu, swPasses* passes)
+// Of one view, in this frame.
+typedef struct ViewState
 {
-    if (passes->slices.handle != VK_NULL_HANDLE)
-    {
-        return SW_SUCCESS;
-    }
-    return swCreateComputePipeline(gpu, &swSlicesShader, NULL, &passes->slices);
+    swUpload lists; // swSliceList[sliceCount]
+    swUpload tiles; // swSliceTile[]
+    swUpload waves; // swSliceWave[]
+} ViewState;
+
+typedef struct State
+{
+    swPipeline pipeline;
+    ViewState views[SW_MAX_VIEWS];
+} State;
+
+// Spline coordinate of the slice's first texel along one axis, as a texel column and a fraction.
+static void reduceOffset(int64_t first, double texel, const swTile* tile, float* fraction, uint32_t* base)
+{
+    double turns = (double)first * texel / tile->side;
+    double coordinate = (turns - floor(turns)) * tile->resolution;
+    double cell = floor(coordinate);
+    *fraction = (float)(coordinate - cell);
+    *base = (uint32_t)cell & (uint32_t)(tile->resolution - 1);
 }
 
-void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint32_t firstTexel)
 {
-    swGpu* gpu = gpuWorld->gpu;
-    swBeginPass(gpu, commands, "slices");
-    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    swSliceTile out = {
+        .step = (float)(slice->texel * tile->resolution / tile->side),
+        .perMetre = (float)(tile->resolution / tile->side),
+        .firstTexel = firstTexel,
+        .resolution = (uint32_t)tile->resolution,
+        .runMask = (1u << SW_SLICE_RUN) - 1,
+    };
+    uint32_t baseX, baseZ;
+    reduceOffset(slice->firstX, slice->texel, tile, &out.fractionX, &baseX);
+    reduceOffset(slice->firstZ, slice->texel, tile, &out.fractionZ, &baseZ);
+    out.base = baseX | baseZ << 16;
+    return out;
+}
+
+// Everything is written once, in order: uploads are slow to read.
+static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice,
+                               swSliceTile* tiles)
+{
+    uint32_t count = 0;
+    for (int i = 0; i < frame->tileCount; ++i)
     {
-        const swGpuView* view = &gpuWorld->views[i];
-        if (!view->isUsed || view->isCore)
+        if (frame->tiles[i].minWavelength < slice->minWavelength)
         {
             continue;
         }
+        swSliceTile tile = makeSliceTile(slice, &frame->tiles[i], gpuWorld->tiles.params[i].firstTexel);
+        bool isSparse = (SW_SLICE_RUN - 1) * tile.step > SW_SLICE_ROWS - 4;
+        for (uint32_t t = 0; t < (isSparse ? SW_SLICE_RUN : 1); ++t)
+        {
+            tile.runMask = isSparse ? 1u << t : tile.runMask;
+            tiles[count++] = tile;
+        }
+    }
+    return count;
+}
+
+// Turns as a fraction of 2^32.
+static uint32_t toPhase(double turns)
+{
+    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
+}
+
+static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
+{
+    uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
+    double place =
+        wave->turnsX * ((double)slice->firstX * slice->texel) + wave->turnsZ * ((double)slice->firstZ * slice->texel);
+    swSliceWave out = {
+        .phase = toPhase(place) + wave->phase - passed,
+        .stepX = toPhase(wave->turnsX * slice->texel + 0x1p-33),
+        .stepZ = toPhase(wave->turnsZ * slice->texel + 0x1p-33),
+        .amplitude = wave->amplitude,
+        .dx = wave->dx,
+        .dz = wave->dz,
+        .kx = (float)(2.0 * SW_PI * wave->turnsX),
+        .kz = (float)(2.0 * SW_PI * wave->turnsZ),
+    };
+    swSinCosTurns(out.stepZ, &out.sinZ, &out.cosZ);
+    return out;
+}
+
+// Longest first, as the frame has them.
+static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWave* waves, swSliceList* list)
+{
+    for (int i = 0; i < frame->waveCount && frame->waves[i].wavelength >= slice->minWavelength; ++i)
+    {
+        waves[list->waveCount++] = makeSliceWave(slice, &frame->waves[i], frame->ticks);
+    }
+}
+
+static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, ViewState* view)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swSliceList lists[SW_MAX_SLICES] = {0};
+    size_t slices = (size_t)stack->sliceCount;
+    size_t mostTiles = slices * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
+    size_t mostWaves = slices * (size_t)(frame->waveCount > 0 ? frame->waveCount : 1);
+    swResult result = swReserveUpload(gpu, mostTiles * sizeof(swSliceTile), &view->tiles);
+    result = result == SW_SUCCESS ? swReserveUpload(gpu, mostWaves * sizeof(swSliceWave), &view->waves) : result;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    uint32_t tileCount = 0;
+    uint32_t waveCount = 0;
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        const swSlice* slice = &stack->slices[i];
+        swSliceList* list = &lists[i];
+        swSliceTile* tiles = (swSliceTile*)view->tiles.data + tileCount;
+        list->first = tileCount;
+        list->count = fillSliceTiles(gpuWorld, frame, slice, tiles);
+        list->firstWave = waveCount;
+        fillSliceWaves(frame, slice, (swSliceWave*)view->waves.data + waveCount, list);
+        tileCount += list->count;
+        waveCount += list->waveCount;
+        list->texelsPerMetre = (float)(1.0 / slice->texel);
+    }
+    return swUploadData(gpu, lists, sizeof(lists), &view->lists);
+}
+
+static bool isMade(const swGpuView* view)
+{
+    return view->isUsed && !view->isCore;
+}
+
+static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
+{
+    State* s = state;
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
+    {
+        const swGpuView* view = &gpuWorld->views[i];
+        if (isMade(view))
+        {
+            *isNeeded = true;
+            result = uploadView(gpuWorld, frame, &view->frame->stack, &s->views[i]);
+        }
+    }
+    return result;
+}
+
+static swResult create(swGpuWorld* gpuWorld, void* state)
+{
+    return swCreateOnce(gpuWorld->gpu, &swSlicesShader, &((State*)state)->pipeline);
+}
+
+static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    const State* s = state;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        const swGpuView* view = &gpuWorld->views[i];
+        if (!isMade(view))
+        {
+            continue;
+        }
+        const swImage* displacement = swGetLayerImage(view, SW_LAYER_DISPLACEMENT);
+        const swImage* derivatives = swGetLayerImage(view, SW_LAYER_DERIVATIVES);
         const swSlicesBindings bindings = {
-            .lists = swBindUpload(&view->sliceLists),
-            .tiles = swBindUpload(&view->sliceTiles),
-            .texels = swBindBuffer(&gpuWorld->texels),
-            .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
-            .derivatives = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DERIVATIVES), SW_SAMPLER_NEAREST_CLAMP),
-            .waves = swBindUpload(&view->sliceWaves),
+            .lists = swBindUpload(&s->views[i].lists),
+            .tiles = swBindUpload(&s->views[i].tiles),
+            .texels = swBindBuffer(&gpuWorld->tiles.texels),
+            .displacement = swBindImage(gpu, displacement, SW_SAMPLER_NEAREST_CLAMP),
+            .derivatives = swBindImage(gpu, derivatives, SW_SAMPLER_NEAREST_CLAMP),
+            .waves = swBindUpload(&s->views[i].waves),
         };
         uint32_t resolution = (uint32_t)view->resolution;
-        swBindSlices(gpu, commands, &gpuWorld->passes.slices, &bindings);
+        swBindSlices(gpu, commands, &s->pipeline, &bindings);
         gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
                             (uint32_t)view->sliceCount);
     }
-    swEndPass(gpu, commands);
 }
+
+static void destroy(swGpu* gpu, void* state)
+{
+    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+}
+
+const swPass swPass_slices = {
+    .name = "slices",
+    .stateSize = sizeof(State),
+    .reads = SW_TEXELS_BIT,
+    .writes = SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) | SW_LAYER_BIT(SW_LAYER_DERIVATIVES),
+    .upload = upload,
+    .create = create,
+    .record = record,
+    .destroy = destroy,
+};

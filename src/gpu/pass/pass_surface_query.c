@@ -2,26 +2,48 @@
 // One dispatch a query of the surface or of the water below it; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
+#include "gpu/pass/query_passes.h"
 #include "surface_query_shader.h"
 
-static bool hasMotion(uint32_t outputs)
+typedef struct State
 {
-    return (outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
+    swVariants pipelines; // without and with velocity or acceleration
+} State;
+
+// Of a query of the water below, only the surface's heights are wanted here.
+static swSurfaceQueryConstants constantsOf(const swGpuQuery* query)
+{
+    bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
+    bool hasMotion = (query->def.outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
+    return (swSurfaceQueryConstants){.withMotion = isSurface && hasMotion ? 1 : 0};
 }
 
-swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes)
+static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
 {
-    const uint32_t withMotion = hasMotion(outputs) ? 1 : 0;
-    swPipeline* pipeline = &passes->surfaceQuery[withMotion];
-    if (pipeline->handle != VK_NULL_HANDLE)
+    (void)frame;
+    (void)state;
+    *isNeeded = swHasQuery(gpuWorld, SW_GPU_QUERY_KIND_SURFACE) || swHasQuery(gpuWorld, SW_GPU_QUERY_KIND_VOLUME);
+    return SW_SUCCESS;
+}
+
+// Also of queries that rest: they may ask at any time.
+static swResult create(swGpuWorld* gpuWorld, void* state)
+{
+    State* s = state;
+    swResult result = SW_SUCCESS;
+    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL && result == SW_SUCCESS; query = query->next)
     {
-        return SW_SUCCESS;
+        if (query->def.kind != SW_GPU_QUERY_KIND_RAYS)
+        {
+            swSurfaceQueryConstants constants = constantsOf(query);
+            result = swCreateVariant(gpuWorld->gpu, &swSurfaceQueryShader, &constants, &s->pipelines);
+        }
     }
-    const swSurfaceQueryConstants constants = {.withMotion = withMotion};
-    return swCreateComputePipeline(gpu, &swSurfaceQueryShader, &constants, pipeline);
+    return result;
 }
 
-static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
+static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, const State* state,
+                        VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
     static_assert(sizeof(swQueryParams) == SW_SURFACE_QUERY_PUSH_SIZE, "what surface_query.comp is given");
@@ -29,7 +51,7 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
     const swSurfaceQueryBindings bindings = {
         .tiles = swBindUpload(&query->tiles),
         .waves = swBindUpload(&query->waves),
-        .texels = swBindBuffer(&gpuWorld->texels),
+        .texels = swBindBuffer(&gpuWorld->tiles.texels),
         .points = swBindPoints(query, &params.source),
         .heights = swBindPlane(query, query->planes.heights),
         .sideways = swBindPlane(query, query->planes.sideways),
@@ -37,24 +59,35 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
         .velocities = swBindPlane(query, query->planes.velocities),
         .accelerations = swBindPlane(query, query->planes.accelerations),
     };
-    const swPipeline* pipeline = &gpuWorld->passes.surfaceQuery[hasMotion(params.outputs) ? 1 : 0];
+    swSurfaceQueryConstants constants = constantsOf(query);
+    const swPipeline* pipeline = swFindVariant(&state->pipelines, &swSurfaceQueryShader, &constants);
     swBindSurfaceQuery(gpu, commands, pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
 }
 
-void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
-    if (gpuWorld->firstQuery == NULL)
-    {
-        return;
-    }
-    swBeginPass(gpuWorld->gpu, commands, "surface_query");
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
         if (query->count > 0 && query->def.kind != SW_GPU_QUERY_KIND_RAYS)
         {
-            recordQuery(gpuWorld, query, commands);
+            recordQuery(gpuWorld, query, state, commands);
         }
     }
-    swEndPass(gpuWorld->gpu, commands);
 }
+
+static void destroy(swGpu* gpu, void* state)
+{
+    swDestroyVariants(gpu, &((State*)state)->pipelines);
+}
+
+const swPass swPass_surface_query = {
+    .name = "surface_query",
+    .stateSize = sizeof(State),
+    .reads = SW_TEXELS_BIT,
+    .writes = SW_OUTPUT_BIT(SW_PASS_SURFACE_QUERY),
+    .upload = upload,
+    .create = create,
+    .record = record,
+    .destroy = destroy,
+};

@@ -2,16 +2,13 @@
 // One dispatch a query of the water below, after its surface was searched; nothing waits between queries.
 
 #include "gpu/pass/passes.h"
+#include "gpu/pass/query_passes.h"
 #include "volume_query_shader.h"
 
-swResult swCreateVolumeQuery(swGpu* gpu, swPasses* passes)
+typedef struct State
 {
-    if (passes->volumeQuery.handle != VK_NULL_HANDLE)
-    {
-        return SW_SUCCESS;
-    }
-    return swCreateComputePipeline(gpu, &swVolumeQueryShader, NULL, &passes->volumeQuery);
-}
+    swPipeline pipeline;
+} State;
 
 static swBinding bindLevels(const swGpuQuery* query)
 {
@@ -23,7 +20,21 @@ static swBinding bindLevels(const swGpuQuery* query)
     };
 }
 
-static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkCommandBuffer commands)
+static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
+{
+    (void)frame;
+    (void)state;
+    *isNeeded = swHasQuery(gpuWorld, SW_GPU_QUERY_KIND_VOLUME);
+    return SW_SUCCESS;
+}
+
+static swResult create(swGpuWorld* gpuWorld, void* state)
+{
+    return swCreateOnce(gpuWorld->gpu, &swVolumeQueryShader, &((State*)state)->pipeline);
+}
+
+static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, const State* state,
+                        VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
     static_assert(sizeof(swVolumeParams) == SW_VOLUME_QUERY_PUSH_SIZE, "what volume_query.comp is given");
@@ -31,7 +42,7 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
     const swVolumeQueryBindings bindings = {
         .tiles = swBindUpload(&query->volumeTiles),
         .freeWaves = swBindUpload(&query->waves),
-        .waves = swBindBuffer(&gpuWorld->volumeWaves),
+        .waves = swBindBuffer(swGetVolumeWaves(gpuWorld)),
         .points = swBindPoints(query, &params.source),
         .levels = bindLevels(query),
         .heights = swBindPlane(query, query->planes.heights),
@@ -39,23 +50,33 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, VkC
         .velocities = swBindPlane(query, query->planes.velocities),
         .accelerations = swBindPlane(query, query->planes.accelerations),
     };
-    swBindVolumeQuery(gpu, commands, &gpuWorld->passes.volumeQuery, &bindings, &params);
+    swBindVolumeQuery(gpu, commands, &state->pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_VOLUME_POINTS);
 }
 
-void swRecordVolumeQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
-    if (!gpuWorld->hasVolume)
-    {
-        return;
-    }
-    swBeginPass(gpuWorld->gpu, commands, "volume_query");
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
         if (query->count > 0 && query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
         {
-            recordQuery(gpuWorld, query, commands);
+            recordQuery(gpuWorld, query, state, commands);
         }
     }
-    swEndPass(gpuWorld->gpu, commands);
 }
+
+static void destroy(swGpu* gpu, void* state)
+{
+    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+}
+
+const swPass swPass_volume_query = {
+    .name = "volume_query",
+    .stateSize = sizeof(State),
+    .reads = SW_OUTPUT_BIT(SW_PASS_SURFACE_QUERY) | SW_OUTPUT_BIT(SW_PASS_VOLUME_WAVES),
+    .writes = SW_OUTPUT_BIT(SW_PASS_VOLUME_QUERY),
+    .upload = upload,
+    .create = create,
+    .record = record,
+    .destroy = destroy,
+};

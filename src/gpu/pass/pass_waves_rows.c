@@ -4,42 +4,80 @@
 #include "gpu/pass/passes.h"
 #include "waves_rows_shader.h"
 
-swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes)
+typedef struct State
 {
-    swPipeline* pipeline = &passes->wavesRows[swTileSizeIndex(resolution)];
-    if (pipeline->handle != VK_NULL_HANDLE)
-    {
-        return SW_SUCCESS;
-    }
-    const swWavesRowsConstants constants = {
-        .fftSize = (uint32_t)resolution,
-        .workgroupX = 3 * (uint32_t)resolution / 4,
-    };
-    return swCreateComputePipeline(gpu, &swWavesRowsShader, &constants, pipeline);
+    swVariants pipelines; // of each resolution
+} State;
+
+static swWavesRowsConstants constantsOf(uint32_t resolution)
+{
+    return (swWavesRowsConstants){.fftSize = resolution, .workgroupX = 3 * resolution / 4};
 }
 
-void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
+{
+    (void)frame;
+    (void)state;
+    *isNeeded = gpuWorld->tiles.count > 0 && !gpuWorld->tiles.isCore;
+    return SW_SUCCESS;
+}
+
+static swResult create(swGpuWorld* gpuWorld, void* state)
+{
+    State* s = state;
+    swResult result = SW_SUCCESS;
+    for (int size = 0; size < SW_TILE_SIZES && result == SW_SUCCESS; ++size)
+    {
+        if (gpuWorld->tiles.groupCount[size] > 0)
+        {
+            swWavesRowsConstants constants = constantsOf(16u << size);
+            result = swCreateVariant(gpuWorld->gpu, &swWavesRowsShader, &constants, &s->pipelines);
+        }
+    }
+    return result;
+}
+
+static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
     static_assert(sizeof(swWavesParams) == SW_WAVES_ROWS_PUSH_SIZE, "what waves_rows.comp is given");
     swGpu* gpu = gpuWorld->gpu;
+    const State* s = state;
+    const swGpuTiles* tiles = &gpuWorld->tiles;
     const swWavesRowsBindings bindings = {
-        .tiles = swBindUpload(&gpuWorld->tileParams),
-        .order = swBindUpload(&gpuWorld->order),
-        .rows = swBindBuffer(&gpuWorld->rows),
-        .modes = swBindBuffer(&gpuWorld->modes),
-        .roots = swBindBuffer(&gpuWorld->roots),
-        .lines = swBindBuffer(&gpuWorld->lines),
+        .tiles = swBindUpload(&tiles->paramsUpload),
+        .order = swBindUpload(&tiles->order),
+        .rows = swBindBuffer(&tiles->rows),
+        .modes = swBindBuffer(&tiles->modes),
+        .roots = swBindBuffer(&tiles->roots),
+        .lines = swBindBuffer(&tiles->lines),
     };
-    swBeginPass(gpu, commands, "waves_rows");
     for (int size = 0; size < SW_TILE_SIZES; ++size)
     {
-        if (gpuWorld->groupCount[size] > 0)
+        if (tiles->groupCount[size] > 0)
         {
-            uint32_t rowCount = (16u << size) / 4 + 1;
-            swWavesParams params = swMakeWavesParams(gpuWorld, size);
-            swBindWavesRows(gpu, commands, &gpuWorld->passes.wavesRows[size], &bindings, &params);
-            gpu->vk.CmdDispatch(commands, rowCount, gpuWorld->groupCount[size], gpuWorld->fields.count);
+            uint32_t resolution = 16u << size;
+            uint32_t rowCount = resolution / 4 + 1;
+            swWavesParams params = swMakeWavesParams(tiles, size);
+            swWavesRowsConstants constants = constantsOf(resolution);
+            const swPipeline* pipeline = swFindVariant(&s->pipelines, &swWavesRowsShader, &constants);
+            swBindWavesRows(gpu, commands, pipeline, &bindings, &params);
+            gpu->vk.CmdDispatch(commands, rowCount, tiles->groupCount[size], tiles->fields.count);
         }
     }
-    swEndPass(gpu, commands);
 }
+
+static void destroy(swGpu* gpu, void* state)
+{
+    swDestroyVariants(gpu, &((State*)state)->pipelines);
+}
+
+const swPass swPass_waves_rows = {
+    .name = "waves_rows",
+    .stateSize = sizeof(State),
+    .reads = SW_MODES_BIT,
+    .writes = SW_OUTPUT_BIT(SW_PASS_WAVES_ROWS),
+    .upload = upload,
+    .create = create,
+    .record = record,
+    .destroy = destroy,
+};

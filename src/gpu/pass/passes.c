@@ -1,78 +1,134 @@
 // SPDX-License-Identifier: MIT
 #include "gpu/pass/passes.h"
 
-void swDestroyPasses(swGpu* gpu, swPasses* passes)
+#include <string.h>
+
+#include "core/base/assert.h"
+
+static const swPass* const passes[SW_PASS_COUNT] = {
+#define SW_PASS(NAME, name, text) &swPass_##name,
+#include "core/frame/passes.inl"
+#undef SW_PASS
+};
+
+const swPass* swGetPass(swPassId id)
 {
-    for (int i = 0; i < SW_TILE_SIZES; ++i)
-    {
-        swDestroyPipeline(gpu, &passes->wavesRows[i]);
-        swDestroyPipeline(gpu, &passes->wavesColumns[i]);
-    }
-    swDestroyPipeline(gpu, &passes->detail);
-    swDestroyPipeline(gpu, &passes->slices);
-    swDestroyPipeline(gpu, &passes->foam);
-    swDestroyPipeline(gpu, &passes->surfaceQuery[0]);
-    swDestroyPipeline(gpu, &passes->surfaceQuery[1]);
-    swDestroyPipeline(gpu, &passes->volumeWaves);
-    swDestroyPipeline(gpu, &passes->volumeQuery);
-    swDestroyPipeline(gpu, &passes->rayQuery);
+    return passes[id];
 }
 
-// What offsets of storage buffers are rounded down to: the most that a device may ask for.
-#define SW_OFFSET_ALIGNMENT 256u
-
-// Workgroups along an axis that every device can have.
-#define SW_MOST_GROUPS 65535u
-
-// Of the host's floats: places, places with a height, or rays; of ours otherwise.
-static uint32_t countPointWords(const swGpuQuery* query)
+swResult swCreatePasses(swGpuWorld* gpuWorld)
 {
-    bool isFloat = query->hostPoints != VK_NULL_HANDLE;
-    switch (query->def.kind)
+    for (int i = 0; i < SW_PASS_COUNT; ++i)
     {
-    case SW_GPU_QUERY_KIND_RAYS:
-        return isFloat ? 8 : sizeof(swQueryRay) / 4;
-    case SW_GPU_QUERY_KIND_VOLUME:
-        return isFloat ? 3 : sizeof(swQueryPoint) / 4;
-    case SW_GPU_QUERY_KIND_SURFACE:
-        break;
+        gpuWorld->passes[i].state = swAllocateZero(&gpuWorld->gpu->host, passes[i]->stateSize);
+        if (gpuWorld->passes[i].state == NULL)
+        {
+            return swFail(&gpuWorld->gpu->host, SW_ERROR_NO_MEMORY, "no memory for the pass %s", passes[i]->name);
+        }
     }
-    return isFloat ? 2 : sizeof(swQueryPoint) / 4;
+    return SW_SUCCESS;
 }
 
-swBinding swBindPoints(const swGpuQuery* query, swQuerySource* source)
+void swDestroyPasses(swGpuWorld* gpuWorld)
 {
-    bool isFloat = query->hostPoints != VK_NULL_HANDLE;
-    *source = (swQuerySource){
-        .count = (uint32_t)query->count,
-        .pointWords = countPointWords(query),
-        .isFloatPoint = isFloat ? 1 : 0,
+    for (int i = 0; i < SW_PASS_COUNT; ++i)
+    {
+        void* state = gpuWorld->passes[i].state;
+        if (state != NULL)
+        {
+            passes[i]->destroy(gpuWorld->gpu, state);
+        }
+        swFree(&gpuWorld->gpu->host, state, passes[i]->stateSize);
+    }
+}
+
+swResult swCreatePass(swGpuWorld* gpuWorld, swPassId id)
+{
+    return passes[id]->create(gpuWorld, gpuWorld->passes[id].state);
+}
+
+swResult swPreparePasses(swGpuWorld* gpuWorld, const swFrame* frame)
+{
+    for (int i = 0; i < SW_PASS_COUNT; ++i)
+    {
+        swPassRun* run = &gpuWorld->passes[i];
+        run->isNeeded = false;
+        swResult result = passes[i]->upload(gpuWorld, frame, run->state, &run->isNeeded);
+        if (result == SW_SUCCESS && run->isNeeded)
+        {
+            result = swCreatePass(gpuWorld, (swPassId)i);
+        }
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+    }
+    return SW_SUCCESS;
+}
+
+void swOrderStep(swGpu* gpu, VkCommandBuffer commands, swHazards* hazards, swStepStage stage, swResources reads,
+                 swResources writes)
+{
+    static const struct
+    {
+        VkPipelineStageFlags2 stage;
+        VkAccessFlags2 writes, all;
+    } scopes[SW_STAGE_COUNT] = {
+        [SW_STAGE_COMPUTE] = {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
+                                  VK_ACCESS_2_SHADER_SAMPLED_READ_BIT},
+        [SW_STAGE_COPY] = {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                           VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT},
     };
-    if (!isFloat)
+    uint32_t waits = swTakeStep(hazards, stage, reads, writes);
+    VkPipelineStageFlags2 stages = 0;
+    VkAccessFlags2 access = 0;
+    for (int by = 0; by < SW_STAGE_COUNT; ++by)
     {
-        VkDeviceSize size = query->points.size / (VkDeviceSize)query->slotCount;
-        return (swBinding){query->points.handle, .offset = size * (VkDeviceSize)query->pointSlot, .range = size};
+        stages |= (waits & 1u << by) != 0 ? scopes[by].stage : 0;
+        access |= (waits & 1u << by) != 0 ? scopes[by].writes : 0;
     }
-    VkDeviceSize aligned = query->hostOffset / SW_OFFSET_ALIGNMENT * SW_OFFSET_ALIGNMENT;
-    VkDeviceSize skipped = query->hostOffset - aligned;
-    source->firstWord = (uint32_t)(skipped / 4);
-    return (swBinding){
-        .buffer = query->hostPoints,
-        .offset = aligned,
-        .range = skipped + (VkDeviceSize)query->count * source->pointWords * 4,
-    };
+    if (stages != 0)
+    {
+        swBarrier(gpu, commands, stages, access, scopes[stage].stage, scopes[stage].all);
+    }
 }
 
-swBinding swBindPlane(const swGpuQuery* query, VkDeviceSize offset)
+void swRecordPasses(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazards* hazards)
 {
-    return (swBinding){.buffer = query->answers.handle, .offset = offset};
+    swGpu* gpu = gpuWorld->gpu;
+    for (int i = 0; i < SW_PASS_COUNT; ++i)
+    {
+        const swPass* pass = passes[i];
+        if (gpuWorld->passes[i].isNeeded)
+        {
+            swOrderStep(gpu, commands, hazards, pass->stage, pass->reads, pass->writes);
+            swBeginPass(gpu, commands, pass->name);
+            pass->record(gpuWorld, gpuWorld->passes[i].state, commands);
+            swEndPass(gpu, commands);
+        }
+    }
 }
 
-void swDispatchPoints(swGpu* gpu, VkCommandBuffer commands, const swGpuQuery* query, uint32_t points)
+void swDiscardPasses(swGpuWorld* gpuWorld, uint64_t frameIndex)
 {
-    uint32_t groups = ((uint32_t)query->count + points - 1) / points;
-    uint32_t columns = groups < SW_MOST_GROUPS ? groups : SW_MOST_GROUPS;
-    gpu->vk.CmdDispatch(commands, columns, (groups + columns - 1) / columns, 1);
+    for (int i = 0; i < SW_PASS_COUNT; ++i)
+    {
+        if (passes[i]->discard != NULL)
+        {
+            passes[i]->discard(gpuWorld, gpuWorld->passes[i].state, frameIndex);
+        }
+    }
+}
+
+size_t swGetPassMemory(const swGpuWorld* gpuWorld)
+{
+    size_t bytes = 0;
+    for (int i = 0; i < SW_PASS_COUNT; ++i)
+    {
+        bytes += passes[i]->getMemory != NULL ? passes[i]->getMemory(gpuWorld->passes[i].state) : 0;
+    }
+    return bytes;
 }
 
 const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view)
@@ -85,4 +141,56 @@ const swGpuView* swFindGpuView(const swGpuWorld* gpuWorld, const swView* view)
         }
     }
     return NULL;
+}
+
+static int findVariant(const swVariants* variants, const swShader* shader, const void* constants)
+{
+    size_t size = shader->constantCount * sizeof(uint32_t);
+    int found = 0;
+    while (found < variants->count && memcmp(variants->constants[found], constants, size) != 0)
+    {
+        found += 1;
+    }
+    return found;
+}
+
+swResult swCreateVariant(swGpu* gpu, const swShader* shader, const void* constants, swVariants* variants)
+{
+    int at = findVariant(variants, shader, constants);
+    if (at < variants->count)
+    {
+        return SW_SUCCESS;
+    }
+    if (at == SW_MAX_VARIANTS)
+    {
+        return swFail(&gpu->host, SW_ERROR_LIMIT, "%s has more than %d variants", shader->name, SW_MAX_VARIANTS);
+    }
+    swResult result = swCreateComputePipeline(gpu, shader, constants, &variants->pipelines[at]);
+    if (result == SW_SUCCESS)
+    {
+        memcpy(variants->constants[at], constants, shader->constantCount * sizeof(uint32_t));
+        variants->count += 1;
+    }
+    return result;
+}
+
+const swPipeline* swFindVariant(const swVariants* variants, const swShader* shader, const void* constants)
+{
+    int at = findVariant(variants, shader, constants);
+    SW_ASSERT(at < variants->count);
+    return at < variants->count ? &variants->pipelines[at] : NULL;
+}
+
+void swDestroyVariants(swGpu* gpu, swVariants* variants)
+{
+    for (int i = 0; i < variants->count; ++i)
+    {
+        swDestroyPipeline(gpu, &variants->pipelines[i]);
+    }
+    variants->count = 0;
+}
+
+swResult swCreateOnce(swGpu* gpu, const swShader* shader, swPipeline* pipeline)
+{
+    return pipeline->handle != VK_NULL_HANDLE ? SW_SUCCESS : swCreateComputePipeline(gpu, shader, NULL, pipeline);
 }

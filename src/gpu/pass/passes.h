@@ -1,55 +1,85 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One pair of functions a line of core/frame/passes.inl: create the pass's pipeline, and record it. Each records its
-// own label and timestamps; barriers between passes belong to record/.
+// The table of passes: a swPass for each line of core/frame/passes.inl, in that order. A pass owns its pipelines, its
+// images and buffers, and what it uploads for a frame, all in a struct of its own that nobody else sees; what others
+// read of it has a function below. record/ runs the table and puts the barriers that follow from reads and writes.
+//
+// To add a pass: its line in passes.inl, its shader, pass_<name>.c with swPass_<name>, its lines in sources.cmake.
 
 #include "gpu/pass/gpu_world.h"
+#include "gpu/pass/hazards.h"
 
-// Pipelines are created by the first frame that needs them, those of the FFT for each resolution of tiles: a second
-// call does nothing.
-swResult swCreateWavesRows(swGpu* gpu, int resolution, swPasses* passes);
-swResult swCreateWavesColumns(swGpu* gpu, int resolution, swPasses* passes);
-swResult swCreateDetail(swGpu* gpu, swPasses* passes);
-swResult swCreateSlices(swGpu* gpu, swPasses* passes);
-swResult swCreateFoam(swGpu* gpu, swPasses* passes);
-swResult swCreateSurfaceQuery(swGpu* gpu, uint32_t outputs, swPasses* passes); // a second call does nothing
-swResult swCreateVolumeWaves(swGpu* gpu, swPasses* passes);                    // likewise
-swResult swCreateVolumeQuery(swGpu* gpu, swPasses* passes);                    // likewise
-swResult swCreateRayQuery(swGpu* gpu, swPasses* passes);                       // likewise
-void swDestroyPasses(swGpu* gpu, swPasses* passes);
+// Resources: a layer of all views, what a pass makes beside layers, and what is only uploaded. Layers come first.
+#define SW_LAYER_BIT(layer) ((swResources)1 << (layer))
+#define SW_OUTPUT_BIT(pass) ((swResources)1 << (32 + (pass)))
+#define SW_MODES_BIT ((swResources)1 << 31)
+#define SW_TEXELS_BIT SW_OUTPUT_BIT(SW_PASS_WAVES_COLUMNS) // or copied, where the core makes them
+#define SW_ALL_LAYERS_BITS (((swResources)1 << SW_LAYERS) - 1)
+static_assert(SW_LAYERS < 31 && SW_PASS_COUNT <= 32, "a bit for each");
 
-void swRecordWavesRows(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordWavesColumns(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordDetail(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordSlices(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordFoam(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordVolumeWaves(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordSurfaceQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordRayQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-void swRecordVolumeQuery(const swGpuWorld* gpuWorld, VkCommandBuffer commands);
-
-// What the passes of queries share. Points that the host set, or the part of the host's buffer that holds them; fills
-// `source`.
-swBinding swBindPoints(const swGpuQuery* query, swQuerySource* source);
-swBinding swBindPlane(const swGpuQuery* query, VkDeviceSize offset); // of the answers
-// Workgroups of `points` points each.
-void swDispatchPoints(swGpu* gpu, VkCommandBuffer commands, const swGpuQuery* query, uint32_t points);
-
-// Of the tiles of a resolution.
-static inline swWavesParams swMakeWavesParams(const swGpuWorld* gpuWorld, int size)
+// `state` is the pass's own struct. Functions that a pass does not need are NULL, but for record.
+struct swPass
 {
-    const swTileFields* fields = &gpuWorld->fields;
-    return (swWavesParams){gpuWorld->groupFirst[size], fields->derivatives, fields->lines, fields->texels};
-}
+    const char* name; // of its label and timestamps
+    size_t stateSize;
+    swStepStage stage;
+    swResources reads, writes;
 
-// log2(resolution) - 4: the index of a tile resolution's pipelines.
-static inline int swTileSizeIndex(int resolution)
+    // All that may fail for this frame, but for pipelines; records nothing. Says whether there is anything to record.
+    swResult (*upload)(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded);
+    // Pipelines that this frame needs and that are not there yet; called after upload, or by who needs them early.
+    swResult (*create)(swGpuWorld* gpuWorld, void* state);
+    // Cannot fail.
+    void (*record)(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands);
+    // Take back the notes of frame `frameIndex` and all later ones, which will not run.
+    void (*discard)(swGpuWorld* gpuWorld, void* state, uint64_t frameIndex);
+    // At once; the device is idle. The struct itself is freed by the table.
+    void (*destroy)(swGpu* gpu, void* state);
+    size_t (*getMemory)(const void* state); // bytes of device memory
+};
+
+#define SW_PASS(NAME, name, text) extern const swPass swPass_##name;
+#include "core/frame/passes.inl"
+#undef SW_PASS
+
+const swPass* swGetPass(swPassId id);
+
+// For all passes of the table, in order.
+swResult swCreatePasses(swGpuWorld* gpuWorld);
+void swDestroyPasses(swGpuWorld* gpuWorld);
+swResult swPreparePasses(swGpuWorld* gpuWorld, const swFrame* frame);
+void swRecordPasses(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazards* hazards);
+void swDiscardPasses(swGpuWorld* gpuWorld, uint64_t frameIndex);
+size_t swGetPassMemory(const swGpuWorld* gpuWorld);
+
+// Pipelines of one pass, before a frame asks for them.
+swResult swCreatePass(swGpuWorld* gpuWorld, swPassId id);
+// Note a step of a frame, and record the barrier that it needs.
+void swOrderStep(swGpu* gpu, VkCommandBuffer commands, swHazards* hazards, swStepStage stage, swResources reads,
+                 swResources writes);
+
+// Pipelines of one shader that differ in their constants, made as they are asked for.
+#define SW_MAX_VARIANTS 8
+typedef struct swVariants
 {
-    int index = 0;
-    while ((16 << index) < resolution)
-    {
-        index += 1;
-    }
-    return index;
-}
+    int count;
+    uint32_t constants[SW_MAX_VARIANTS][SW_MAX_CONSTANTS];
+    swPipeline pipelines[SW_MAX_VARIANTS];
+} swVariants;
+// `constants` is the shader's struct. A second call with the same does nothing.
+swResult swCreateVariant(swGpu* gpu, const swShader* shader, const void* constants, swVariants* variants);
+// One that was made; NULL, and an assert, if it was not.
+const swPipeline* swFindVariant(const swVariants* variants, const swShader* shader, const void* constants);
+void swDestroyVariants(swGpu* gpu, swVariants* variants);
+
+// A pipeline without constants, unless it is there.
+swResult swCreateOnce(swGpu* gpu, const swShader* shader, swPipeline* pipeline);
+
+// Side of the detail layers, texels: the largest tile resolution, kept within these.
+#define SW_DETAIL_MIN 32
+#define SW_DETAIL_MAX 256
+
+// What passes make beside layers, for those that read it.
+const swImage* swGetDetailImage(const swGpuWorld* gpuWorld);
+const swBuffer* swGetVolumeWaves(const swGpuWorld* gpuWorld);

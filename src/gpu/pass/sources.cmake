@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_gpu PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/gpu_tiles.c
+    ${CMAKE_CURRENT_LIST_DIR}/hazards.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_ray_query.c
@@ -9,7 +11,8 @@ target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/pass_volume_waves.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_waves_columns.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_waves_rows.c
-    ${CMAKE_CURRENT_LIST_DIR}/passes.c)
+    ${CMAKE_CURRENT_LIST_DIR}/passes.c
+    ${CMAKE_CURRENT_LIST_DIR}/query_passes.c)
 list(APPEND SW_SHADERS
     waves/waves_rows.comp
     waves/waves_columns.comp

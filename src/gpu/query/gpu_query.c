@@ -88,19 +88,18 @@ static swResult createQueryBuffers(swGpuQuery* query)
 
 static swResult createPipelines(swGpuWorld* gpuWorld, const swGpuQueryDef* def)
 {
-    swGpu* gpu = gpuWorld->gpu;
-    swPasses* passes = &gpuWorld->passes;
-    if (def->kind == SW_GPU_QUERY_KIND_RAYS)
+    switch (def->kind)
     {
-        return swCreateRayQuery(gpu, passes);
+    case SW_GPU_QUERY_KIND_RAYS:
+        return swCreatePass(gpuWorld, SW_PASS_RAY_QUERY);
+    case SW_GPU_QUERY_KIND_SURFACE:
+        return swCreatePass(gpuWorld, SW_PASS_SURFACE_QUERY);
+    case SW_GPU_QUERY_KIND_VOLUME:
+        break;
     }
-    if (def->kind == SW_GPU_QUERY_KIND_SURFACE)
-    {
-        return swCreateSurfaceQuery(gpu, def->outputs, passes);
-    }
-    swResult result = swCreateSurfaceQuery(gpu, 0, passes);
-    result = result == SW_SUCCESS ? swCreateVolumeWaves(gpu, passes) : result;
-    return result == SW_SUCCESS ? swCreateVolumeQuery(gpu, passes) : result;
+    swResult result = swCreatePass(gpuWorld, SW_PASS_SURFACE_QUERY);
+    result = result == SW_SUCCESS ? swCreatePass(gpuWorld, SW_PASS_VOLUME_WAVES) : result;
+    return result == SW_SUCCESS ? swCreatePass(gpuWorld, SW_PASS_VOLUME_QUERY) : result;
 }
 
 static void linkQuery(swGpuQuery* query)
@@ -316,10 +315,16 @@ void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSi
 
 // ---- answers ----
 
-static void recordCopy(swGpuQuery* query, VkCommandBuffer commands)
+static int findNextSlot(const swGpuQuery* query)
+{
+    return (query->answerSlot + 1) % query->slotCount;
+}
+
+// To the slot that swCommitQueries() takes.
+static void copyAnswers(swGpuQuery* query, VkCommandBuffer commands)
 {
     swGpu* gpu = query->gpuWorld->gpu;
-    VkDeviceSize to = query->answerSize * (VkDeviceSize)query->answerSlot;
+    VkDeviceSize to = query->answerSize * (VkDeviceSize)findNextSlot(query);
     Plane planes[PLANES];
     listPlanes(query, planes);
     VkBufferCopy copies[PLANES];
@@ -338,7 +343,7 @@ static void recordCopy(swGpuQuery* query, VkCommandBuffer commands)
 static void stampQuery(swGpuQuery* query, const swFrame* frame)
 {
     query->isPointSlotUsed = query->isPointSlotUsed || query->hostPoints == VK_NULL_HANDLE;
-    query->answerSlot = (query->answerSlot + 1) % query->slotCount;
+    query->answerSlot = findNextSlot(query);
     query->slots[query->answerSlot] = (swGpuQuerySlot){
         .isRecorded = true,
         .frameIndex = query->gpuWorld->gpu->frameIndex,
@@ -349,32 +354,40 @@ static void stampQuery(swGpuQuery* query, const swFrame* frame)
     };
 }
 
-void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame)
+static bool hasAnswers(const swGpuQuery* query)
 {
-    swGpu* gpu = gpuWorld->gpu;
-    bool hasCopies = false;
+    return query->count > 0 && query->def.readBack;
+}
+
+bool swHasAnswers(const swGpuWorld* gpuWorld)
+{
+    const swGpuQuery* query = gpuWorld->firstQuery;
+    while (query != NULL && !hasAnswers(query))
+    {
+        query = query->next;
+    }
+    return query != NULL;
+}
+
+void swCopyAnswers(swGpuWorld* gpuWorld, VkCommandBuffer commands)
+{
     for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
-        if (query->count == 0)
+        if (hasAnswers(query))
         {
-            continue;
-        }
-        stampQuery(query, frame);
-        if (query->def.readBack)
-        {
-            if (!hasCopies)
-            {
-                swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-                          VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT);
-            }
-            recordCopy(query, commands);
-            hasCopies = true;
+            copyAnswers(query, commands);
         }
     }
-    if (hasCopies)
+}
+
+void swCommitQueries(swGpuWorld* gpuWorld, const swFrame* frame)
+{
+    for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
-        swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                  VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
+        if (query->count > 0)
+        {
+            stampQuery(query, frame);
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 
 // Queries of a world on the GPU: points go in, answers come back some frames later.
 
-#include "gpu/pass/gpu_world.h"
+#include "gpu/pass/query_passes.h"
 
 swResult swMakeGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query);
 void swFreeGpuQuery(swGpuQuery* query);
@@ -11,12 +11,14 @@ void swPlaceQueryPoints(swGpuQuery* query, int count, const swPosXZ* points);
 void swPlaceVolumePoints(swGpuQuery* query, int count, const swPos* places);
 void swPlaceQueryRays(swGpuQuery* query, int count, const swRay* rays);
 void swBindQueryPoints(swGpuQuery* query, int count, VkBuffer buffer, VkDeviceSize offset, swPosXZ origin);
-// Bits of swGpuQueryOutput that the queries of this frame want of the tiles.
-uint32_t swFindWantedFields(const swGpuWorld* gpuWorld);
 // This frame's parameters of all queries. Nothing is recorded.
 swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame);
-// After the query pass: copy answers to where the host reads them, and stamp them.
-void swRecordQueryCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, const swFrame* frame);
+// Whether a query of this frame wants its answers where the host reads them.
+bool swHasAnswers(const swGpuWorld* gpuWorld);
+// Record their copies. swCommitQueries() has not stamped them yet.
+void swCopyAnswers(swGpuWorld* gpuWorld, VkCommandBuffer commands);
+// The passes were recorded: stamp what answers will be.
+void swCommitQueries(swGpuWorld* gpuWorld, const swFrame* frame);
 // Answers of `frameIndex` and later will not come.
 void swDiscardQueries(swGpuWorld* gpuWorld, uint64_t frameIndex);
 // The newest slot whose frame is known to be done, or NULL.

@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "gpu/pass/passes.h"
 #include "gpu/query/gpu_query.h"
 
 // For shaders, which need not know infinity: depth of deep water, m.
@@ -100,7 +99,7 @@ static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float 
     {
         const swTile* tile = &frame->tiles[chosen[i]];
         ((swQueryTile*)query->tiles.data)[i] =
-            makeQueryTile(tile, query->gpuWorld->params[chosen[i]].firstTexel, origin);
+            makeQueryTile(tile, query->gpuWorld->tiles.params[chosen[i]].firstTexel, origin);
         water->longTileCount += tile->minWavelength >= shortest ? 1 : 0;
     }
     water->tileCount = (uint32_t)count;
@@ -128,26 +127,15 @@ static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float 
     return result;
 }
 
-uint32_t swFindWantedFields(const swGpuWorld* gpuWorld)
-{
-    uint32_t wanted = 0;
-    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
-    {
-        bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
-        wanted |= query->count > 0 && isSurface ? query->def.outputs : 0;
-    }
-    return wanted & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION);
-}
-
 // How far a field's texels lie from displacement's; 0 if the query does not want it.
 static uint32_t findFieldTexels(const swGpuQuery* query, swGpuQueryOutput output, uint32_t field)
 {
-    return (query->def.outputs & output) != 0 ? field * query->gpuWorld->fields.texels : 0;
+    return (query->def.outputs & output) != 0 ? field * query->gpuWorld->tiles.fields.texels : 0;
 }
 
 static void fillParams(swGpuQuery* query)
 {
-    const swTileFields* fields = &query->gpuWorld->fields;
+    const swTileFields* fields = &query->gpuWorld->tiles.fields;
     query->params = (swQueryParams){
         .water.maxIterations = (uint32_t)query->def.maxIterations,
         .water.toleranceSquare = query->def.tolerance * query->def.tolerance,
@@ -210,7 +198,7 @@ static swResult uploadVolume(swGpuQuery* query, const swFrame* frame)
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         ((swVolumeTile*)query->volumeTiles.data)[i] =
-            makeVolumeTile(&frame->tiles[chosen[i]], &gpuWorld->params[chosen[i]], origin);
+            makeVolumeTile(&frame->tiles[chosen[i]], &gpuWorld->tiles.params[chosen[i]], origin);
     }
     return result;
 }
@@ -254,17 +242,6 @@ static void fillRays(swGpuQuery* query, const swFrame* frame)
     measureWaves(query, frame, &query->rays.reach, &query->rays.shortest);
 }
 
-static swResult growVolumeWaves(swGpuWorld* gpuWorld)
-{
-    VkDeviceSize count = 1; // something to bind when there are no waves
-    for (int i = 0; i < gpuWorld->tileCount; ++i)
-    {
-        count += gpuWorld->params[i].modeCount;
-    }
-    return swGrowBuffer(gpuWorld->gpu, count * sizeof(swVolumeWave), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                        SW_MEMORY_DEVICE, "waves one by one", &gpuWorld->volumeWaves);
-}
-
 // ---- all queries ----
 
 static swResult uploadQuery(swGpuQuery* query, const swFrame* frame)
@@ -275,12 +252,10 @@ static swResult uploadQuery(swGpuQuery* query, const swFrame* frame)
     result = result == SW_SUCCESS ? uploadQueryWaves(query, frame, shortest) : result;
     if (result == SW_SUCCESS && query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
     {
-        query->gpuWorld->hasVolume = true;
         result = uploadVolume(query, frame);
     }
     if (result == SW_SUCCESS && query->def.kind == SW_GPU_QUERY_KIND_RAYS)
     {
-        query->gpuWorld->hasRays = true;
         fillRays(query, frame);
     }
     return result;
@@ -288,12 +263,10 @@ static swResult uploadQuery(swGpuQuery* query, const swFrame* frame)
 
 swResult swUploadQueries(swGpuWorld* gpuWorld, const swFrame* frame)
 {
-    gpuWorld->hasVolume = false;
-    gpuWorld->hasRays = false;
     swResult result = SW_SUCCESS;
     for (swGpuQuery* query = gpuWorld->firstQuery; query != NULL && result == SW_SUCCESS; query = query->next)
     {
         result = query->count > 0 ? uploadQuery(query, frame) : SW_SUCCESS;
     }
-    return result == SW_SUCCESS && gpuWorld->hasVolume ? growVolumeWaves(gpuWorld) : result;
+    return result;
 }

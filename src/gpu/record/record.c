@@ -1,33 +1,11 @@
 // SPDX-License-Identifier: MIT
+// A frame is recorded all or nothing: first everything is prepared that may fail, and nothing is recorded; then
+// commands are recorded, which cannot fail; then what the device will hold is noted. A host that drops the commands
+// after all says so with swGpuWorld_Discard(), which takes the notes back.
+
 #include "gpu/record/record.h"
 
-#include <math.h>
-
 #include "gpu/pass/passes.h"
-#include "gpu/vk/vk_submit.h"
-
-// exp(2 pi i n / SW_TWIDDLES), through the upload ring of a frame that is waited for.
-static swResult makeRoots(swGpuWorld* gpuWorld)
-{
-    swGpu* gpu = gpuWorld->gpu;
-    float roots[SW_TWIDDLES][2];
-    for (int n = 0; n < SW_TWIDDLES; ++n)
-    {
-        double angle = 2.0 * SW_PI * n / SW_TWIDDLES;
-        roots[n][0] = (float)cos(angle);
-        roots[n][1] = (float)sin(angle);
-    }
-    swResult result = swCreateBuffer(gpu, sizeof(roots), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
-                                     "roots of unity", &gpuWorld->roots);
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    result = result == SW_SUCCESS ? swBeginSubmit(gpu, &commands) : result;
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
-    gpu->vk.CmdUpdateBuffer(commands, gpuWorld->roots.handle, 0, sizeof(roots), roots);
-    return swEndSubmit(gpu);
-}
 
 swResult swMakeGpuWorld(swGpu* gpu, const swWorld* world, swGpuWorld** out)
 {
@@ -39,8 +17,8 @@ swResult swMakeGpuWorld(swGpu* gpu, const swWorld* world, swGpuWorld** out)
     }
     gpuWorld->gpu = gpu;
     gpuWorld->world = world;
-    swResult result = makeRoots(gpuWorld);
-    result = result == SW_SUCCESS ? swCreateDetail(gpu, &gpuWorld->passes) : result;
+    swResult result = swCreateGpuTiles(gpuWorld);
+    result = result == SW_SUCCESS ? swCreatePasses(gpuWorld) : result;
     if (result != SW_SUCCESS)
     {
         swFreeGpuWorld(gpuWorld);
@@ -61,19 +39,21 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld)
     {
         swFreeGpuQuery(gpuWorld->firstQuery);
     }
-    for (int i = 0; i < SW_MAX_VIEWS; ++i)
-    {
-        swDestroyGpuView(gpu, &gpuWorld->views[i]);
-    }
-    swDestroyImage(gpu, &gpuWorld->detail);
-    swDestroyBuffer(gpu, &gpuWorld->roots);
-    swDestroyBuffer(gpu, &gpuWorld->modes);
-    swDestroyBuffer(gpu, &gpuWorld->rows);
-    swDestroyBuffer(gpu, &gpuWorld->lines);
-    swDestroyBuffer(gpu, &gpuWorld->texels);
-    swDestroyBuffer(gpu, &gpuWorld->volumeWaves);
-    swDestroyPasses(gpu, &gpuWorld->passes);
+    swDestroyGpuViews(gpu, gpuWorld->views);
+    swDestroyPasses(gpuWorld);
+    swDestroyGpuTiles(gpu, &gpuWorld->tiles);
     swFree(&gpu->host, gpuWorld, sizeof(swGpuWorld));
+}
+
+size_t swGetGpuWorldMemory(const swGpuWorld* gpuWorld)
+{
+    size_t bytes =
+        swGetGpuTileMemory(&gpuWorld->tiles) + swGetGpuViewMemory(gpuWorld->views) + swGetPassMemory(gpuWorld);
+    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        bytes += swGetQueryMemory(query);
+    }
+    return bytes;
 }
 
 // Everything that recorded work may have written or may still read, before this frame's first write.
@@ -89,28 +69,48 @@ static void waitForFrameBefore(swGpu* gpu, VkCommandBuffer commands)
                   VK_ACCESS_2_TRANSFER_WRITE_BIT);
 }
 
-static void showToDrawing(swGpu* gpu, VkCommandBuffer commands)
+// To drawing, and answers to the host.
+static void showFrame(swGpu* gpu, VkCommandBuffer commands, bool toHost)
 {
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_COPY_BIT,
               VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT,
               VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
-                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT);
+                  VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | (toHost ? VK_PIPELINE_STAGE_2_HOST_BIT : 0),
+              VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_SAMPLED_READ_BIT |
+                  (toHost ? VK_ACCESS_2_HOST_READ_BIT : 0));
 }
 
-// Spectra to tiles, unless the core has made them.
-static void recordWaves(swGpuWorld* gpuWorld, VkCommandBuffer commands)
+static swResult prepareFrame(swGpuWorld* gpuWorld, const swFrame* frame)
+{
+    swResult result = swPrepareGpuTiles(gpuWorld, frame);
+    result = result == SW_SUCCESS ? swPrepareGpuViews(gpuWorld->gpu, frame, gpuWorld->views) : result;
+    result = result == SW_SUCCESS ? swUploadQueries(gpuWorld, frame) : result;
+    return result == SW_SUCCESS ? swPreparePasses(gpuWorld, frame) : result;
+}
+
+static void recordCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazards* hazards)
 {
     swGpu* gpu = gpuWorld->gpu;
-    swRecordVolumeWaves(gpuWorld, commands); // beside the rows: both read modes only
-    if (gpuWorld->hasCoreTiles)
+    const swGpuTiles* tiles = &gpuWorld->tiles;
+    swCopyGpuTiles(gpu, commands, tiles);
+    bool hasLayers = swCopyGpuViews(gpu, commands, gpuWorld->views);
+    swResources writes = (tiles->bringsModes ? SW_MODES_BIT : 0) | (tiles->isCore ? SW_TEXELS_BIT : 0) |
+                         (hasLayers ? SW_ALL_LAYERS_BITS : 0);
+    swOrderStep(gpu, commands, hazards, SW_STAGE_COPY, 0, writes);
+}
+
+// Answers of queries to where the host reads them. Returns whether there were any.
+static bool recordAnswers(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazards* hazards)
+{
+    if (!swHasAnswers(gpuWorld))
     {
-        return;
+        return false;
     }
-    swRecordWavesRows(gpuWorld, commands);
-    swComputeBarrier(gpu, commands);
-    swRecordWavesColumns(gpuWorld, commands);
-    swComputeBarrier(gpu, commands);
+    const swResources answers =
+        SW_OUTPUT_BIT(SW_PASS_SURFACE_QUERY) | SW_OUTPUT_BIT(SW_PASS_VOLUME_QUERY) | SW_OUTPUT_BIT(SW_PASS_RAY_QUERY);
+    swOrderStep(gpuWorld->gpu, commands, hazards, SW_STAGE_COPY, answers, 0);
+    swCopyAnswers(gpuWorld, commands);
+    return true;
 }
 
 swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t frameIndex)
@@ -119,39 +119,48 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     const swFrame* frame = swGetWorldFrame(gpuWorld->world);
     gpuWorld->isRecorded = false;
     swBeginGpuFrame(gpu, frameIndex);
-    swResult result = swPrepareFrame(gpuWorld, frame);
+    swResult result = prepareFrame(gpuWorld, frame);
     if (result != SW_SUCCESS)
     {
         return result;
     }
+    swHazards hazards = {0};
     swStartPassTimer(gpu, commands);
     waitForFrameBefore(gpu, commands);
-    swRecordUploads(gpuWorld, commands);
-    recordWaves(gpuWorld, commands);
-    swRecordDetail(gpuWorld, commands); // beside the slices: both read tiles only
-    swRecordSlices(gpuWorld, commands);
-    swRecordSurfaceQuery(gpuWorld, commands); // likewise
-    swRecordRayQuery(gpuWorld, commands);
-    swComputeBarrier(gpu, commands);
-    swRecordFoam(gpuWorld, commands);
-    swRecordVolumeQuery(gpuWorld, commands); // beside the foam: it reads the surface's heights
-    swRecordQueryCopies(gpuWorld, commands, frame);
-    showToDrawing(gpu, commands);
+    recordCopies(gpuWorld, commands, &hazards);
+    swRecordPasses(gpuWorld, commands, &hazards);
+    bool toHost = recordAnswers(gpuWorld, commands, &hazards);
+    showFrame(gpu, commands, toHost);
+
     gpuWorld->frameIndex = frameIndex;
     gpuWorld->isRecorded = true;
-    swCommitFrame(gpuWorld, frame);
+    swCommitGpuTiles(&gpuWorld->tiles, frame);
+    swCommitGpuViews(frameIndex, gpuWorld->views);
+    swCommitQueries(gpuWorld, frame);
     return SW_SUCCESS;
+}
+
+void swDiscardFrames(swGpuWorld* gpuWorld, uint64_t frameIndex)
+{
+    gpuWorld->isRecorded = false;
+    gpuWorld->discardCount += 1;
+    gpuWorld->discardedFrom = frameIndex;
+    swDiscardGpuFrame(gpuWorld->gpu);
+    swDiscardGpuTiles(&gpuWorld->tiles);
+    swDiscardGpuViews(gpuWorld->views, frameIndex);
+    swDiscardPasses(gpuWorld, frameIndex);
+    swDiscardQueries(gpuWorld, frameIndex);
 }
 
 swResult swReadDetail(swGpuWorld* gpuWorld, int tile, uint32_t mip, float* texels)
 {
-    return swReadHalves(gpuWorld->gpu, &gpuWorld->detail, (uint32_t)tile, mip, texels);
+    return swReadHalves(gpuWorld->gpu, swGetDetailImage(gpuWorld), (uint32_t)tile, mip, texels);
 }
 
 swResult swReadTile(swGpuWorld* gpuWorld, int tile, float* texels)
 {
     const VkDeviceSize texel = 4 * sizeof(float);
-    const swTileParams* params = &gpuWorld->params[tile];
-    return swReadBuffer(gpuWorld->gpu, &gpuWorld->texels, params->firstTexel * texel,
+    const swTileParams* params = &gpuWorld->tiles.params[tile];
+    return swReadBuffer(gpuWorld->gpu, &gpuWorld->tiles.texels, params->firstTexel * texel,
                         (VkDeviceSize)params->resolution * (params->resolution + 3) * texel, texels);
 }

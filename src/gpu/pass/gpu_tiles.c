@@ -5,18 +5,57 @@
 #include <math.h>
 #include <string.h>
 
-#include "gpu/pass/passes.h"
-#include "gpu/record/record.h"
+#include "gpu/pass/gpu_tiles.h"
+#include "gpu/pass/query_passes.h"
+#include "gpu/vk/vk_submit.h"
+
+// exp(2 pi i n / SW_TWIDDLES), through the upload ring of a frame that is waited for.
+swResult swCreateGpuTiles(swGpuWorld* gpuWorld)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    float roots[SW_TWIDDLES][2];
+    for (int n = 0; n < SW_TWIDDLES; ++n)
+    {
+        double angle = 2.0 * SW_PI * n / SW_TWIDDLES;
+        roots[n][0] = (float)cos(angle);
+        roots[n][1] = (float)sin(angle);
+    }
+    swResult result = swCreateBuffer(gpu, sizeof(roots), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
+                                     "roots of unity", &gpuWorld->tiles.roots);
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    result = result == SW_SUCCESS ? swBeginSubmit(gpu, &commands) : result;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    gpu->vk.CmdUpdateBuffer(commands, gpuWorld->tiles.roots.handle, 0, sizeof(roots), roots);
+    return swEndSubmit(gpu);
+}
+
+void swDestroyGpuTiles(swGpu* gpu, swGpuTiles* tiles)
+{
+    swDestroyBuffer(gpu, &tiles->roots);
+    swDestroyBuffer(gpu, &tiles->modes);
+    swDestroyBuffer(gpu, &tiles->rows);
+    swDestroyBuffer(gpu, &tiles->lines);
+    swDestroyBuffer(gpu, &tiles->texels);
+}
+
+size_t swGetGpuTileMemory(const swGpuTiles* tiles)
+{
+    return (size_t)(tiles->roots.memory.size + tiles->modes.memory.size + tiles->rows.memory.size +
+                    tiles->lines.memory.size + tiles->texels.memory.size);
+}
 
 static bool tilesChanged(const swGpuWorld* gpuWorld, const swFrame* frame)
 {
-    if (!gpuWorld->hasTiles || gpuWorld->tilesVersion != frame->tilesVersion)
+    if (!gpuWorld->tiles.hasModes || gpuWorld->tiles.tilesVersion != frame->tilesVersion)
     {
         return true;
     }
     for (int i = 0; i < frame->tileCount; ++i)
     {
-        if (gpuWorld->spectrumVersions[i] != frame->tiles[i].spectrumVersion)
+        if (gpuWorld->tiles.spectrumVersions[i] != frame->tiles[i].spectrumVersion)
         {
             return true;
         }
@@ -28,19 +67,18 @@ static bool tilesChanged(const swGpuWorld* gpuWorld, const swFrame* frame)
 typedef struct swTileLayout
 {
     uint32_t modeCount, rowCount, lineCount, texelCount;
-    int detailSide;
 } swTileLayout;
 
 static void fillTileParams(swGpuWorld* gpuWorld, const swFrame* frame, swTileLayout* layout)
 {
-    *layout = (swTileLayout){.detailSide = SW_DETAIL_MIN};
+    *layout = (swTileLayout){0};
     for (int i = 0; i < frame->tileCount; ++i)
     {
         const swTile* tile = &frame->tiles[i];
         uint64_t ticks = (uint64_t)swGetTileTicks(tile, frame->ticks);
         uint32_t resolution = (uint32_t)tile->resolution;
         uint32_t maxBin = (uint32_t)tile->maxBin;
-        gpuWorld->params[i] = (swTileParams){
+        gpuWorld->tiles.params[i] = (swTileParams){
             .firstRow = layout->rowCount,
             .firstLine = layout->lineCount,
             .firstTexel = layout->texelCount,
@@ -62,16 +100,26 @@ static void fillTileParams(swGpuWorld* gpuWorld, const swFrame* frame, swTileLay
         layout->lineCount += 3 * (maxBin + 1) * resolution;
         layout->texelCount += resolution * (resolution + 3);
         layout->modeCount += (uint32_t)tile->modeCount;
-        layout->detailSide = tile->resolution > layout->detailSide ? tile->resolution : layout->detailSide;
     }
-    layout->detailSide = layout->detailSide < SW_DETAIL_MAX ? layout->detailSide : SW_DETAIL_MAX;
+}
+
+// Bits of swGpuQueryOutput that the queries of this frame want of the tiles.
+static uint32_t findWantedFields(const swGpuWorld* gpuWorld)
+{
+    uint32_t wanted = 0;
+    for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
+    {
+        bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
+        wanted |= query->count > 0 && isSurface ? query->def.outputs : 0;
+    }
+    return wanted & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION);
 }
 
 // What queries of this frame want of the tiles.
 static void chooseFields(swGpuWorld* gpuWorld, const swTileLayout* layout)
 {
-    uint32_t wanted = swFindWantedFields(gpuWorld);
-    swTileFields* fields = &gpuWorld->fields;
+    uint32_t wanted = findWantedFields(gpuWorld);
+    swTileFields* fields = &gpuWorld->tiles.fields;
     *fields = (swTileFields){.count = 1, .lines = layout->lineCount, .texels = layout->texelCount};
     if ((wanted & SW_GPU_QUERY_VELOCITY) != 0)
     {
@@ -88,17 +136,17 @@ static void chooseFields(swGpuWorld* gpuWorld, const swTileLayout* layout)
 // Lines and texels are made anew in each frame, so they may grow in any; modes and rows grow only when they change.
 static swResult growBuffers(swGpuWorld* gpuWorld, const swTileLayout* layout)
 {
-    VkDeviceSize fields = gpuWorld->fields.count;
+    VkDeviceSize fields = gpuWorld->tiles.fields.count;
     const struct
     {
         swBuffer* buffer;
         VkDeviceSize size;
         const char* name;
     } needs[] = {
-        {&gpuWorld->modes, layout->modeCount * sizeof(swMode), "modes"},
-        {&gpuWorld->rows, layout->rowCount * sizeof(uint32_t), "mode rows"},
-        {&gpuWorld->lines, fields * layout->lineCount * 2 * sizeof(float), "FFT lines"},
-        {&gpuWorld->texels, fields * layout->texelCount * 4 * sizeof(float), "tile texels"},
+        {&gpuWorld->tiles.modes, layout->modeCount * sizeof(swMode), "modes"},
+        {&gpuWorld->tiles.rows, layout->rowCount * sizeof(uint32_t), "mode rows"},
+        {&gpuWorld->tiles.lines, fields * layout->lineCount * 2 * sizeof(float), "FFT lines"},
+        {&gpuWorld->tiles.texels, fields * layout->texelCount * 4 * sizeof(float), "tile texels"},
     };
     for (size_t i = 0; i < sizeof(needs) / sizeof(needs[0]); ++i)
     {
@@ -110,41 +158,11 @@ static swResult growBuffers(swGpuWorld* gpuWorld, const swTileLayout* layout)
         {
             return result;
         }
-        bool isKept = needs[i].buffer == &gpuWorld->modes || needs[i].buffer == &gpuWorld->rows;
+        bool isKept = needs[i].buffer == &gpuWorld->tiles.modes || needs[i].buffer == &gpuWorld->tiles.rows;
         if (isKept && needs[i].buffer->handle != before)
         {
-            gpuWorld->hasTiles = false; // what it held is gone, whatever becomes of this frame
+            gpuWorld->tiles.hasModes = false; // what it held is gone, whatever becomes of this frame
         }
-    }
-    return SW_SUCCESS;
-}
-
-static swResult growDetail(swGpuWorld* gpuWorld, int tileCount, int side)
-{
-    swGpu* gpu = gpuWorld->gpu;
-    uint32_t layers = tileCount > 0 ? (uint32_t)tileCount : 1;
-    swImage* detail = &gpuWorld->detail;
-    if (detail->handle == VK_NULL_HANDLE || detail->layers != layers || detail->width != (uint32_t)side)
-    {
-        const swImageDef def = {
-            .format = VK_FORMAT_R16G16B16A16_SFLOAT,
-            .width = (uint32_t)side,
-            .height = (uint32_t)side,
-            .layers = layers,
-            .mips = SW_DETAIL_MIPS,
-            .isArray = true,
-            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-            .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = "detail",
-        };
-        swImage grown;
-        swResult result = swCreateImage(gpu, &def, &grown);
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-        swRetireImage(gpu, detail);
-        *detail = grown;
     }
     return SW_SUCCESS;
 }
@@ -176,8 +194,8 @@ static void recordCopy(swGpu* gpu, VkCommandBuffer commands, const swUpload* fro
 static swResult uploadModes(swGpuWorld* gpuWorld, const swFrame* frame, const swTileLayout* layout)
 {
     swGpu* gpu = gpuWorld->gpu;
-    swUpload* modes = &gpuWorld->modesUpload;
-    swUpload* rows = &gpuWorld->rowsUpload;
+    swUpload* modes = &gpuWorld->tiles.modesUpload;
+    swUpload* rows = &gpuWorld->tiles.rowsUpload;
     swResult result = swReserveUpload(gpu, layout->modeCount * sizeof(swMode), modes);
     result = result == SW_SUCCESS ? swReserveUpload(gpu, layout->rowCount * sizeof(uint32_t), rows) : result;
     if (result != SW_SUCCESS)
@@ -191,7 +209,7 @@ static swResult uploadModes(swGpuWorld* gpuWorld, const swFrame* frame, const sw
     {
         const swTile* tile = &frame->tiles[i];
         memcpy(modeData + firstMode, tile->modes, sizeof(swMode) * (size_t)tile->modeCount);
-        fillRows(tile, firstMode, rowData + gpuWorld->params[i].firstRow);
+        fillRows(tile, firstMode, rowData + gpuWorld->tiles.params[i].firstRow);
         firstMode += (uint32_t)tile->modeCount;
     }
     return SW_SUCCESS;
@@ -201,29 +219,14 @@ static swResult uploadModes(swGpuWorld* gpuWorld, const swFrame* frame, const sw
 static swResult uploadTexels(swGpuWorld* gpuWorld, const swFrame* frame, const swTileLayout* layout)
 {
     const size_t texel = 4 * sizeof(float);
-    swResult result = swReserveUpload(gpuWorld->gpu, layout->texelCount * texel, &gpuWorld->texelsUpload);
+    swResult result = swReserveUpload(gpuWorld->gpu, layout->texelCount * texel, &gpuWorld->tiles.texelsUpload);
     for (int i = 0; i < frame->tileCount && result == SW_SUCCESS; ++i)
     {
         size_t resolution = (size_t)frame->tiles[i].resolution;
-        uint8_t* to = (uint8_t*)gpuWorld->texelsUpload.data + gpuWorld->params[i].firstTexel * texel;
+        uint8_t* to = (uint8_t*)gpuWorld->tiles.texelsUpload.data + gpuWorld->tiles.params[i].firstTexel * texel;
         memcpy(to, frame->tiles[i].texels, resolution * (resolution + 3) * texel);
     }
     return result;
-}
-
-static swResult createTilePipelines(swGpuWorld* gpuWorld, const swFrame* frame)
-{
-    for (int i = 0; i < frame->tileCount; ++i)
-    {
-        int resolution = frame->tiles[i].resolution;
-        swResult result = swCreateWavesRows(gpuWorld->gpu, resolution, &gpuWorld->passes);
-        result = result == SW_SUCCESS ? swCreateWavesColumns(gpuWorld->gpu, resolution, &gpuWorld->passes) : result;
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-    }
-    return SW_SUCCESS;
 }
 
 // Indices of tiles, grouped by resolution.
@@ -233,7 +236,7 @@ static swResult uploadOrder(swGpuWorld* gpuWorld, const swFrame* frame)
     uint32_t count = 0;
     for (int size = 0; size < SW_TILE_SIZES; ++size)
     {
-        gpuWorld->groupFirst[size] = count;
+        gpuWorld->tiles.groupFirst[size] = count;
         for (int i = 0; i < frame->tileCount; ++i)
         {
             if (swTileSizeIndex(frame->tiles[i].resolution) == size)
@@ -241,15 +244,15 @@ static swResult uploadOrder(swGpuWorld* gpuWorld, const swFrame* frame)
                 order[count++] = (uint32_t)i;
             }
         }
-        gpuWorld->groupCount[size] = count - gpuWorld->groupFirst[size];
+        gpuWorld->tiles.groupCount[size] = count - gpuWorld->tiles.groupFirst[size];
     }
-    return swUploadData(gpuWorld->gpu, order, sizeof(order), &gpuWorld->order);
+    return swUploadData(gpuWorld->gpu, order, sizeof(order), &gpuWorld->tiles.order);
 }
 
 // Whether the core has made all that this frame wants of the tiles.
 static bool hasCoreTiles(const swGpuWorld* gpuWorld, const swFrame* frame)
 {
-    bool isCore = gpuWorld->gpu->usesCoreLayers && gpuWorld->fields.count == 1;
+    bool isCore = gpuWorld->gpu->usesCoreLayers && gpuWorld->tiles.fields.count == 1;
     for (int i = 0; i < frame->tileCount; ++i)
     {
         isCore = isCore && frame->tiles[i].texels != NULL;
@@ -257,54 +260,51 @@ static bool hasCoreTiles(const swGpuWorld* gpuWorld, const swFrame* frame)
     return isCore;
 }
 
-swResult swPrepareTiles(swGpuWorld* gpuWorld, const swFrame* frame)
+swResult swPrepareGpuTiles(swGpuWorld* gpuWorld, const swFrame* frame)
 {
+    swGpuTiles* tiles = &gpuWorld->tiles;
     swTileLayout layout;
     fillTileParams(gpuWorld, frame, &layout);
     chooseFields(gpuWorld, &layout);
-    gpuWorld->hasCoreTiles = hasCoreTiles(gpuWorld, frame);
-    gpuWorld->modesUpload = (swUpload){0};
-    gpuWorld->rowsUpload = (swUpload){0};
-    gpuWorld->texelsUpload = (swUpload){0};
-    gpuWorld->tileCount = frame->tileCount;
-    gpuWorld->tiles = frame->tiles;
+    tiles->isCore = hasCoreTiles(gpuWorld, frame);
+    tiles->modesUpload = (swUpload){0};
+    tiles->rowsUpload = (swUpload){0};
+    tiles->texelsUpload = (swUpload){0};
+    tiles->count = frame->tileCount;
     swResult result = growBuffers(gpuWorld, &layout);
-    result = result == SW_SUCCESS ? growDetail(gpuWorld, frame->tileCount, layout.detailSide) : result;
-    gpuWorld->bringsModes = tilesChanged(gpuWorld, frame);
-    if (result == SW_SUCCESS && gpuWorld->bringsModes)
+    tiles->bringsModes = tilesChanged(gpuWorld, frame);
+    if (result == SW_SUCCESS && tiles->bringsModes)
     {
         result = uploadModes(gpuWorld, frame, &layout);
     }
-    if (result == SW_SUCCESS)
+    if (result == SW_SUCCESS && tiles->isCore)
     {
-        result = gpuWorld->hasCoreTiles ? uploadTexels(gpuWorld, frame, &layout) : createTilePipelines(gpuWorld, frame);
+        result = uploadTexels(gpuWorld, frame, &layout);
     }
     result = result == SW_SUCCESS ? uploadOrder(gpuWorld, frame) : result;
-    if (result == SW_SUCCESS)
-    {
-        result =
-            swUploadData(gpuWorld->gpu, gpuWorld->params, sizeof(swTileParams) * SW_MAX_TILES, &gpuWorld->tileParams);
-    }
-    return result;
+    return result == SW_SUCCESS
+               ? swUploadData(gpuWorld->gpu, tiles->params, sizeof(tiles->params), &tiles->paramsUpload)
+               : result;
 }
 
-void swRecordTiles(swGpuWorld* gpuWorld, VkCommandBuffer commands)
+void swCopyGpuTiles(swGpu* gpu, VkCommandBuffer commands, const swGpuTiles* tiles)
 {
-    swGpu* gpu = gpuWorld->gpu;
-    swInitializeImage(gpu, commands, &gpuWorld->detail);
-    recordCopy(gpu, commands, &gpuWorld->modesUpload, &gpuWorld->modes);
-    recordCopy(gpu, commands, &gpuWorld->rowsUpload, &gpuWorld->rows);
-    recordCopy(gpu, commands, &gpuWorld->texelsUpload, &gpuWorld->texels);
-    swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
-              VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
+    recordCopy(gpu, commands, &tiles->modesUpload, &tiles->modes);
+    recordCopy(gpu, commands, &tiles->rowsUpload, &tiles->rows);
+    recordCopy(gpu, commands, &tiles->texelsUpload, &tiles->texels);
 }
 
-void swCommitTiles(swGpuWorld* gpuWorld, const swFrame* frame)
+void swCommitGpuTiles(swGpuTiles* tiles, const swFrame* frame)
 {
     for (int i = 0; i < frame->tileCount; ++i)
     {
-        gpuWorld->spectrumVersions[i] = frame->tiles[i].spectrumVersion;
+        tiles->spectrumVersions[i] = frame->tiles[i].spectrumVersion;
     }
-    gpuWorld->tilesVersion = frame->tilesVersion;
-    gpuWorld->hasTiles = true;
+    tiles->tilesVersion = frame->tilesVersion;
+    tiles->hasModes = true;
+}
+
+void swDiscardGpuTiles(swGpuTiles* tiles)
+{
+    tiles->hasModes = false;
 }

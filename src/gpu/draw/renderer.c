@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "gpu/draw/renderer.h"
+
+#include <math.h>
+
+static swResult createShared(swGpu* gpu, swRenderer* renderer)
+{
+    swResult result = swCreateSkyPipelines(gpu, &renderer->sky);
+    result = result == SW_SUCCESS ? swCreateCullPipeline(gpu, &renderer->cull) : result;
+    result = result == SW_SUCCESS ? swCreateExposePipeline(gpu, &renderer->expose) : result;
+    return result == SW_SUCCESS ? swCreateFoamTexture(gpu, &renderer->foam) : result;
+}
+
+swResult swMakeRenderer(swGpuWorld* gpuWorld, swRenderer** renderer)
+{
+    swGpu* gpu = gpuWorld->gpu;
+    swRenderer* created = swAllocateZero(&gpu->host, sizeof(*created));
+    if (created == NULL)
+    {
+        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for a renderer.");
+    }
+    created->gpuWorld = gpuWorld;
+    created->discardCount = gpuWorld->discardCount;
+    swResult result = createShared(gpu, created);
+    if (result != SW_SUCCESS)
+    {
+        swFreeRenderer(created);
+        return result;
+    }
+    *renderer = created;
+    return SW_SUCCESS;
+}
+
+static void freeFormats(swGpu* gpu, swFormatPipelines* formats)
+{
+    swDestroyPipeline(gpu, &formats->surface);
+    swDestroyPipeline(gpu, &formats->wire);
+    swDestroyPipeline(gpu, &formats->sky);
+    swDestroyPipeline(gpu, &formats->tonemap);
+    swFree(&gpu->host, formats, sizeof(*formats));
+}
+
+void swFreeRenderer(swRenderer* renderer)
+{
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    while (renderer->firstPicture != NULL)
+    {
+        swFreePicture(renderer->firstPicture);
+    }
+    while (renderer->firstFormats != NULL)
+    {
+        swFormatPipelines* formats = renderer->firstFormats;
+        renderer->firstFormats = formats->next;
+        freeFormats(gpu, formats);
+    }
+    swDestroySkyPipelines(gpu, &renderer->sky);
+    swDestroyPipeline(gpu, &renderer->cull);
+    swDestroyPipeline(gpu, &renderer->expose);
+    swDestroyFoamTexture(gpu, &renderer->foam);
+    swFree(&gpu->host, renderer, sizeof(*renderer));
+}
+
+static swResult checkFormats(const swGpu* gpu, const swPictureDef* def)
+{
+    const struct
+    {
+        const char* name;
+        VkFormat format;
+        VkFormatFeatureFlags features;
+    } formats[] = {
+        {"colour", def->colorFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT},
+        {"depth", def->depthFormat, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT},
+        {"output", def->outputFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT},
+    };
+    for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); ++i)
+    {
+        VkFormatProperties properties;
+        gpu->vk.GetPhysicalDeviceFormatProperties(gpu->physicalDevice, formats[i].format, &properties);
+        if ((properties.optimalTilingFeatures & formats[i].features) != formats[i].features)
+        {
+            return swFail(&gpu->host, SW_ERROR_UNSUPPORTED,
+                          "The device %s cannot draw to the picture's %s format (VkFormat %d).",
+                          gpu->properties.deviceName, formats[i].name, (int)formats[i].format);
+        }
+    }
+    return SW_SUCCESS;
+}
+
+static swResult makeFormats(swRenderer* renderer, const swPictureDef* def)
+{
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    swResult result = checkFormats(gpu, def);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swFormatPipelines* created = swAllocateZero(&gpu->host, sizeof(*created));
+    if (created == NULL)
+    {
+        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for a picture's pipelines.");
+    }
+    created->color = def->colorFormat;
+    created->depth = def->depthFormat;
+    created->output = def->outputFormat;
+    result = swCreateSurfacePipelines(gpu, def, &created->surface, &created->wire);
+    result = result == SW_SUCCESS ? swCreateSkyPipeline(gpu, def, &created->sky) : result;
+    result = result == SW_SUCCESS ? swCreateTonemapPipeline(gpu, def, &created->tonemap) : result;
+    if (result != SW_SUCCESS)
+    {
+        freeFormats(gpu, created);
+        return result;
+    }
+    created->next = renderer->firstFormats;
+    renderer->firstFormats = created;
+    return SW_SUCCESS;
+}
+
+static const swFormatPipelines* findFormats(const swRenderer* renderer, const swPictureDef* def)
+{
+    const swFormatPipelines* formats = renderer->firstFormats;
+    while (formats != NULL && (formats->color != def->colorFormat || formats->depth != def->depthFormat ||
+                               formats->output != def->outputFormat))
+    {
+        formats = formats->next;
+    }
+    return formats;
+}
+
+static swResult fillPicture(swGpu* gpu, swPicture* picture)
+{
+    swResult result = swCreateSky(gpu, &picture->sky);
+    result = result == SW_SUCCESS ? swCreateSurface(gpu, &picture->surface) : result;
+    return result == SW_SUCCESS ? swCreateTonemap(gpu, &picture->tonemap) : result;
+}
+
+swResult swMakePicture(swRenderer* renderer, const swPictureDef* formats, swPicture** picture)
+{
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    if (findFormats(renderer, formats) == NULL)
+    {
+        swResult made = makeFormats(renderer, formats);
+        if (made != SW_SUCCESS)
+        {
+            return made;
+        }
+    }
+    swPicture* created = swAllocateZero(&gpu->host, sizeof(*created));
+    if (created == NULL)
+    {
+        return swFail(&gpu->host, SW_ERROR_NO_MEMORY, "No memory for a picture.");
+    }
+    created->renderer = renderer;
+    created->pipelines = findFormats(renderer, formats);
+    created->discardCount = renderer->gpuWorld->discardCount;
+    created->next = renderer->firstPicture;
+    if (created->next != NULL)
+    {
+        created->next->previous = created;
+    }
+    renderer->firstPicture = created;
+    swResult result = fillPicture(gpu, created);
+    if (result != SW_SUCCESS)
+    {
+        swFreePicture(created);
+        return result;
+    }
+    *picture = created;
+    return SW_SUCCESS;
+}
+
+void swFreePicture(swPicture* picture)
+{
+    swRenderer* renderer = picture->renderer;
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    *(picture->previous != NULL ? &picture->previous->next : &renderer->firstPicture) = picture->next;
+    if (picture->next != NULL)
+    {
+        picture->next->previous = picture->previous;
+    }
+    swRetireTonemap(gpu, &picture->tonemap);
+    swRetireSurface(gpu, &picture->surface);
+    swRetireSky(gpu, &picture->sky);
+    swFree(&gpu->host, picture, sizeof(*picture));
+}
+
+// Frames of the world were thrown away: what their commands were to leave is not there.
+static void forgetDiscarded(swPicture* picture)
+{
+    swRenderer* renderer = picture->renderer;
+    const swGpuWorld* gpuWorld = renderer->gpuWorld;
+    if (renderer->discardCount != gpuWorld->discardCount)
+    {
+        swForgetFoamTexture(&renderer->foam);
+        renderer->discardCount = gpuWorld->discardCount;
+    }
+    uint32_t missed = gpuWorld->discardCount - picture->discardCount;
+    if (missed > 0)
+    {
+        swForgetSky(&picture->sky);
+        swForgetExposure(&picture->tonemap, missed == 1 ? gpuWorld->discardedFrom : 0);
+        picture->discardCount = gpuWorld->discardCount;
+    }
+}
+
+static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view)
+{
+    for (int i = 0; i < frame->viewCount; ++i)
+    {
+        if (frame->views[i].view == view)
+        {
+            return &frame->views[i];
+        }
+    }
+    return NULL;
+}
+
+static void recordPreparation(swPicture* picture, VkCommandBuffer commands)
+{
+    swRenderer* renderer = picture->renderer;
+    swGpu* gpu = renderer->gpuWorld->gpu;
+    swStartPassTimer(gpu, commands);
+    swClearExposure(gpu, commands, &picture->tonemap);
+    swRecordSkyTables(gpu, commands, &renderer->sky, &picture->sky, &picture->frame);
+    swRecordFoamTexture(gpu, commands, &renderer->sky.halve, &renderer->foam);
+    swRecordSurface(gpu, commands, &renderer->cull, &picture->surface, &picture->frame);
+}
+
+swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const swShot* shot, uint64_t frameIndex)
+{
+    swGpuWorld* gpuWorld = picture->renderer->gpuWorld;
+    swGpu* gpu = gpuWorld->gpu;
+    const swFrame* frame = swGetWorldFrame(gpuWorld->world);
+    const swViewFrame* view = findViewFrame(frame, shot->view);
+    picture->isPrepared = false;
+    picture->view = swFindGpuView(gpuWorld, shot->view);
+    if (view == NULL || picture->view == NULL)
+    {
+        return swFail(&gpu->host, SW_ERROR_INVALID,
+                      "The shot's view was not recorded: step the world and call swGpuWorld_Record() first.");
+    }
+    forgetDiscarded(picture);
+    swBeginGpuFrame(gpu, frameIndex);
+    picture->time = (float)fmod(shot->time, 4096.0);
+    picture->exposureEv = shot->exposureEv;
+    picture->debug = shot->debug;
+    swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, swGetDetailImage(gpuWorld)->width,
+                   &picture->frame);
+    swResult result = swUploadPicture(gpu, &picture->frame);
+    result = result == SW_SUCCESS ? swPrepareSurface(gpu, &picture->surface, &picture->frame) : result;
+    result = result == SW_SUCCESS ? swPrepareFoamTexture(gpu, &picture->renderer->foam) : result;
+    if (result != SW_SUCCESS)
+    {
+        return result; // nothing is recorded yet
+    }
+    recordPreparation(picture, commands);
+    picture->isPrepared = true;
+    return SW_SUCCESS;
+}
