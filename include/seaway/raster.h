@@ -59,6 +59,6 @@ SW_API swRasterInfo swRaster_GetInfo(const swRaster* raster);
 /// The values as they were given: [height][width].
 SW_API const float* swRaster_GetValues(const swRaster* raster);
 
-/// Values at points, bilinearly between the middles of cells. NaN outside of the outermost middles, where a cell that has
-/// a part in it is unknown, and at points that are not finite. The same bits on every machine.
+/// Values at points, bilinearly between the middles of cells. NaN outside of the outermost middles, where a cell that
+/// has a part in it is unknown, and at points that are not finite. The same bits on every machine.
 SW_API void swRaster_Sample(const swRaster* raster, int count, const swPosXZ* points, float* values);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Esri's ASCII grid: a heading of keys and numbers, then rows from north to south. A corner is that of the south-western
-// cell, whose middle is half a cell farther.
+// Esri's ASCII grid: a heading of keys and numbers, then rows from north to south. A corner is that of the
+// south-western cell, whose middle is half a cell farther.
 
 #include <math.h>
 #include <string.h>
@@ -204,8 +204,9 @@ static swResult readRows(EsriGrid* esri, float* values)
     }
     if (swPeekChar(&esri->text) != '\0' || swNextLine(&esri->text))
     {
-        return swFail(esri->text.host, SW_ERROR_FORMAT, "%s:%d: there are more heights than the %d x %d of the heading.",
-                      esri->text.name, esri->text.line, east->count, north->count);
+        return swFail(esri->text.host, SW_ERROR_FORMAT,
+                      "%s:%d: there are more heights than the %d x %d of the heading.", esri->text.name,
+                      esri->text.line, east->count, north->count);
     }
     return SW_SUCCESS;
 }

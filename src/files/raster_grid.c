@@ -105,14 +105,15 @@ swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
     int width = grid->east.end - grid->east.begin, height = grid->north.end - grid->north.begin;
     if (width < 1 || height < 1)
     {
-        return swFail(grid->host, SW_ERROR_FORMAT,
-                      "%s has no cell between x = %g and %g, z = %g and %g m; it reaches from x = %g to %g and from z = "
-                      "%g to %g.",
-                      grid->name, def->west, def->east, def->north, def->south,
-                      grid->metresEast * (grid->east.first - grid->originEast),
-                      grid->metresEast * (getEnd(&grid->east) - grid->originEast),
-                      -grid->metresNorth * (getEnd(&grid->north) - grid->originNorth),
-                      -grid->metresNorth * (grid->north.first - grid->originNorth));
+        return swFail(
+            grid->host, SW_ERROR_FORMAT,
+            "%s has no cell between x = %g and %g, z = %g and %g m; it reaches from x = %g to %g and from z = "
+            "%g to %g.",
+            grid->name, def->west, def->east, def->north, def->south,
+            grid->metresEast * (grid->east.first - grid->originEast),
+            grid->metresEast * (getEnd(&grid->east) - grid->originEast),
+            -grid->metresNorth * (getEnd(&grid->north) - grid->originNorth),
+            -grid->metresNorth * (grid->north.first - grid->originNorth));
     }
     size_t size = swCountGridCells(grid) * sizeof(float);
     if (width > SW_MAX_RASTER_SIDE || height > SW_MAX_RASTER_SIDE || size > def->memoryLimit)

@@ -27,8 +27,8 @@ typedef struct swRasterGrid
     double metresEast, metresNorth; // of one unit of the file
 } swRasterGrid;
 
-// After the axes are known: finds the origin and the scale, crops, and checks the size. `unit` is what the file says, 'd'
-// for degrees, 'm' for metres, 0 for nothing.
+// After the axes are known: finds the origin and the scale, crops, and checks the size. `unit` is what the file says,
+// 'd' for degrees, 'm' for metres, 0 for nothing.
 swResult swPlaceRasterGrid(swRasterGrid* grid, char unit);
 
 // Make the raster from the kept cells: rows from south to north as the axes run, each from west to east. The values are

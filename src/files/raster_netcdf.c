@@ -94,10 +94,11 @@ static swResult checkSteps(const NetcdfGrid* reader, const char* side, const dou
     {
         if (!(fabs(places[i] - places[0] - step * (double)i) <= SLACK * fabs(step)))
         {
-            return swFail(reader->file.host, SW_ERROR_FORMAT,
-                          "%s: the axis towards the %s is uneven or not finite at number %zu, %g; a raster's cells are all "
-                          "alike. Regrid it first.",
-                          reader->file.name, side, i + 1, places[i]);
+            return swFail(
+                reader->file.host, SW_ERROR_FORMAT,
+                "%s: the axis towards the %s is uneven or not finite at number %zu, %g; a raster's cells are all "
+                "alike. Regrid it first.",
+                reader->file.name, side, i + 1, places[i]);
         }
     }
     return SW_SUCCESS;
@@ -128,7 +129,8 @@ static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, b
     }
     result = result != SW_SUCCESS ? result : checkSteps(reader, side, places, count, step);
     reader->isFalling[isEast ? 0 : 1] = step < 0.0;
-    *axis = (swRasterAxis){.first = step < 0.0 ? places[count - 1] : places[0], .spacing = fabs(step), .count = (int)count};
+    *axis =
+        (swRasterAxis){.first = step < 0.0 ? places[count - 1] : places[0], .spacing = fabs(step), .count = (int)count};
     swFree(host, places, count * sizeof(double));
     return result;
 }
@@ -138,7 +140,9 @@ static void findUnits(NetcdfGrid* reader)
     char unit[64], positive[64];
     const swNetcdfVariable* east = &reader->axes[reader->isEastFirst ? 0 : 1];
     swGetNetcdfText(&reader->file, east->id, "units", true, unit, sizeof(unit));
-    reader->unit = strncmp(unit, "deg", 3) == 0 ? 'd' : strcmp(unit, "m") == 0 || strncmp(unit, "met", 3) == 0 ? 'm' : 0;
+    reader->unit = strncmp(unit, "deg", 3) == 0                             ? 'd'
+                   : strcmp(unit, "m") == 0 || strncmp(unit, "met", 3) == 0 ? 'm'
+                                                                            : 0;
     char name[257];
     swGetNetcdfVariableName(&reader->file, east->id, name);
     reader->unit = reader->unit == 0 && (strncmp(name, "lon", 3) == 0) ? 'd' : reader->unit;
@@ -232,7 +236,8 @@ static swResult read(NetcdfGrid* reader, swRaster** raster)
 
 swResult swReadNetcdfGrid(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster)
 {
-    NetcdfGrid reader = {.file = {.host = host, .name = path, .id = -1}, .grid = {.host = host, .name = path, .def = def}};
+    NetcdfGrid reader = {.file = {.host = host, .name = path, .id = -1},
+                         .grid = {.host = host, .name = path, .def = def}};
     int code = nc_open(path, NC_NOWRITE, &reader.file.id);
     if (code != NC_NOERR)
     {

@@ -200,8 +200,9 @@ static swResult fillCells(const XyzGrid* xyz, double firstEast, float* values)
     }
     if (repeated > 0)
     {
-        swLog(xyz->text.host, SW_LOG_WARNING, "%s: %d points lie where another one with another value was; the first counts.",
-              xyz->text.name, repeated);
+        swLog(xyz->text.host, SW_LOG_WARNING,
+              "%s: %d points lie where another one with another value was; the first counts.", xyz->text.name,
+              repeated);
     }
     return SW_SUCCESS;
 }

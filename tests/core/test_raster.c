@@ -178,9 +178,12 @@ static void MemoryIsGivenBack(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(MiddlesOfCellsHaveTheirValuesToTheBit), cmocka_unit_test(BetweenMiddlesItIsBilinear),
-        cmocka_unit_test(OutsideAndBesideUnknownCellsNothingIsKnown), cmocka_unit_test(OneCellIsAPoint),
-        cmocka_unit_test(AnyChangeHasAnotherHash), cmocka_unit_test(WhatCannotBeIsRefusedByName),
+        cmocka_unit_test(MiddlesOfCellsHaveTheirValuesToTheBit),
+        cmocka_unit_test(BetweenMiddlesItIsBilinear),
+        cmocka_unit_test(OutsideAndBesideUnknownCellsNothingIsKnown),
+        cmocka_unit_test(OneCellIsAPoint),
+        cmocka_unit_test(AnyChangeHasAnotherHash),
+        cmocka_unit_test(WhatCannotBeIsRefusedByName),
         cmocka_unit_test(MemoryIsGivenBack),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -138,9 +138,9 @@ swRasterInfo swRaster_GetInfo(const swRaster* raster)
 {
     SW_REQUIRE(raster != NULL, ((swRasterInfo){.name = "", .least = NAN, .most = NAN}), NULL,
                "swRaster_GetInfo() needs a raster");
-    return (swRasterInfo){raster->name,         raster->width,    raster->height,   raster->x,
-                          raster->z,            raster->spacingX, raster->spacingZ, raster->least,
-                          raster->most,         raster->unknownCount, raster->memory, raster->hash};
+    return (swRasterInfo){raster->name, raster->width,        raster->height,   raster->x,
+                          raster->z,    raster->spacingX,     raster->spacingZ, raster->least,
+                          raster->most, raster->unknownCount, raster->memory,   raster->hash};
 }
 
 const float* swRaster_GetValues(const swRaster* raster)
@@ -180,7 +180,7 @@ float swSampleRaster(const swRaster* raster, double x, double z)
 
 void swRaster_Sample(const swRaster* raster, int count, const swPosXZ* points, float* values)
 {
-    SW_REQUIRE_VOID(raster != NULL && (count <= 0 || (points != NULL && values != NULL)),
+    SW_REQUIRE_VOID(raster != NULL && count >= 0 && (count == 0 || (points != NULL && values != NULL)),
                     raster != NULL ? &raster->host : NULL,
                     "swRaster_Sample() needs a raster, points and a place for their values");
     for (int i = 0; i < count; ++i)
