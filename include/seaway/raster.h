@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base.h"
+#include "field.h"
 #include "math.h"
 
 /// @file
@@ -19,13 +20,13 @@ typedef struct swRasterDef
     /// For messages. At most 255 characters are kept. Default "raster".
     const char* name;
 
-    /// Cells along x and along z, range [1, SW_MAX_RASTER_SIDE].
+    /// Cells along x and along z. Range [1, 16384]. Default 1.
     int width, height;
 
-    /// Where the middle of the first cell lies, m: the north-western one. Default 0.
+    /// Where the middle of the first cell lies, m: the north-western one. Range [-1e9, 1e9]. Default 0.
     double x, z;
 
-    /// From cell to cell eastwards (x) and southwards (z), m, range [0.001, 1e6]. Default 1.
+    /// From cell to cell eastwards (x) and southwards (z), m. Range [0.001, 1e6]. Default 1.
     double spacingX, spacingZ;
 
     /// [height][width], rows from north to south, each from west to east. NaN where nothing is known; else at most 1e6
@@ -37,6 +38,7 @@ typedef struct swRasterDef
 } swRasterDef;
 
 SW_API swRasterDef swDefaultRasterDef(void);
+SW_API const swFields* swGetRasterFields(void);
 
 /// @return SW_ERROR_INVALID (the host's log names the cell or the number), SW_ERROR_NO_MEMORY
 SW_API swResult swCreateRaster(const swHost* host, const swRasterDef* def, swRaster** raster);

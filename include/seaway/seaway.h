@@ -6,6 +6,7 @@
 
 #include "base.h"
 #include "clock.h"
+#include "field.h"
 #include "id.h"
 #include "math.h"
 #include "measured.h"

@@ -36,6 +36,7 @@ static float numbers[3][POINTS];
 static swVec3 vectors[4][POINTS];
 static swVec2 slopes[POINTS];
 static swRayHit hits[POINTS];
+static swSurfaceHint hints[POINTS];
 
 static void AskHeights(const swWorld* world, const swQueryDef* def)
 {
@@ -46,7 +47,7 @@ static void AskHeights(const swWorld* world, const swQueryDef* def)
 static void AskSurface(const swWorld* world, const swQueryDef* def)
 {
     const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1],
-                                      numbers[2], vectors[2], vectors[3]};
+                                      numbers[2], vectors[2], vectors[3], hints};
     swQueryStats stats;
     swMoment_QuerySurface(swWorld_GetMoment(world), def, POINTS, points, &samples, &stats);
 }
@@ -54,7 +55,7 @@ static void AskSurface(const swWorld* world, const swQueryDef* def)
 static void AskParticles(const swWorld* world, const swQueryDef* def)
 {
     const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1],
-                                      numbers[2], vectors[2], vectors[3]};
+                                      numbers[2], vectors[2], vectors[3], NULL};
     swQueryStats stats;
     swMoment_QueryParticles(swWorld_GetMoment(world), def, POINTS, points, &samples, slopes, &stats);
 }

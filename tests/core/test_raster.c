@@ -133,14 +133,15 @@ static void WhatCannotBeIsRefusedByName(void** state)
         int width, height;
         double x, spacingX;
         const char* words;
-    } cases[] = {{0, 2, 0.0, 1.0, "a.asc has 0 x 2 cells"},
-                 {2, 0, 0.0, 1.0, "a.asc has 2 x 0 cells"},
-                 {SW_MAX_RASTER_SIDE + 1, 2, 0.0, 1.0, "a.asc has 16385 x 2 cells"},
-                 {-2, 2, 0.0, 1.0, "a.asc has -2 x 2 cells"},
-                 {2, 2, 0.0, 0.0, "cells of 0 x 2.5 m"},
-                 {2, 2, 0.0, NAN, "their range is [0.001, 1e+06] m"},
-                 {2, 2, NAN, 1.0, "lies within"},
-                 {2, 2, 2e9, 1.0, "lies within"},
+    } cases[] = {{0, 2, 0.0, 1.0, "swRasterDef::width is 0"},
+                 {2, 0, 0.0, 1.0, "swRasterDef::height is 0"},
+                 {SW_MAX_RASTER_SIDE + 1, 2, 0.0, 1.0, "swRasterDef::width is 16385"},
+                 {-2, 2, 0.0, 1.0, "swRasterDef::width is -2"},
+                 {2, 2, 0.0, 0.0, "swRasterDef::spacingX is 0"},
+                 {2, 2, 0.0, NAN, "its range is [0.001, 1"},
+                 {2, 2, NAN, 1.0, "swRasterDef::x is"},
+                 {2, 2, 2e9, 1.0, "swRasterDef::x is"},
+                 {2000, 2, 1e9, 1.0, "a.asc reaches to"},
                  {2, 2, 0.0, 1.0, "a.asc has inf in column 1, row 1"}};
     for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); ++i)
     {

@@ -226,7 +226,7 @@ static size_t FindSets(const swWorld* world)
 {
     swStream count = {.purpose = SW_STREAM_COUNT};
     swWorldDef def = world->def;
-    swStreamWorldDef(&count, &def);
+    swStreamDef(&count, &swWorldFields, &def);
     return 12 + count.at + 41 + 4;
 }
 

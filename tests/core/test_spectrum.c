@@ -312,11 +312,11 @@ static void WrongSpectraAreNamed(void** state)
         cases[i].def = swDefaultSpectrumDef();
     }
     cases[0].def.windSpeed = 0.0f;
-    cases[0].words = "windSpeed is 0; its range is (0, 100]";
+    cases[0].words = "windSpeed is 0 m/s; its range is (0, 100]";
     cases[1].def.windSpeed = NAN;
     cases[1].words = "windSpeed is nan";
     cases[2].def.fetch = 10.0f;
-    cases[2].words = "fetch is 10; its range is [1000, 1e+07]";
+    cases[2].words = "fetch is 10 m; its range is [1000, 10000000]";
     cases[3].def.gamma = 11.0f;
     cases[3].words = "gamma is 11";
     cases[4].def.significantHeight = -1.0f;

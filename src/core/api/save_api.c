@@ -9,7 +9,7 @@
 #include "seaway/save.h"
 
 #define SAVE_MARK 0x5741534159415753u // "SWAYASAW"
-#define SAVE_VERSION 4u
+#define SAVE_VERSION 5u
 #define HASH_SIZE 8
 
 static uint64_t hashBytes(const uint8_t* data, size_t size)
@@ -32,7 +32,7 @@ static void streamHead(swStream* stream, uint64_t* mark, uint32_t* version, swWo
 {
     swStreamU64(stream, mark);
     swStreamU32(stream, version);
-    swStreamWorldDef(stream, def);
+    swStreamDef(stream, &swWorldFields, def);
 }
 
 // Writing reads the world only; streams are one for both ways.
@@ -167,7 +167,7 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     swWorldDef def = swDefaultWorldDef();
     streamHead(&stream, &mark, &version, &def);
     def.isa = restoreDef->isa;
-    if (stream.isBroken || swCheckWorldDef(host, &def) != SW_SUCCESS)
+    if (stream.isBroken || swCheckDef(host, &swWorldFields, &def) != SW_SUCCESS)
     {
         return failFormat(host, "hold a world that cannot be");
     }
@@ -187,11 +187,12 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     return SW_SUCCESS;
 }
 
-static bool isSameDef(const swWorldDef* a, const swWorldDef* b)
+// A world can go back to another foam, but to nothing else of another def.
+static bool isSameWorld(const swWorldDef* a, const swWorldDef* b)
 {
-    return a->gravity == b->gravity && a->surfaceTension == b->surfaceTension && a->seaLevel == b->seaLevel &&
-           a->enableQueries == b->enableQueries && a->enableVelocity == b->enableVelocity &&
-           a->enableAcceleration == b->enableAcceleration;
+    swWorldDef other = *b;
+    other.foam = a->foam;
+    return swIsSameDef(&swWorldFields, a, &other);
 }
 
 swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
@@ -208,11 +209,11 @@ swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
     uint32_t version;
     swWorldDef def = world->def;
     streamHead(&stream, &mark, &version, &def);
-    if (stream.isBroken || swCheckWorldDef(&world->host, &def) != SW_SUCCESS)
+    if (stream.isBroken || swCheckDef(&world->host, &swWorldFields, &def) != SW_SUCCESS)
     {
         return failFormat(&world->host, "hold a world that cannot be");
     }
-    if (!isSameDef(&def, &world->def))
+    if (!isSameWorld(&def, &world->def))
     {
         return swFail(&world->host, SW_ERROR_UNSUPPORTED,
                       "the world cannot go back to a saved state: that is of a world with another def");

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "core/base/misuse.h"
+#include "core/sim/foam.h"
 #include "core/world/world.h"
 
 #define SW_LONGEST_STEP 3600.0
@@ -15,7 +16,7 @@ swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld** worl
     SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, host, "swCreateWorld() needs a host made by swDefaultHost()");
     SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE && world != NULL, SW_ERROR_INVALID, host,
                "swCreateWorld() needs a def made by swDefaultWorldDef() and a place for the world");
-    swResult result = swCheckWorldDef(host, def);
+    swResult result = swCheckDef(host, &swWorldFields, def);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -84,8 +85,7 @@ double swWorld_GetTime(const swWorld* world)
 
 void swWorld_SetFoam(swWorld* world, const swFoamDef* foam)
 {
-    SW_REQUIRE_VOID(world != NULL && foam != NULL && foam->internalValue == SW_DEF_COOKIE &&
-                        swIsFoamValid(&world->host, foam),
+    SW_REQUIRE_VOID(world != NULL && foam != NULL && swCheckDef(&world->host, &swFoamFields, foam) == SW_SUCCESS,
                     swFindHost(world),
                     "swWorld_SetFoam() needs a world, and a def made by swDefaultFoamDef() with its fields in range");
     world->def.foam = *foam;

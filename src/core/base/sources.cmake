@@ -3,6 +3,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/array.c
     ${CMAKE_CURRENT_LIST_DIR}/clock.c
     ${CMAKE_CURRENT_LIST_DIR}/date.c
+    ${CMAKE_CURRENT_LIST_DIR}/field.c
     ${CMAKE_CURRENT_LIST_DIR}/hash.c
     ${CMAKE_CURRENT_LIST_DIR}/host.c
     ${CMAKE_CURRENT_LIST_DIR}/id_pool.c

@@ -150,6 +150,15 @@ typedef struct swViewFrame
     swStackFrame stack;
 } swViewFrame;
 
+#define SW_MAX_ZONES 8
+
+typedef struct swZoneFrame
+{
+    uint32_t zoneVersion; // unique per created zone; never reused
+    swPosXZ centre;       // in the sea
+    swStackFrame stack;   // its levels
+} swZoneFrame;
+
 // Ticks to multiply a tile's frequencies with, on either half.
 static inline int64_t swGetTileTicks(const swTile* tile, int64_t ticks)
 {
@@ -240,6 +249,8 @@ typedef struct swFrame
     const swFreeWave* waves; // of all systems, longest first
     int viewCount;
     const swViewFrame* views;
+    int zoneCount;
+    const swZoneFrame* zones;
 } swFrame;
 
 // The foam layer's parameters of slice `i`.

@@ -11,37 +11,21 @@
 #include "shared/raster.h"
 
 #define LARGEST_VALUE 1e6f
-#define LARGEST_SPACING 1e6
-#define LEAST_SPACING 0.001
 #define FARTHEST 1e9 // m, of a cell from the origin
 
-swRasterDef swDefaultRasterDef(void)
-{
-    return (swRasterDef){.name = "raster", .spacingX = 1.0, .spacingZ = 1.0, .internalValue = SW_DEF_COOKIE};
-}
-
-static bool isSpacing(double spacing)
-{
-    return spacing >= LEAST_SPACING && spacing <= LARGEST_SPACING;
-}
-
+// Each number is in its range; the far end has to be as near as the first cell.
 static swResult checkShape(const swHost* host, const swRasterDef* def, const char* name)
 {
-    if (def->width < 1 || def->height < 1 || def->width > SW_MAX_RASTER_SIDE || def->height > SW_MAX_RASTER_SIDE)
+    swResult result = swCheckDef(host, &swRasterFields, def);
+    if (result != SW_SUCCESS)
     {
-        return swFail(host, SW_ERROR_INVALID, "%s has %d x %d cells; a raster has 1 to %d along each side.", name,
-                      def->width, def->height, SW_MAX_RASTER_SIDE);
-    }
-    if (!isSpacing(def->spacingX) || !isSpacing(def->spacingZ))
-    {
-        return swFail(host, SW_ERROR_INVALID, "%s has cells of %g x %g m; their range is [%g, %g] m.", name,
-                      def->spacingX, def->spacingZ, LEAST_SPACING, LARGEST_SPACING);
+        return result;
     }
     double east = def->x + def->spacingX * def->width, south = def->z + def->spacingZ * def->height;
-    if (!(fabs(def->x) <= FARTHEST && fabs(def->z) <= FARTHEST && fabs(east) <= FARTHEST && fabs(south) <= FARTHEST))
+    if (east > FARTHEST || south > FARTHEST)
     {
-        return swFail(host, SW_ERROR_INVALID, "%s begins at (%g, %g) m; a raster lies within %g m of the origin.", name,
-                      def->x, def->z, FARTHEST);
+        return swFail(host, SW_ERROR_INVALID, "%s reaches to (%g, %g) m; a raster lies within %g m of the origin.", name,
+                      east, south, FARTHEST);
     }
     return SW_SUCCESS;
 }

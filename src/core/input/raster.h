@@ -3,8 +3,10 @@
 
 // What stands behind swRaster: one block of memory, the values behind the head.
 
-#include "core/base/host.h"
+#include "core/base/field.h"
 #include "seaway/raster.h"
+
+extern const swFields swRasterFields;
 
 struct swRaster
 {

@@ -79,7 +79,7 @@ static void writeVectors(swVec3* to, const Block* block, float (*rows)[4])
 
 // Gradients may be NULL if neither normals nor Jacobians are wanted, residuals where nothing was searched.
 static void writeSamples(const swSurfaceSamples* samples, double seaLevel, const Block* block, float (*displacement)[4],
-                         float (*gradients)[8], const float* residuals)
+                         const float* levels, float (*gradients)[8], const float* residuals)
 {
     writeVectors(samples->displacement, block, displacement);
     for (int i = 0; i < block->count; ++i)
@@ -87,11 +87,15 @@ static void writeSamples(const swSurfaceSamples* samples, double seaLevel, const
         int point = block->at[i];
         if (samples->height != NULL)
         {
-            samples->height[point] = (float)(seaLevel + (double)displacement[i][1]);
+            samples->height[point] = (float)(seaLevel + (double)levels[i] + (double)displacement[i][1]);
         }
         if (samples->residual != NULL)
         {
             samples->residual[point] = residuals != NULL ? residuals[i] : 0.0f;
+        }
+        if (gradients == NULL && samples->normal == NULL && samples->jacobian == NULL)
+        {
+            continue;
         }
         float jacobian = 1.0f;
         swVec3 normal = gradients != NULL ? swMakeNormal(gradients[i], &jacobian) : (swVec3){0.0f, 1.0f, 0.0f};
@@ -111,19 +115,12 @@ static bool wantsGradients(const swSurfaceSamples* samples)
     return samples->normal != NULL || samples->jacobian != NULL;
 }
 
-static bool wantsMore(const swSurfaceSamples* samples)
-{
-    return wantsGradients(samples) || samples->velocity != NULL || samples->acceleration != NULL;
-}
-
-static void sampleParticles(const swQuery* query, const swSurfaceSamples* samples, const Block* block,
-                            const swPosXZ* rest, float (*displacement)[4], float (*gradients)[8])
+// How particles that rest at `rest` move.
+static void sampleMotion(const swQuery* query, const swSurfaceSamples* samples, const Block* block, const swPosXZ* rest)
 {
     float velocity[SW_QUERY_BLOCK][4];
     float acceleration[SW_QUERY_BLOCK][4];
     const swEvaluation evaluation = {
-        .displacement = displacement,
-        .gradients = gradients,
         .velocity = samples->velocity != NULL ? velocity : NULL,
         .acceleration = samples->acceleration != NULL ? acceleration : NULL,
     };
@@ -136,17 +133,20 @@ static void querySurfaceBlock(const swQuery* query, const Block* block, const sw
                               swQueryStats* stats)
 {
     float gradients[SW_QUERY_BLOCK][8];
+    swSurfaceHint* hints[SW_QUERY_BLOCK];
     swFound found;
-    swFindParticles(query, block->count, block->places, &found);
-    bool withGradients = wantsGradients(samples);
-    if (wantsMore(samples))
+    found.gradients = wantsGradients(samples) ? gradients : NULL;
+    for (int i = 0; i < block->count && samples->hints != NULL; ++i)
     {
-        float again[SW_QUERY_BLOCK][4];
-        sampleParticles(query, samples, block, found.rest, withGradients ? again : NULL,
-                        withGradients ? gradients : NULL);
+        hints[i] = &samples->hints[block->at[i]];
+    }
+    swFindParticles(query, block->count, block->places, samples->hints != NULL ? hints : NULL, &found);
+    writeSamples(samples, query->seaLevel, block, found.displacement, found.levels, found.gradients, found.residual);
+    if (samples->velocity != NULL || samples->acceleration != NULL)
+    {
+        sampleMotion(query, samples, block, found.rest);
         found.evaluations += block->count;
     }
-    writeSamples(samples, query->seaLevel, block, found.displacement, withGradients ? gradients : NULL, found.residual);
     swCountFound(stats, &found, block->count, query->def->tolerance);
 }
 
@@ -169,14 +169,34 @@ void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, cons
     }
 }
 
+double swFindHeight(const swQuery* query, double x, double z)
+{
+    swPosXZ place;
+    if (!swPlacePoint(query, x, z, &place))
+    {
+        return (double)NAN;
+    }
+    swFound found;
+    found.gradients = NULL;
+    swFindParticles(query, 1, &place, NULL, &found);
+    return query->seaLevel + (double)found.levels[0] + (double)found.displacement[0][1];
+}
+
 static void queryParticleBlock(const swQuery* query, const Block* block, const swSurfaceSamples* samples,
                                swVec2* slopes)
 {
     float displacement[SW_QUERY_BLOCK][4];
     float gradients[SW_QUERY_BLOCK][8];
+    float levels[SW_QUERY_BLOCK];
     bool withGradients = wantsGradients(samples) || slopes != NULL;
-    sampleParticles(query, samples, block, block->places, displacement, withGradients ? gradients : NULL);
-    writeSamples(samples, query->seaLevel, block, displacement, withGradients ? gradients : NULL, NULL);
+    const swEvaluation evaluation = {
+        .displacement = displacement, .levels = levels, .gradients = withGradients ? gradients : NULL};
+    swEvaluate(query, block->count, block->places, &evaluation);
+    writeSamples(samples, query->seaLevel, block, displacement, levels, withGradients ? gradients : NULL, NULL);
+    if (samples->velocity != NULL || samples->acceleration != NULL)
+    {
+        sampleMotion(query, samples, block, block->places);
+    }
     for (int i = 0; i < block->count && slopes != NULL; ++i)
     {
         slopes[block->at[i]] = (swVec2){gradients[i][4], gradients[i][5]};

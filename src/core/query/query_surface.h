@@ -10,6 +10,9 @@ void swRefuseSurface(int count, const swSurfaceSamples* samples, swVec2* slopes,
 
 void swQuerySurface(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
                     swQueryStats* stats);
+// Height of the water above a point, m. NaN for a point that cannot be answered.
+double swFindHeight(const swQuery* query, double x, double z);
+
 void swQueryParticles(const swQuery* query, int count, const swPosXZ* points, const swSurfaceSamples* samples,
                       swVec2* slopes, swQueryStats* stats);
 void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* heights, swQueryStats* stats);

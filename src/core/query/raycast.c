@@ -20,7 +20,7 @@
 #include "core/query/answers.h"
 #include "core/surface/search.h"
 
-#define RAY_BLOCK 32 // rays that march together
+#define RAY_BLOCK 24 // rays that march together
 #define MAX_STEPS 100000
 #define MAX_REFINEMENTS 60
 
@@ -137,20 +137,14 @@ static int lookAtOnce(const swQuery* query, int count, March* const* marches, Lo
         places[i] = getPlace(query, marches[i]);
         needsNormals = needsNormals || marches[i]->ray->radius > 0.0f || marches[i]->refinements > 0;
     }
-    swFound found;
-    swFindParticles(query, count, places, &found);
     float gradients[RAY_BLOCK][8];
-    if (needsNormals)
-    {
-        float again[RAY_BLOCK][4];
-        const swEvaluation evaluation = {.displacement = again, .gradients = gradients};
-        swEvaluate(query, count, found.rest, &evaluation);
-        found.evaluations += count;
-    }
+    swFound found;
+    found.gradients = needsNormals ? gradients : NULL;
+    swFindParticles(query, count, places, NULL, &found);
     for (int i = 0; i < count; ++i)
     {
         float jacobian;
-        looks[i].height = (double)found.displacement[i][1];
+        looks[i].height = (double)found.levels[i] + (double)found.displacement[i][1];
         looks[i].normal = needsNormals ? swMakeNormal(gradients[i], &jacobian) : (swVec3){0.0f, 1.0f, 0.0f};
         if (marches[i]->ray->radius == 0.0f)
         {

@@ -24,7 +24,7 @@ typedef struct Block
     int count;
     int at[SW_QUERY_BLOCK];
     swPosXZ points[SW_QUERY_BLOCK]; // in the sea
-    float levels[SW_QUERY_BLOCK];   // above still water
+    float levels[SW_QUERY_BLOCK];   // above sea level
     float heights[SW_QUERY_BLOCK];  // the same, stretched; of a place in the air none that a wave reaches
     bool isWet[SW_QUERY_BLOCK];
     float depth[SW_QUERY_BLOCK]; // below the surface
@@ -112,10 +112,11 @@ static int fillBlock(const swQuery* query, int first, int count, const swPos* po
 static void searchBlock(const swQuery* query, float bottom, Block* block, swQueryStats* stats)
 {
     swFound found;
-    swFindParticles(query, block->count, block->points, &found);
+    found.gradients = NULL;
+    swFindParticles(query, block->count, block->points, NULL, &found);
     for (int i = 0; i < block->count; ++i)
     {
-        float y = block->levels[i];
+        float y = block->levels[i] - found.levels[i];
         float eta = found.displacement[i][1];
         block->depth[i] = eta - y;
         block->isWet[i] = eta >= y;
@@ -130,7 +131,7 @@ static void sumBlock(const swQuery* query, const Block* block, const swDepthSums
     const swWaveSumJob job = {
         .tileCount = query->tileCount,
         .tiles = query->tiles,
-        .minWavelength = query->def->minWavelength,
+        .shortest = query->def->minWavelength,
         .waveCount = query->waveCount,
         .waves = query->waves,
         .ticks = query->ticks,

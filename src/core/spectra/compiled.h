@@ -13,9 +13,6 @@
 
 #define SW_TURN (2.0 * SW_PI)
 
-// Set by swDefaultSpectrumDef().
-#define SW_SPECTRUM_COOKIE 0x5350
-
 #define SW_MAX_TABLE_FREQUENCIES 1024
 
 // What GetSeaState and the formulas' heights are worked out with.

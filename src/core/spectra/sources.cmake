@@ -6,6 +6,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/sea_state.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_check.c
+    ${CMAKE_CURRENT_LIST_DIR}/spectrum_def.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_elfouhaily.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_formula.c
     ${CMAKE_CURRENT_LIST_DIR}/spectrum_moments.c

@@ -26,23 +26,6 @@
 #include "core/base/misuse.h"
 #include "core/spectra/spreading.h"
 
-swSpectrumDef swDefaultSpectrumDef(void)
-{
-    swSpectrumDef def = {0};
-    def.kind = SW_SPECTRUM_JONSWAP;
-    def.windSpeed = 10.0f;
-    def.fetch = 300e3f;
-    def.growth = SW_GROWTH_HASSELMANN;
-    def.gamma = 3.3f;
-    def.spreading = SW_SPREADING_COSINE_2S;
-    def.spreadExponent = 8.0f;
-    def.octaves = swDefaultOctaves();
-    def.depth = INFINITY;
-    def.extendTail = true;
-    def.internalValue = SW_SPECTRUM_COOKIE;
-    return def;
-}
-
 bool swHasSpectrumWind(const swSpectrumDef* def)
 {
     bool isFree = def->kind == SW_SPECTRUM_TABLE || (def->kind == SW_SPECTRUM_OCTAVES && !def->octaves.limitByWind);
@@ -52,12 +35,8 @@ bool swHasSpectrumWind(const swSpectrumDef* def)
 bool swPrepareSpectrum(swCompiledSpectrum* spectrum, const swSpectrumDef* def, double gravity, double surfaceTension,
                        swComplaint* complaint)
 {
-    SW_ASSERT(def->internalValue == SW_SPECTRUM_COOKIE);
+    SW_ASSERT(def->internalValue == SW_DEF_COOKIE);
     memset(spectrum, 0, sizeof(*spectrum));
-    if (def->internalValue != SW_SPECTRUM_COOKIE)
-    {
-        return swComplain(complaint, "The spectrum was not initialized with swDefaultSpectrumDef().");
-    }
     if (!swCheckSpectrumDef(complaint, def))
     {
         return false;

@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 
+#include "core/base/field.h"
 #include "core/spectra/dispersion.h"
 #include "seaway/spectrum.h"
 
@@ -50,5 +51,9 @@ double swGetCompiledGravityScale(const swCompiledSpectrum* spectrum, double k);
 // SW_ERROR_INVALID and a sentence in the log if a def is outside of its ranges.
 swResult swCheckSpectrum(const swHost* host, const swSpectrumDef* def);
 
-// Whether two checked defs mean the same, tables compared by what they hold.
-bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b);
+// Whether the measured tables of two checked defs hold the same, or neither has one. The rest is in swSpectrumFields.
+bool swIsSameTable(const swSpectrumDef* a, const swSpectrumDef* b);
+
+extern const swFields swSpectrumFields;
+extern const swFields swOctavesFields;
+extern const swFields swOctaveFields;

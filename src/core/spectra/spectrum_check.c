@@ -2,8 +2,6 @@
 
 #include "core/spectra/compiled.h"
 
-#include <math.h>
-#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -91,90 +89,26 @@ static bool checkTable(swComplaint* complaint, const swSpectrumTable* table)
     return true;
 }
 
-static bool checkOctaves(swComplaint* complaint, const swOctaves* octaves)
-{
-    if (!checkRange(complaint, "octaves' multiplier", octaves->multiplier, 0.0, 10.0, false) ||
-        !checkRange(complaint, "octaves' chop", octaves->chop, 0.0, 4.0, false) ||
-        !checkRange(complaint, "octaves' gravityScale", octaves->gravityScale, 0.0, 25.0, false))
-    {
-        return false;
-    }
-    for (int i = 0; i < SW_OCTAVE_COUNT; ++i)
-    {
-        const swOctave* octave = &octaves->octaves[i];
-        char name[40];
-        snprintf(name, sizeof(name), "octave %d, its power,", i);
-        bool isFine = checkRange(complaint, name, octave->power, -10.0, 5.0, false);
-        snprintf(name, sizeof(name), "octave %d, its chop,", i);
-        isFine = isFine && checkRange(complaint, name, octave->chop, 0.0, 4.0, false);
-        snprintf(name, sizeof(name), "octave %d, its gravityScale,", i);
-        if (!isFine || !checkRange(complaint, name, octave->gravityScale, 0.0, 4.0, false))
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool checkDirections(swComplaint* complaint, const swSpectrumDef* def)
-{
-    if ((int)def->spreading < 0 || def->spreading >= SW_SPREADING_KIND_COUNT)
-    {
-        return swComplain(complaint, "The spectrum's spreading is %d; its range is [0, %d].", (int)def->spreading,
-                          SW_SPREADING_KIND_COUNT - 1);
-    }
-    return checkRange(complaint, "spreadExponent", def->spreadExponent, 0.0, 200.0, false) &&
-           checkRange(complaint, "turbulence", def->turbulence, 0.0, 1.0, false) &&
-           checkRange(complaint, "swell", def->swell, 0.0, 1.0, false);
-}
-
 bool swCheckSpectrumDef(swComplaint* complaint, const swSpectrumDef* def)
 {
-    if ((int)def->kind < 0 || def->kind >= SW_SPECTRUM_KIND_COUNT)
-    {
-        return swComplain(complaint, "The spectrum's kind is %d; its range is [0, %d].", (int)def->kind,
-                          SW_SPECTRUM_KIND_COUNT - 1);
-    }
-    if (!checkRange(complaint, "significantHeight", def->significantHeight, 0.0, 40.0, false) ||
-        !checkRange(complaint, "direction", def->direction, -1000.0, 1000.0, false) ||
-        !checkRange(complaint, "depth", def->depth, 0.001, (double)INFINITY, false))
-    {
-        return false;
-    }
-    if (def->kind == SW_SPECTRUM_TABLE)
-    {
-        return (!def->hasWind || checkRange(complaint, "windSpeed", def->windSpeed, 0.0, 100.0, true)) &&
-               checkTable(complaint, def->table);
-    }
-    if (!checkRange(complaint, "windSpeed", def->windSpeed, 0.0, 100.0, true) ||
-        !checkRange(complaint, "peakPeriod", def->peakPeriod, 0.0, 60.0, false) || !checkDirections(complaint, def))
-    {
-        return false;
-    }
-    bool hasGamma = def->kind == SW_SPECTRUM_JONSWAP || def->kind == SW_SPECTRUM_TMA;
-    bool hasFetch = hasGamma || def->kind == SW_SPECTRUM_ELFOUHAILY;
-    if (hasGamma && ((int)def->growth < 0 || def->growth >= SW_GROWTH_LAW_COUNT))
-    {
-        return swComplain(complaint, "The spectrum's growth is %d; its range is [0, %d].", (int)def->growth,
-                          SW_GROWTH_LAW_COUNT - 1);
-    }
-    return (!hasFetch || checkRange(complaint, "fetch", def->fetch, 1e3, 1e7, false)) &&
-           (!hasGamma || checkRange(complaint, "gamma", def->gamma, 1.0, 10.0, false)) &&
-           (def->kind != SW_SPECTRUM_OCTAVES || checkOctaves(complaint, &def->octaves));
+    return swFields_Check(&swSpectrumFields, def, complaint->text, sizeof(complaint->text)) &&
+           (def->kind != SW_SPECTRUM_TABLE || checkTable(complaint, def->table));
 }
 
 swResult swCheckSpectrum(const swHost* host, const swSpectrumDef* def)
 {
     swComplaint complaint;
-    if (def->internalValue != SW_SPECTRUM_COOKIE)
-    {
-        return swFail(host, SW_ERROR_INVALID, "The spectrum was not initialized with swDefaultSpectrumDef().");
-    }
     return swCheckSpectrumDef(&complaint, def) ? SW_SUCCESS : swFail(host, SW_ERROR_INVALID, "%s", complaint.text);
 }
 
-static bool isSameTable(const swSpectrumTable* a, const swSpectrumTable* b)
+bool swIsSameTable(const swSpectrumDef* first, const swSpectrumDef* second)
 {
+    if (first->kind != SW_SPECTRUM_TABLE || second->kind != SW_SPECTRUM_TABLE)
+    {
+        return first->kind == second->kind;
+    }
+    const swSpectrumTable* a = first->table;
+    const swSpectrumTable* b = second->table;
     size_t frequencies = (size_t)a->frequencyCount;
     size_t densities = frequencies * (size_t)a->directionCount;
     return a->frequencyCount == b->frequencyCount && a->directionCount == b->directionCount &&
@@ -182,36 +116,4 @@ static bool isSameTable(const swSpectrumTable* a, const swSpectrumTable* b)
            memcmp(a->frequencies, b->frequencies, frequencies * sizeof(float)) == 0 &&
            memcmp(a->bandwidths, b->bandwidths, frequencies * sizeof(float)) == 0 &&
            memcmp(a->density, b->density, densities * sizeof(float)) == 0;
-}
-
-static bool areSameOctaves(const swOctaves* a, const swOctaves* b)
-{
-    bool isSame = a->multiplier == b->multiplier && a->chop == b->chop && a->gravityScale == b->gravityScale &&
-                  a->limitByWind == b->limitByWind;
-    for (int i = 0; i < SW_OCTAVE_COUNT; ++i)
-    {
-        const swOctave* x = &a->octaves[i];
-        const swOctave* y = &b->octaves[i];
-        isSame = isSame && x->power == y->power && x->isEnabled == y->isEnabled && x->chop == y->chop &&
-                 x->gravityScale == y->gravityScale;
-    }
-    return isSame;
-}
-
-bool swIsSameSpectrum(const swSpectrumDef* a, const swSpectrumDef* b)
-{
-    static_assert(sizeof(void*) != 8 || sizeof(swSpectrumDef) == 312, "compare what is new in swSpectrumDef");
-    if (a->kind != b->kind || a->windSpeed != b->windSpeed || a->hasWind != b->hasWind || a->fetch != b->fetch ||
-        a->growth != b->growth || a->gamma != b->gamma || a->significantHeight != b->significantHeight ||
-        a->peakPeriod != b->peakPeriod || a->direction != b->direction || a->spreading != b->spreading ||
-        a->spreadExponent != b->spreadExponent || a->turbulence != b->turbulence || a->swell != b->swell ||
-        a->depth != b->depth || a->extendTail != b->extendTail)
-    {
-        return false;
-    }
-    if (a->kind == SW_SPECTRUM_OCTAVES && !areSameOctaves(&a->octaves, &b->octaves))
-    {
-        return false;
-    }
-    return a->kind != SW_SPECTRUM_TABLE || isSameTable(a->table, b->table);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/surface/evaluate_shaped.h"
 #include "shared/surface_normal.h"
 
 // Free waves of at least a length; they come longest first.
@@ -17,97 +18,185 @@ static int countLongWaves(const swFrame* frame, float minWavelength)
     return count;
 }
 
+// Of a tile's waves all have the same chop but for the depth's part: its strain, over its slopes, is the square of it.
+static float findSideways(const swQuery* query)
+{
+    float square = 0.0f;
+    for (int i = 0; i < query->tileCount; ++i)
+    {
+        const swTile* tile = &query->tiles[i];
+        float slopes = tile->slopeVarianceX + tile->slopeVarianceZ;
+        if (slopes > 0.0f && swIsTileAsked(query, tile))
+        {
+            square += tile->variance * swGetStrainVariance(&tile->strain) / slopes;
+        }
+    }
+    for (int i = 0; i < query->waveCount; ++i)
+    {
+        const swFreeWave* wave = &query->waves[i];
+        square += 0.5f * wave->amplitude * wave->amplitude * (wave->dx * wave->dx + wave->dz * wave->dz);
+    }
+    return sqrtf(square);
+}
+
+static void useFrame(swQuery* query, const swFrame* frame)
+{
+    query->waves = frame->waves;
+    query->waveCount = countLongWaves(frame, query->def->minWavelength);
+    query->tiles = frame->tiles;
+    query->tileTicks = frame->ticks;
+    // A world without queries has no texels: it answers sea level.
+    query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
+    query->sideways = findSideways(query);
+}
+
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin)
 {
     query->kernels = kernels;
     query->def = def;
+    query->places = NULL;
     query->origin = origin;
     query->seaLevel = frame->seaLevel;
     bool isNow = def->time == SW_QUERY_NOW;
     query->ticks = isNow ? frame->ticks : (int64_t)floor(def->time * SW_TICKS_PER_SECOND + 0.5);
     query->isNow = query->ticks == frame->ticks;
-    query->waves = frame->waves;
-    query->waveCount = countLongWaves(frame, def->minWavelength);
-    query->tiles = frame->tiles;
-    // A world without queries has no texels: it answers sea level.
-    query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
+    query->after = NULL;
+    useFrame(query, frame);
 }
 
-// ---- adding up waves ----
+void swBlendQuery(swQuery* query, const swFrame* after)
+{
+    query->after = after;
+}
+
+// ---- what is asked for ----
+
+swWaveSumJob swMakeSumJob(const swQuery* query, const swEvaluation* out, int count, const swPosXZ* points)
+{
+    int first = 0, end = query->waveCount;
+    while (out->longest > 0.0f && first < end && query->waves[first].wavelength >= out->longest)
+    {
+        first += 1;
+    }
+    while (out->shortest > 0.0f && end > first && query->waves[end - 1].wavelength < out->shortest)
+    {
+        end -= 1;
+    }
+    return (swWaveSumJob){
+        .tiles = query->tiles,
+        .shortest = fmaxf(out->shortest, query->def->minWavelength),
+        .longest = out->longest,
+        .waveCount = end - first,
+        .waves = query->waves + first,
+        .ticks = query->ticks,
+        .count = count,
+        .points = points,
+    };
+}
+
+bool swHasTexels(const swQuery* query, int field)
+{
+    if (!query->isNow || query->tileCount == 0)
+    {
+        return query->isNow;
+    }
+    const swTile* tile = &query->tiles[0];
+    const float* texels = field == 0 ? tile->texels : field == 1 ? tile->velocity : tile->acceleration;
+    return texels != NULL;
+}
+
+// ---- waves that are the same everywhere ----
 
 // Waves one by one, added to what is there.
 static void sumOneByOne(const swQuery* query, bool withTiles, int count, const swPosXZ* rest, const swEvaluation* out)
 {
-    if (!withTiles && query->waveCount == 0)
+    swWaveSumJob job = swMakeSumJob(query, out, count, rest);
+    if (!withTiles && job.waveCount == 0)
     {
         return;
     }
     const swSurfaceSums sums = {out->displacement, out->gradients, out->velocity, out->acceleration};
-    const swWaveSumJob job = {
-        .tileCount = withTiles ? query->tileCount : 0,
-        .tiles = query->tiles,
-        .minWavelength = query->def->minWavelength,
-        .waveCount = query->waveCount,
-        .waves = query->waves,
-        .ticks = query->ticks,
-        .count = count,
-        .points = rest,
-        .surface = &sums,
-    };
+    job.tileCount = withTiles ? query->tileCount : 0;
+    job.surface = &sums;
     swSumWaves(query->kernels, &job);
-}
-
-static bool hasField(const swQuery* query, bool isVelocity)
-{
-    const swTile* tile = &query->tiles[0];
-    return query->tileCount == 0 || (isVelocity ? tile->velocity : tile->acceleration) != NULL;
-}
-
-static void sampleField(const swQuery* query, int field, int count, const swPosXZ* rest, float (*out)[4],
-                        float (*gradients)[8])
-{
-    const swTileChoice choice = {query->tileCount, query->tiles, query->def->minWavelength, field};
-    swSampleChosenTiles(query->kernels, &choice, count, rest, out[0], gradients != NULL ? gradients[0] : NULL);
 }
 
 // What tiles have no texels for: motion of tiles wave by wave.
-static void sumTileMotion(const swQuery* query, int count, const swPosXZ* rest, float (*velocity)[4],
-                          float (*acceleration)[4])
+static void sumTileMotion(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out,
+                          float (*velocity)[4], float (*acceleration)[4])
 {
     const swSurfaceSums sums = {.velocity = velocity, .acceleration = acceleration};
-    const swWaveSumJob job = {
-        .tileCount = query->tileCount,
-        .tiles = query->tiles,
-        .minWavelength = query->def->minWavelength,
-        .ticks = query->ticks,
-        .count = count,
-        .points = rest,
-        .surface = &sums,
-    };
+    swWaveSumJob job = swMakeSumJob(query, out, count, rest);
+    job.waveCount = 0;
+    job.tileCount = query->tileCount;
+    job.surface = &sums;
     swSumWaves(query->kernels, &job);
+}
+
+// Few points are not worth the tile's columns that a row adds up.
+#define LEAST_ROW 12
+
+static bool isRow(int count, const swPosXZ* points)
+{
+    if (count < LEAST_ROW)
+    {
+        return false;
+    }
+    for (int i = 1; i < count; ++i)
+    {
+        if (points[i].z != points[0].z || !(points[i].x > points[i - 1].x))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void sampleRow(const swQuery* query, const swTileChoice* choice, int count, const swPosXZ* rest, float (*out)[4],
+                      float (*gradients)[8])
+{
+    double x[SW_QUERY_BLOCK];
+    for (int i = 0; i < count; ++i)
+    {
+        x[i] = rest[i].x;
+    }
+    swSampleRow(query->kernels, choice, count, x, rest[0].z, out[0], gradients);
+}
+
+static void sampleField(const swQuery* query, int field, int count, const swPosXZ* rest, const swEvaluation* range,
+                        float (*out)[4], float (*gradients)[8])
+{
+    const swTileChoice choice = {query->tileCount, query->tiles, fmaxf(range->shortest, query->def->minWavelength),
+                                 range->longest, field};
+    if (isRow(count, rest))
+    {
+        sampleRow(query, &choice, count, rest, out, gradients);
+        return;
+    }
+    swSampleChosenTiles(query->kernels, &choice, count, rest, out[0], gradients != NULL ? gradients[0] : NULL);
 }
 
 static void evaluateMotion(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
-    bool needsVelocity = out->velocity != NULL && !hasField(query, true);
-    bool needsAcceleration = out->acceleration != NULL && !hasField(query, false);
+    bool needsVelocity = out->velocity != NULL && !swHasTexels(query, 1);
+    bool needsAcceleration = out->acceleration != NULL && !swHasTexels(query, 2);
     if (needsVelocity || needsAcceleration)
     {
-        sumTileMotion(query, count, rest, needsVelocity ? out->velocity : NULL,
+        sumTileMotion(query, count, rest, out, needsVelocity ? out->velocity : NULL,
                       needsAcceleration ? out->acceleration : NULL);
     }
     if (out->velocity != NULL && !needsVelocity)
     {
-        sampleField(query, 1, count, rest, out->velocity, NULL);
+        sampleField(query, 1, count, rest, out, out->velocity, NULL);
     }
     if (out->acceleration != NULL && !needsAcceleration)
     {
-        sampleField(query, 2, count, rest, out->acceleration, NULL);
+        sampleField(query, 2, count, rest, out, out->acceleration, NULL);
     }
 }
 
-void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+static void evaluatePlain(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     size_t rows = (size_t)count * 4 * sizeof(float);
     if (out->velocity != NULL)
@@ -122,7 +211,7 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
     {
         if (out->displacement != NULL)
         {
-            sampleField(query, 0, count, rest, out->displacement, out->gradients);
+            sampleField(query, 0, count, rest, out, out->displacement, out->gradients);
         }
         evaluateMotion(query, count, rest, out);
     }
@@ -138,6 +227,94 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
         }
     }
     sumOneByOne(query, !query->isNow, count, rest, out);
+}
+
+static void evaluateFrame(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    if (query->places != NULL)
+    {
+        swEvaluateShaped(query, count, rest, out);
+    }
+    else
+    {
+        evaluatePlain(query, count, rest, out);
+    }
+}
+
+// ---- between two frames ----
+
+// Points of which both ends are held at once; it bounds the stack of a query.
+#define BETWEEN_BLOCK 16
+
+static void blendRows(float part, int count, const float* to, float* from)
+{
+    for (int i = 0; i < count && from != NULL; ++i)
+    {
+        from[i] += part * (to[i] - from[i]);
+    }
+}
+
+// Texels of both frames; waves that are summed are of the query's own time on both sides, so that only their amplitudes
+// are blended.
+static void evaluateBetween(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    float displacement[BETWEEN_BLOCK][4], gradients[BETWEEN_BLOCK][8];
+    float velocity[BETWEEN_BLOCK][4], acceleration[BETWEEN_BLOCK][4];
+    const swEvaluation end = {
+        .displacement = out->displacement != NULL ? displacement : NULL,
+        .gradients = out->gradients != NULL ? gradients : NULL,
+        .velocity = out->velocity != NULL ? velocity : NULL,
+        .acceleration = out->acceleration != NULL ? acceleration : NULL,
+        .shortest = out->shortest,
+        .longest = out->longest,
+    };
+    float part = (float)((double)(query->ticks - query->tileTicks) / (double)(query->after->ticks - query->tileTicks));
+    swQuery at = *query;
+    at.isNow = true;
+    evaluateFrame(&at, count, rest, out);
+    useFrame(&at, query->after);
+    evaluateFrame(&at, count, rest, &end);
+    blendRows(part, 4 * count, displacement[0], out->displacement != NULL ? out->displacement[0] : NULL);
+    blendRows(part, 8 * count, gradients[0], out->gradients != NULL ? out->gradients[0] : NULL);
+    blendRows(part, 4 * count, velocity[0], out->velocity != NULL ? out->velocity[0] : NULL);
+    blendRows(part, 4 * count, acceleration[0], out->acceleration != NULL ? out->acceleration[0] : NULL);
+}
+
+static bool isBetween(const swQuery* query)
+{
+    return query->after != NULL && query->ticks > query->tileTicks && query->ticks <= query->after->ticks;
+}
+
+static void evaluateParts(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    for (int i = 0; i < count; i += BETWEEN_BLOCK)
+    {
+        const swEvaluation part = {
+            .displacement = out->displacement != NULL ? out->displacement + i : NULL,
+            .gradients = out->gradients != NULL ? out->gradients + i : NULL,
+            .velocity = out->velocity != NULL ? out->velocity + i : NULL,
+            .acceleration = out->acceleration != NULL ? out->acceleration + i : NULL,
+            .shortest = out->shortest,
+            .longest = out->longest,
+        };
+        evaluateBetween(query, count - i < BETWEEN_BLOCK ? count - i : BETWEEN_BLOCK, rest + i, &part);
+    }
+}
+
+void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    if (isBetween(query))
+    {
+        evaluateParts(query, count, rest, out);
+    }
+    else
+    {
+        evaluateFrame(query, count, rest, out);
+    }
+    if (out->levels != NULL)
+    {
+        swFindLevels(query->places, query->ticks, count, rest, out->displacement, out->levels, out->gradients);
+    }
 }
 
 swVec3 swMakeNormal(const float g[8], float* jacobian)

@@ -2,22 +2,16 @@
 #include "core/surface/slices.h"
 
 #include "core/base/host.h"
-#include "core/waves/waves_sum.h"
+#include "core/surface/evaluate.h"
 #include "shared/surface_normal.h"
-
-// Texels sampled at once: keeps points and results in the first-level cache.
-#define SW_SLICE_BLOCK 128
 
 typedef struct swSliceJob
 {
-    const swWaveKernels* kernels;
     const swSlice* slice;
     int resolution;
-    int tileCount;
     swTile tiles[SW_MAX_TILES];
-    int64_t ticks;
-    int waveCount;
-    const swFreeWave* waves;
+    swQueryDef def;
+    swQuery query;
     float* displacement;
     float* derivatives;
 } swSliceJob;
@@ -35,54 +29,29 @@ int swSelectSliceTiles(const swFrame* frame, float minWavelength, swTile* out)
     return count;
 }
 
-// Free waves, added to what tiles gave.
-static void addFreeWaves(const swSliceJob* job, int count, const double* x, double z, float* displacement,
-                         float (*gradients)[8])
+// The waves of a slice: a query's but for tiles, all of whose waves must be long enough.
+static void beginJob(swSliceJob* job, const swWaveKernels* kernels, const swFrame* frame, const swSlice* slice)
 {
-    if (job->waveCount == 0)
-    {
-        return;
-    }
-    swPosXZ points[SW_SLICE_BLOCK];
-    for (int i = 0; i < count; ++i)
-    {
-        points[i] = (swPosXZ){x[i], z};
-    }
-    const swSurfaceSums sums = {.displacement = (float(*)[4])displacement, .gradients = gradients};
-    const swWaveSumJob sum = {
-        .waveCount = job->waveCount,
-        .waves = job->waves,
-        .ticks = job->ticks,
-        .count = count,
-        .points = points,
-        .surface = &sums,
-    };
-    swSumWaves(job->kernels, &sum);
-}
-
-static int countLongWaves(const swFrame* frame, float minWavelength)
-{
-    int count = 0;
-    while (count < frame->waveCount && frame->waves[count].wavelength >= minWavelength)
-    {
-        count += 1;
-    }
-    return count;
+    job->slice = slice;
+    job->def = (swQueryDef){.minWavelength = slice->minWavelength, .time = SW_QUERY_NOW};
+    swBeginQuery(&job->query, frame, kernels, &job->def, (swPosXZ){0.0, 0.0});
+    job->query.tileCount = swSelectSliceTiles(frame, slice->minWavelength, job->tiles);
+    job->query.tiles = job->tiles;
 }
 
 static void sampleBlock(const swSliceJob* job, int row, int column, int count)
 {
     const swSlice* slice = job->slice;
-    double x[SW_SLICE_BLOCK];
-    double z = (double)(slice->firstZ + row) * slice->texel;
-    float gradients[SW_SLICE_BLOCK][8];
+    swPosXZ points[SW_QUERY_BLOCK];
+    float gradients[SW_QUERY_BLOCK][8];
     for (int i = 0; i < count; ++i)
     {
-        x[i] = (double)(slice->firstX + column + i) * slice->texel;
+        points[i].x = (double)(slice->firstX + column + i) * slice->texel;
+        points[i].z = (double)(slice->firstZ + row) * slice->texel;
     }
     size_t first = ((size_t)row * (size_t)job->resolution + (size_t)column) * 4;
-    swSampleRow(job->kernels, job->tileCount, job->tiles, count, x, z, job->displacement + first, gradients);
-    addFreeWaves(job, count, x, z, job->displacement + first, gradients);
+    const swEvaluation evaluation = {.displacement = (float(*)[4])(job->displacement + first), .gradients = gradients};
+    swEvaluate(&job->query, count, points, &evaluation);
     float* derivatives = job->derivatives + first;
     for (int i = 0; i < count; ++i)
     {
@@ -100,10 +69,10 @@ static void sampleRows(void* context, int begin, int end, int worker)
     (void)worker;
     for (int row = begin; row < end; ++row)
     {
-        for (int column = 0; column < job->resolution; column += SW_SLICE_BLOCK)
+        for (int column = 0; column < job->resolution; column += SW_QUERY_BLOCK)
         {
             int left = job->resolution - column;
-            sampleBlock(job, row, column, left < SW_SLICE_BLOCK ? left : SW_SLICE_BLOCK);
+            sampleBlock(job, row, column, left < SW_QUERY_BLOCK ? left : SW_QUERY_BLOCK);
         }
     }
 }
@@ -120,17 +89,11 @@ void swStepSlices(const swLayerStep* step)
     size_t sliceSize = (size_t)stack->resolution * (size_t)stack->resolution * 4;
     for (int i = 0; i < stack->sliceCount; ++i)
     {
-        swSliceJob job = {
-            .kernels = step->kernels,
-            .slice = &stack->slices[i],
-            .resolution = stack->resolution,
-            .ticks = frame->ticks,
-            .waveCount = countLongWaves(frame, stack->slices[i].minWavelength),
-            .waves = frame->waves,
-            .displacement = step->next[SW_LAYER_DISPLACEMENT] + (size_t)i * sliceSize,
-            .derivatives = step->next[SW_LAYER_DERIVATIVES] + (size_t)i * sliceSize,
-        };
-        job.tileCount = swSelectSliceTiles(frame, stack->slices[i].minWavelength, job.tiles);
+        swSliceJob job;
+        beginJob(&job, step->kernels, frame, &stack->slices[i]);
+        job.resolution = stack->resolution;
+        job.displacement = step->next[SW_LAYER_DISPLACEMENT] + (size_t)i * sliceSize;
+        job.derivatives = step->next[SW_LAYER_DERIVATIVES] + (size_t)i * sliceSize;
         swParallelFor(step->host, sampleRows, &job, stack->resolution, 4);
     }
 }

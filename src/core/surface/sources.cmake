@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/evaluate.c
+    ${CMAKE_CURRENT_LIST_DIR}/evaluate_shaped.c
+    ${CMAKE_CURRENT_LIST_DIR}/places.c
     ${CMAKE_CURRENT_LIST_DIR}/search.c
     ${CMAKE_CURRENT_LIST_DIR}/slices.c)

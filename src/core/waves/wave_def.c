@@ -1,137 +1,126 @@
 // SPDX-License-Identifier: MIT
-// What the def of a wave system is by default, and what it must hold.
-
-#include <math.h>
-
 #include "core/base/host.h"
-#include "core/waves/waves.h"
+#include "core/spectra/spectrum.h"
+#include "core/waves/wave_def.h"
+#include "seaway/math.h"
+
+#define TILES SW_KIND(SW_WAVES_FFT)
+#define SINGLE SW_KIND(SW_WAVES_GERSTNER)
+
+// ---- one wave given by hand ----
+
+#define SW_DEF swWaveComponent
+static const swField componentFields[] = {
+    SW_NUMBER(wavelength, "m", SW_WITHIN(0.0625, 4096.0), 0.0625, .key = "wavelength_m", .label = "length",
+              SW_LOG_KNOB(0.0625, 4096.0)),
+    SW_NUMBER(direction, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "direction_from_deg", .label = "from",
+              .tip = "Where it comes from, clockwise from north", .form = SW_FORM_BEARING, SW_KNOB(0.0, 360.0)),
+    SW_NUMBER(amplitude, "m", SW_WITHIN(0.0, 40.0), 0.0, .key = "amplitude_m", .label = "amplitude",
+              .tip = "Half its height", SW_LOG_KNOB(1e-3, 40.0)),
+    SW_NUMBER(phase, "deg", SW_WITHIN(-1e6, 1e6), 0.0, .key = "phase_deg", .label = "phase",
+              .tip = "At the origin at time 0", .form = SW_FORM_DEGREES, SW_KNOB(-360.0, 360.0)),
+};
+#undef SW_DEF
+
+const swFields swWaveComponentFields =
+    SW_PART_FIELDS(swWaveComponent, "components", "wave given by hand", componentFields);
+
+// ---- a system ----
+
+static const char* const methodWords[] = {"fft", "gerstner", NULL};
+static const char* const methodNames[] = {"Fourier transforms", "few waves (Gerstner)", NULL};
+
+#define SW_DEF swWaveSystemDef
+static const swField systemFields[] = {
+    SW_PART(spectrum, &swSpectrumFields, .key = NULL, .label = "spectrum"),
+    SW_CHOICE(method, methodWords, methodNames, SW_WAVES_FFT, .key = "method", .label = "made by"),
+    SW_NUMBER(resolution, "", SW_WITHIN(16.0, 512.0), 128.0, .key = "resolution", .label = "resolution",
+              .tip = "Samples along a tile's side, a power of two", SW_LOG_KNOB(16.0, 512.0), .kinds = TILES),
+    SW_NUMBER(tileWaves, "", SW_WITHIN(4.0, 128.0), 32.0, .key = "tile_waves", .label = "waves a tile",
+              .tip = "Shortest waves of a band along a tile's side: more repeat less", SW_KNOB(4.0, 128.0),
+              .kinds = TILES),
+    SW_NUMBER(componentsPerOctave, "", SW_WITHIN(1.0, 32.0), 8.0, .key = "components_per_octave",
+              .label = "waves an octave", SW_KNOB(1.0, 32.0), .kinds = SINGLE),
+    SW_NUMBER(reverseWeight, "", SW_WITHIN(0.0, 1.0), 0.0, .key = "reverse_weight", .label = "twins back",
+              .tip = "Height of a twin of each wave that runs the other way: 1 makes standing waves", SW_KNOB(0.0, 1.0),
+              .kinds = SINGLE),
+    SW_NUMBER(directionVariance, "deg", SW_WITHIN(0.0, SW_PI), 0.0, .key = "direction_variance_deg",
+              .label = "directions within", .zero = "as it spreads", .form = SW_FORM_DEGREES, SW_KNOB(0.0, 180.0),
+              .kinds = SINGLE),
+    SW_NUMBER(leastJacobian, "", SW_WITHIN(-10.0, 0.9), 0.1, .key = "least_jacobian", .label = "least Jacobian",
+              .tip = "Sideways motion is held back where water would fold more: 1 is flat, 0 a fold",
+              SW_KNOB(-1.0, 0.9), .kinds = SINGLE),
+    SW_LIST(components, componentCount, SW_MAX_FREE_WAVES, &swWaveComponentFields, .key = "components",
+            .label = "waves given by hand", .kinds = SINGLE),
+    SW_NUMBER(minWavelength, "m", SW_WITHIN(0.0625, 4096.0), 0.0625, .key = "min_wavelength_m",
+              .label = "shortest wave", SW_LOG_KNOB(0.0625, 4096.0)),
+    SW_NUMBER(maxWavelength, "m", SW_WITHIN(0.0625, 4096.0), 4096.0, .key = "max_wavelength_m", .label = "longest wave",
+              SW_LOG_KNOB(0.0625, 4096.0)),
+    SW_NUMBER(chop, "", SW_WITHIN(0.0, 2.0), 1.0, .key = "chop", .label = "chop",
+              .tip = "Horizontal motion; 1 is that of a trochoidal wave", SW_KNOB(0.0, 2.0)),
+    SW_NUMBER(weight, "", SW_WITHIN(0.0, 10.0), 1.0, .key = "weight", .label = "weight",
+              .tip = "Factor on displacement", SW_KNOB(0.0, 2.0)),
+    SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, 2.7e11), 0.0, .key = "loop_period_s", .label = "loop",
+              .tip = "The waves repeat exactly after this time", .zero = "never", SW_LOG_KNOB(1.0, 600.0)),
+    SW_NUMBER(seed, "", SW_WITHIN(0.0, 4294967295.0), 1.0, .key = "seed", .label = "seed",
+              .tip = "Another seed is another sea of the same statistics", SW_KNOB(0.0, 100.0)),
+};
+#undef SW_DEF
+
+const swFields swWaveSystemFields = SW_FIELDS(swWaveSystemDef, "waves", "waves", systemFields, 1);
+
+const swFields* swGetWaveComponentFields(void)
+{
+    return &swWaveComponentFields;
+}
+
+const swFields* swGetWaveSystemFields(void)
+{
+    return &swWaveSystemFields;
+}
 
 swWaveSystemDef swDefaultWaveSystemDef(void)
 {
-    return (swWaveSystemDef){
-        .spectrum = swDefaultSpectrumDef(),
-        .method = SW_WAVES_FFT,
-        .resolution = 128,
-        .tileWaves = 32,
-        .componentsPerOctave = 8,
-        .leastJacobian = 0.1f,
-        .minWavelength = 0.0625f,
-        .maxWavelength = 4096.0f,
-        .chop = 1.0f,
-        .weight = 1.0f,
-        .seed = 1,
-        .internalValue = SW_DEF_COOKIE,
-    };
+    swWaveSystemDef def;
+    swFillDef(&swWaveSystemFields, &def);
+    def.spectrum = swDefaultSpectrumDef();
+    return def;
 }
 
-static bool isPowerOfTwo(int value)
-{
-    return value > 0 && (value & (value - 1)) == 0;
-}
+// ---- what the table cannot say ----
 
 static swResult checkTiles(const swHost* host, const swWaveSystemDef* def)
 {
-    if (!isPowerOfTwo(def->resolution) || def->resolution < 16 || def->resolution > 512)
+    if ((def->resolution & (def->resolution - 1)) != 0)
     {
-        return swFail(host, SW_ERROR_INVALID,
-                      "a wave system's resolution is %d; it must be a power of two in [16, 512]", def->resolution);
+        return swFail(host, SW_ERROR_INVALID, "swWaveSystemDef::resolution is %d; it must be a power of two.",
+                      def->resolution);
     }
-    if (def->tileWaves < 4 || def->tileWaves > def->resolution / 4)
+    if (def->tileWaves > def->resolution / 4)
     {
         return swFail(host, SW_ERROR_INVALID,
-                      "a wave system's tileWaves is %d; with resolution %d it must be in [4, %d]", def->tileWaves,
+                      "swWaveSystemDef::tileWaves is %d; with resolution %d its range is [4, %d].", def->tileWaves,
                       def->resolution, def->resolution / 4);
-    }
-    return SW_SUCCESS;
-}
-
-static bool isWithin(float value, double least, double most)
-{
-    return (double)value >= least && (double)value <= most; // false for NaN
-}
-
-static swResult checkComponents(const swHost* host, const swWaveSystemDef* def)
-{
-    if (def->componentCount < 0 || def->componentCount > SW_MAX_FREE_WAVES ||
-        (def->componentCount > 0 && def->components == NULL))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's components are %d at %s; it may have up to %d",
-                      def->componentCount, def->components == NULL ? "NULL" : "an address", SW_MAX_FREE_WAVES);
-    }
-    for (int i = 0; i < def->componentCount; ++i)
-    {
-        const swWaveComponent* c = &def->components[i];
-        if (!isWithin(c->wavelength, 0.0625, 4096.0) || !isWithin(c->direction, -1000.0, 1000.0) ||
-            !isWithin(c->amplitude, 0.0, 40.0) || !isWithin(c->phase, -1e6, 1e6))
-        {
-            return swFail(
-                host, SW_ERROR_INVALID,
-                "component %d of a wave system has wavelength %g m (0.0625 to 4096), direction %g rad (-1000 to "
-                "1000), amplitude %g m (0 to 40) and phase %g rad (-1e6 to 1e6)",
-                i, (double)c->wavelength, (double)c->direction, (double)c->amplitude, (double)c->phase);
-        }
-    }
-    return SW_SUCCESS;
-}
-
-static swResult checkGerstner(const swHost* host, const swWaveSystemDef* def)
-{
-    if (def->componentsPerOctave < 1 || def->componentsPerOctave > 32)
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's componentsPerOctave is %d; it must be in [1, 32]",
-                      def->componentsPerOctave);
-    }
-    if (!isWithin(def->reverseWeight, 0.0, 1.0) || !isWithin(def->directionVariance, 0.0, 3.1416))
-    {
-        return swFail(host, SW_ERROR_INVALID,
-                      "a wave system's reverseWeight is %g (0 to 1) and its directionVariance %g rad (0 to pi)",
-                      (double)def->reverseWeight, (double)def->directionVariance);
-    }
-    if (!isWithin(def->leastJacobian, -10.0, 0.9))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's leastJacobian is %g; it must be in [-10, 0.9]",
-                      (double)def->leastJacobian);
-    }
-    return checkComponents(host, def);
-}
-
-static swResult checkWaves(const swHost* host, const swWaveSystemDef* def)
-{
-    if (!(def->minWavelength >= 0.0625f && def->minWavelength < def->maxWavelength && def->maxWavelength <= 4096.0f))
-    {
-        return swFail(host, SW_ERROR_INVALID,
-                      "a wave system's wavelengths are %g to %g m; they must ascend within 0.0625 to 4096",
-                      (double)def->minWavelength, (double)def->maxWavelength);
-    }
-    if (!(def->chop >= 0.0f && def->chop <= 2.0f))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's chop is %g; it must be in [0, 2]", (double)def->chop);
-    }
-    if (!(def->weight >= 0.0f && def->weight <= 10.0f))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's weight is %g; it must be in [0, 10]",
-                      (double)def->weight);
-    }
-    if (!(def->loopPeriod >= 0.0f && (double)def->loopPeriod <= SW_LARGEST_TIME))
-    {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's loop period is %g s; it must be in [0, %g]",
-                      (double)def->loopPeriod, SW_LARGEST_TIME);
     }
     return SW_SUCCESS;
 }
 
 swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def)
 {
-    if ((unsigned)def->method >= SW_WAVE_METHOD_COUNT)
+    swResult result = swCheckDef(host, &swWaveSystemFields, def);
+    result = result == SW_SUCCESS ? swCheckSpectrum(host, &def->spectrum) : result;
+    if (result == SW_SUCCESS && !(def->minWavelength < def->maxWavelength))
     {
-        return swFail(host, SW_ERROR_INVALID, "a wave system's method is %d; it must be in [0, %d]", (int)def->method,
-                      SW_WAVE_METHOD_COUNT - 1);
+        return swFail(host, SW_ERROR_INVALID,
+                      "swWaveSystemDef::minWavelength is %g m; it must be below maxWavelength, which is %g m.",
+                      (double)def->minWavelength, (double)def->maxWavelength);
     }
-    swResult result = swCheckSpectrum(host, &def->spectrum);
-    result = result == SW_SUCCESS ? checkWaves(host, def) : result;
-    if (result == SW_SUCCESS)
-    {
-        result = def->method == SW_WAVES_FFT ? checkTiles(host, def) : checkGerstner(host, def);
-    }
-    return result;
+    return result == SW_SUCCESS && def->method == SW_WAVES_FFT ? checkTiles(host, def) : result;
+}
+
+bool swAreSameWaves(const swWaveSystemDef* a, const swWaveSystemDef* b)
+{
+    swWaveSystemDef other = *b;
+    other.weight = a->weight;
+    return swIsSameDef(&swWaveSystemFields, a, &other) && swIsSameTable(&a->spectrum, &b->spectrum);
 }

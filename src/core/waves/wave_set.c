@@ -58,25 +58,6 @@ void swFreeRetiredSets(swWaves* waves)
 
 // ---- the same def ----
 
-static bool isSameDef(const swWaveSystemDef* a, const swWaveSystemDef* b)
-{
-    if (a->method != b->method || a->minWavelength != b->minWavelength || a->maxWavelength != b->maxWavelength ||
-        a->chop != b->chop || a->loopPeriod != b->loopPeriod || a->seed != b->seed ||
-        !swIsSameSpectrum(&a->spectrum, &b->spectrum))
-    {
-        return false;
-    }
-    if (a->method == SW_WAVES_FFT)
-    {
-        return a->resolution == b->resolution && a->tileWaves == b->tileWaves;
-    }
-    return a->componentsPerOctave == b->componentsPerOctave && a->reverseWeight == b->reverseWeight &&
-           a->leastJacobian == b->leastJacobian && a->directionVariance == b->directionVariance &&
-           a->componentCount == b->componentCount &&
-           (a->componentCount == 0 ||
-            memcmp(a->components, b->components, (size_t)a->componentCount * sizeof(swWaveComponent)) == 0);
-}
-
 static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
@@ -85,7 +66,7 @@ static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def)
         {
             swWaveSet* set = waves->systems[slot].layers[i].set;
             set = set->mix != NULL ? set->to : set;
-            if (isSameDef(&set->def, def))
+            if (swAreSameWaves(&set->def, def))
             {
                 return set;
             }

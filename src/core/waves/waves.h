@@ -11,6 +11,7 @@
 #include "core/waves/mode_mix.h"
 #include "core/waves/ramp.h"
 #include "core/waves/tile_list.h"
+#include "core/waves/wave_def.h"
 #include "core/waves/waves_fft.h"
 #include "shared/limits.h"
 
@@ -99,9 +100,6 @@ void swDeriveWaves(swWaves* waves, swFrame* frame);
 void swTransformWaves(swWaves* waves);
 // What is seen at any time, past or future, by the changes that are under way.
 void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* shown);
-
-// wave_def.c
-swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def);
 
 // wave_set.c
 swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one

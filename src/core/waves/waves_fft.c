@@ -598,10 +598,21 @@ void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choic
     kernels->sampleTiles(choice, count, points, out, gradients);
 }
 
-void swSampleRow(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const double* x, double z,
+void swAddTile(const swWaveKernels* kernels, const swTile* tile, int field, int count, const swPosXZ* points,
+               bool withSlopes, swPointSums* sums)
+{
+    kernels->addTile(tile, field, count, points, withSlopes, sums);
+}
+
+void swStorePointSums(const swWaveKernels* kernels, int count, const swPointSums* sums, float* out, float* gradients)
+{
+    kernels->storeSums(count, sums, out, gradients);
+}
+
+void swSampleRow(const swWaveKernels* kernels, const swTileChoice* choice, int count, const double* x, double z,
                  float* out, float (*gradients)[8])
 {
-    kernels->sampleRow(tileCount, tiles, count, x, z, out, gradients);
+    kernels->sampleRow(choice, count, x, z, out, gradients);
 }
 
 void swSumWaves(const swWaveKernels* kernels, const swWaveSumJob* job)

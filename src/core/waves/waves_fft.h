@@ -76,23 +76,38 @@ size_t swGetTileScratchSize(int resolution);
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
                       int64_t ticks, int order, void* scratch);
 
-// Which tiles of a list count, and which of their texels.
+// Which tiles of a list count, and which of their texels. Tiles count whose longest wave is in (shortest, longest],
+// where 0 is no bound.
 typedef struct swTileChoice
 {
     int count;
     const swTile* tiles;
-    float minWavelength; // tiles whose waves are all shorter than this do not count; 0: all do
-    int field;           // 0: displacement, 1: velocity, 2: acceleration
+    float shortest, longest; // m
+    int field;               // 0: displacement, 1: velocity, 2: acceleration
 } swTileChoice;
 
-static inline bool swIsTileChosen(const swTile* tile, float minWavelength)
+static inline bool swIsTileChosen(const swTile* tile, float shortest, float longest)
 {
-    return minWavelength <= 0.0f || tile->maxWavelength > minWavelength;
+    return (shortest <= 0.0f || tile->maxWavelength > shortest) && (longest <= 0.0f || tile->maxWavelength <= longest);
 }
 
 // As swSampleTiles() below, of some tiles of a list.
 void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choice, int count, const swPosXZ* points,
                          float* out, float* gradients);
+
+// What tiles add up to at a point. Even and odd columns of their texels stay apart until the end.
+typedef struct swPointSums
+{
+    float value[8];
+    float alongX[8], alongZ[8];
+} swPointSums;
+
+// Add one tile to the sums of at most SW_SUM_BLOCK points, and make of sums what swSampleTiles() answers: the same
+// bits, for callers that do something to a tile's part on the way.
+#define SW_SUM_BLOCK 64
+void swAddTile(const swWaveKernels* kernels, const swTile* tile, int field, int count, const swPosXZ* points,
+               bool withSlopes, swPointSums* sums);
+void swStorePointSums(const swWaveKernels* kernels, int count, const swPointSums* sums, float* out, float* gradients);
 
 // Evaluate the spline sum of tiles at `count` rest points (double, metres), out[count][4] = x, y, z displacement, 0;
 // gradients (may be NULL) [count][8] = dDx/dx, dDx/dz, dDz/dx, dDz/dz, dh/dx, dh/dz, 0, 0.
@@ -100,7 +115,7 @@ void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choic
 void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,
                    float* out, float* gradients);
 
-// The same bits for a row of points with one z, whose x ascend: what slices are made of, in a third of the
-// time. `gradients` is required.
-void swSampleRow(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const double* x, double z,
+// The same bits for a row of points with one z, whose x ascend: what slices and height maps are made of, in a third of
+// the time. `gradients` may be NULL.
+void swSampleRow(const swWaveKernels* kernels, const swTileChoice* choice, int count, const double* x, double z,
                  float* out, float (*gradients)[8]);

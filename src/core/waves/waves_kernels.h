@@ -12,7 +12,10 @@ struct swWaveKernels
     void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
                            void* scratch);
     void (*sampleTiles)(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients);
-    void (*sampleRow)(int tileCount, const swTile* tiles, int count, const double* x, double z, float* out,
+    void (*addTile)(const swTile* tile, int field, int count, const swPosXZ* points, bool withSlopes,
+                    swPointSums* sums);
+    void (*storeSums)(int count, const swPointSums* sums, float* out, float* gradients);
+    void (*sampleRow)(const swTileChoice* choice, int count, const double* x, double z, float* out,
                       float (*gradients)[8]);
     void (*sumWaves)(const swWaveSumJob* job);
 };

@@ -350,7 +350,7 @@ static void transformTiles(const swTile* a, float* texelsA, const swTile* b, flo
 
 // Points that go through the tiles together: few enough for the nearest cache and for the stacks of fibres, many enough
 // that a tile's texels stay in the next cache while it is their turn.
-#define POINT_BLOCK 64
+#define POINT_BLOCK SW_SUM_BLOCK
 
 static inline int padToEight(int count)
 {
@@ -441,16 +441,9 @@ static inline swQuads sumRows(const float* window, int pitch4, swQuads w0, swQua
     return swAddQ(sum, swMulQ(w3, swLoadQ(window + 3 * pitch4)));
 }
 
-// Sums of a point over tiles. Even and odd columns of the windows stay apart until the end.
-typedef struct PointSums
-{
-    float value[8];
-    float alongX[8], alongZ[8];
-} PointSums;
-
 #define SPLAT(values, at) swSplatQ((values)[at], (values)[at])
 
-static inline void addValue(const float* window, int pitch4, const Weights* weights, int x, int z, PointSums* sums)
+static inline void addValue(const float* window, int pitch4, const Weights* weights, int x, int z, swPointSums* sums)
 {
     const float(*w)[16] = weights->value;
     swQuads w0 = SPLAT(w[0], z), w1 = SPLAT(w[1], z), w2 = SPLAT(w[2], z), w3 = SPLAT(w[3], z);
@@ -460,7 +453,7 @@ static inline void addValue(const float* window, int pitch4, const Weights* weig
     swStoreQ(sums->value, swAddQ(swLoadQ(sums->value), sum));
 }
 
-static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, PointSums* sums)
+static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
 {
     const float(*v)[16] = w->value;
     const float(*d)[16] = w->slope;
@@ -478,9 +471,20 @@ static inline void addSlopes(const float* window, int pitch4, const Weights* w, 
     swStoreQ(sums->alongZ, swAddQ(swLoadQ(sums->alongZ), sum));
 }
 
-// Add one tile to the sums of `count` points. `u` goes on to a multiple of eight points.
+// Where points are, interleaved, on to a multiple of eight of them.
+static void listPlaces(int count, const swPosXZ* points, double* u)
+{
+    for (int i = 0; i < padToEight(count); ++i)
+    {
+        const swPosXZ* point = points + (i < count ? i : 0);
+        u[2 * i] = point->x;
+        u[2 * i + 1] = point->z;
+    }
+}
+
+// Add one tile to the sums of `count` points.
 static void addTile(const swTile* tile, const float* texels, int count, const double* u, bool withSlopes, Cells* cells,
-                    PointSums* sums)
+                    swPointSums* sums)
 {
     double scale = tile->resolution / tile->side;
     int pitch4 = (tile->resolution + 3) * 4;
@@ -515,8 +519,17 @@ static const float* getFieldTexels(const swTile* tile, int field)
     return field == 0 ? tile->texels : field == 1 ? tile->velocity : tile->acceleration;
 }
 
+static void addOneTile(const swTile* tile, int field, int count, const swPosXZ* points, bool withSlopes,
+                       swPointSums* sums)
+{
+    double u[2 * POINT_BLOCK];
+    Cells cells;
+    listPlaces(count, points, u);
+    addTile(tile, getFieldTexels(tile, field), count, u, withSlopes, &cells, sums);
+}
+
 // `gradients` may be NULL.
-static inline void storeSums(const PointSums* sums, float* out, float* gradients)
+static inline void storeSums(const swPointSums* sums, float* out, float* gradients)
 {
     swStoreSumQ(out, swLoadQ(sums->value));
     if (gradients != NULL)
@@ -529,36 +542,38 @@ static inline void storeSums(const PointSums* sums, float* out, float* gradients
     }
 }
 
+static void storeAllSums(int count, const swPointSums* sums, float* out, float* gradients)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        storeSums(&sums[i], out + (size_t)i * 4, gradients != NULL ? gradients + (size_t)i * 8 : NULL);
+    }
+}
+
+static bool isChosen(const swTileChoice* choice, int tile)
+{
+    return swIsTileChosen(&choice->tiles[tile], choice->shortest, choice->longest);
+}
+
 static void sampleTiles(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients)
 {
     double u[2 * POINT_BLOCK];
     Cells cells;
-    PointSums sums[POINT_BLOCK];
+    swPointSums sums[POINT_BLOCK];
     for (int first = 0; first < count; first += POINT_BLOCK)
     {
         int blockCount = count - first < POINT_BLOCK ? count - first : POINT_BLOCK;
-        for (int i = 0; i < padToEight(blockCount); ++i)
-        {
-            const swPosXZ* point = points + first + (i < blockCount ? i : 0);
-            u[2 * i] = point->x;
-            u[2 * i + 1] = point->z;
-        }
-        for (int i = 0; i < blockCount; ++i)
-        {
-            sums[i] = (PointSums){0};
-        }
+        listPlaces(blockCount, points + first, u);
+        memset(sums, 0, (size_t)blockCount * sizeof(swPointSums));
         for (int i = 0; i < choice->count; ++i)
         {
-            const swTile* tile = &choice->tiles[i];
-            if (swIsTileChosen(tile, choice->minWavelength))
+            if (isChosen(choice, i))
             {
+                const swTile* tile = &choice->tiles[i];
                 addTile(tile, getFieldTexels(tile, choice->field), blockCount, u, gradients != NULL, &cells, sums);
             }
         }
-        for (int i = 0; i < blockCount; ++i)
-        {
-            size_t point = (size_t)(first + i);
-            storeSums(&sums[i], out + point * 4, gradients != NULL ? gradients + point * 8 : NULL);
-        }
+        storeAllSums(blockCount, sums, out + (size_t)first * 4,
+                     gradients != NULL ? gradients + (size_t)first * 8 : NULL);
     }
 }

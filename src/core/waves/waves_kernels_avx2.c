@@ -9,4 +9,5 @@
 #include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsAvx2 = {SW_ISA_AVX2, transformTiles, sampleTiles, sampleRow, sumWaves};
+const swWaveKernels swWaveKernelsAvx2 = {SW_ISA_AVX2,  transformTiles, sampleTiles, addOneTile,
+                                         storeAllSums, sampleRow,      sumWaves};

@@ -9,4 +9,5 @@
 #include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON, transformTiles, sampleTiles, sampleRow, sumWaves};
+const swWaveKernels swWaveKernelsNeon = {SW_ISA_NEON,  transformTiles, sampleTiles, addOneTile,
+                                         storeAllSums, sampleRow,      sumWaves};

@@ -9,4 +9,5 @@
 #include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles, sampleRow, sumWaves};
+const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles, addOneTile,
+                                           storeAllSums,  sampleRow,      sumWaves};

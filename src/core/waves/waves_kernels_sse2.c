@@ -9,4 +9,5 @@
 #include "core/waves/waves_row.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsSse2 = {SW_ISA_SSE2, transformTiles, sampleTiles, sampleRow, sumWaves};
+const swWaveKernels swWaveKernelsSse2 = {SW_ISA_SSE2,  transformTiles, sampleTiles, addOneTile,
+                                         storeAllSums, sampleRow,      sumWaves};

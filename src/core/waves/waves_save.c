@@ -16,45 +16,6 @@
 
 // ---- defs ----
 
-static void streamOctaves(swStream* stream, swOctaves* octaves)
-{
-    for (int i = 0; i < SW_OCTAVE_COUNT; ++i)
-    {
-        swStreamF32(stream, &octaves->octaves[i].power);
-        swStreamBool(stream, &octaves->octaves[i].isEnabled);
-        swStreamF32(stream, &octaves->octaves[i].chop);
-        swStreamF32(stream, &octaves->octaves[i].gravityScale);
-    }
-    swStreamF32(stream, &octaves->multiplier);
-    swStreamF32(stream, &octaves->chop);
-    swStreamF32(stream, &octaves->gravityScale);
-    swStreamBool(stream, &octaves->limitByWind);
-}
-
-static void streamSpectrum(swStream* stream, swSpectrumDef* def)
-{
-    int kind = (int)def->kind, spreading = (int)def->spreading, growth = (int)def->growth;
-    swStreamRange(stream, &kind, 0, SW_SPECTRUM_KIND_COUNT - 1);
-    swStreamRange(stream, &spreading, 0, SW_SPREADING_KIND_COUNT - 1);
-    swStreamRange(stream, &growth, 0, SW_GROWTH_LAW_COUNT - 1);
-    def->kind = (swSpectrumKind)kind;
-    def->spreading = (swSpreadingKind)spreading;
-    def->growth = (swGrowthLaw)growth;
-    swStreamF32(stream, &def->windSpeed);
-    swStreamBool(stream, &def->hasWind);
-    swStreamF32(stream, &def->fetch);
-    swStreamF32(stream, &def->gamma);
-    swStreamF32(stream, &def->significantHeight);
-    swStreamF32(stream, &def->peakPeriod);
-    swStreamF32(stream, &def->direction);
-    swStreamF32(stream, &def->spreadExponent);
-    swStreamF32(stream, &def->turbulence);
-    swStreamF32(stream, &def->swell);
-    streamOctaves(stream, &def->octaves);
-    swStreamF32(stream, &def->depth);
-    swStreamBool(stream, &def->extendTail);
-}
-
 // Arrays of a def while it is read.
 typedef struct Arrays
 {
@@ -135,22 +96,7 @@ static swResult streamComponents(swStream* stream, const swWaves* waves, swWaveS
 // `arrays` are freed by the caller, whatever the result.
 static swResult streamSystemDef(swStream* stream, const swWaves* waves, swWaveSystemDef* def, Arrays arrays[2])
 {
-    streamSpectrum(stream, &def->spectrum);
-    int method = (int)def->method;
-    swStreamRange(stream, &method, 0, SW_WAVE_METHOD_COUNT - 1);
-    def->method = (swWaveMethod)method;
-    swStreamI32(stream, &def->resolution);
-    swStreamI32(stream, &def->tileWaves);
-    swStreamI32(stream, &def->componentsPerOctave);
-    swStreamF32(stream, &def->reverseWeight);
-    swStreamF32(stream, &def->directionVariance);
-    swStreamF32(stream, &def->leastJacobian);
-    swStreamF32(stream, &def->minWavelength);
-    swStreamF32(stream, &def->maxWavelength);
-    swStreamF32(stream, &def->chop);
-    swStreamF32(stream, &def->weight);
-    swStreamF32(stream, &def->loopPeriod);
-    swStreamU32(stream, &def->seed);
+    swStreamDef(stream, &swWaveSystemFields, def);
     swResult result = stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
     if (result == SW_SUCCESS && def->spectrum.kind == SW_SPECTRUM_TABLE)
     {

@@ -29,8 +29,8 @@ typedef struct swDepthSums
 typedef struct swWaveSumJob
 {
     int tileCount;
-    const swTile* tiles; // their modes; texels are not read
-    float minWavelength; // tiles whose waves are all shorter than this do not count; 0: all do
+    const swTile* tiles;     // their modes; texels are not read
+    float shortest, longest; // tiles whose longest wave is in (shortest, longest] count, m; 0 is no bound
     int waveCount;
     const swFreeWave* waves;
     int64_t ticks;

@@ -491,7 +491,7 @@ static void sumWaves(const swWaveSumJob* job)
         memset(sums.lanes, 0, (size_t)(count * pointFloats) * sizeof(float));
         for (int tile = 0; tile < job->tileCount; ++tile)
         {
-            if (swIsTileChosen(&job->tiles[tile], job->minWavelength))
+            if (swIsTileChosen(&job->tiles[tile], job->shortest, job->longest))
             {
                 addTileToBlock(job->tiles + tile, job->ticks, count, points, heights, &sums);
             }

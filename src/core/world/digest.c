@@ -9,6 +9,8 @@
 // Tiles and free waves are there to notice a machine that works out other ones from the same. They are left out while a
 // change waits for its step, because they are of the sea before it, which a world that was just restored never had.
 //
+// Zones are there with their simulated fields, which have a past: what they are now decides what they will be.
+//
 // Not part of it are the origin, views and their foam, and handles: each machine has its own.
 //
 // The digest is made when it is asked for, not in every step: hashing 14 tiles of 128 x 128 takes about a third of the
@@ -17,19 +19,7 @@
 #include <string.h>
 
 #include "core/base/hash.h"
-#include "core/world/world.h"
-
-static void addDef(swHash* hash, const swWorldDef* def)
-{
-    swAddHashDouble(hash, (double)def->gravity);
-    swAddHashDouble(hash, (double)def->surfaceTension);
-    swAddHashDouble(hash, def->seaLevel);
-    swAddHashDouble(hash, (double)def->foam.fadeRate);
-    swAddHashDouble(hash, (double)def->foam.coverage);
-    swAddHashDouble(hash, (double)def->foam.windSpeed);
-    swAddHashDouble(hash, (double)def->foam.minWavelength);
-    swAddHashDouble(hash, (double)def->foam.threshold);
-}
+#include "core/world/zone.h"
 
 // ---- the last step ----
 
@@ -48,7 +38,7 @@ uint64_t swHashWorld(const swWorld* world)
 {
     const swFrame* frame = &world->frame;
     swHash hash = swBeginHash();
-    addDef(&hash, &world->def);
+    swHashDef(&hash, &swWorldFields, &world->def);
     swAddHash(&hash, (uint64_t)frame->ticks);
     swAddHashDouble(&hash, world->time);
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
@@ -63,5 +53,6 @@ uint64_t swHashWorld(const swWorld* world)
     {
         swAddHashFreeWave(&hash, &frame->waves[i]);
     }
+    swHashZones(&hash, world);
     return swEndHash(&hash);
 }

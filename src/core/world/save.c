@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, then views
-// (view_save.c). What a step works out is not saved: it is derived again.
+// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, views
+// (view_save.c), zones (zone_save.c). What a step works out is not saved: it is derived again.
 
 #include <math.h>
 #include <string.h>
@@ -8,22 +8,7 @@
 #include "core/base/host.h"
 #include "core/waves/waves_save.h"
 #include "core/world/view_save.h"
-#include "core/world/world.h"
-
-void swStreamWorldDef(swStream* stream, swWorldDef* def)
-{
-    swStreamF32(stream, &def->gravity);
-    swStreamF32(stream, &def->surfaceTension);
-    swStreamF64(stream, &def->seaLevel);
-    swStreamBool(stream, &def->enableQueries);
-    swStreamBool(stream, &def->enableVelocity);
-    swStreamBool(stream, &def->enableAcceleration);
-    swStreamF32(stream, &def->foam.fadeRate);
-    swStreamF32(stream, &def->foam.coverage);
-    swStreamF32(stream, &def->foam.windSpeed);
-    swStreamF32(stream, &def->foam.minWavelength);
-    swStreamF32(stream, &def->foam.threshold);
-}
+#include "core/world/zone.h"
 
 // ---- systems ----
 
@@ -95,6 +80,7 @@ static void finishReading(swWorld* world, const Clocks* clocks, const swPos last
     world->waves.isTileListStale = true;
     swAdvanceWaves(&world->waves, world->frame.ticks);
     swDeriveWater(world);
+    swDeriveZones(world);
     swDeriveViews(world, last);
     world->time = clocks->time;
     world->waves.isChanged = clocks->isChanged;
@@ -129,6 +115,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
         swReleaseSet(&world->waves, list.sets[i]);
     }
     result = result == SW_SUCCESS ? swStreamViews(world, stream, last) : result;
+    result = result == SW_SUCCESS ? swStreamZones(world, stream) : result;
     if (result == SW_SUCCESS && swIsReading(stream))
     {
         result = swIsWithinLimits(&world->waves, world->waves.systems) ? SW_SUCCESS : SW_ERROR_FORMAT;
@@ -151,6 +138,7 @@ typedef struct Rewind
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swViewState views[SW_MAX_VIEWS];
     size_t layers[SW_MAX_VIEWS]; // where they are in the stream
+    size_t zones;                // likewise
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -167,12 +155,6 @@ static swResult findSets(const swWorld* world, swStream* stream, swSetList* sets
                                    "a world of it with swRestoreWorld()");
 }
 
-static bool isSameViewDef(const swViewDef* a, const swViewDef* b)
-{
-    return a->sliceCount == b->sliceCount && a->resolution == b->resolution && a->finestTexel == b->finestTexel &&
-           a->maxScaleLevel == b->maxScaleLevel && a->enableCpuLayers == b->enableCpuLayers;
-}
-
 static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind)
 {
     int count = 0;
@@ -184,8 +166,8 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
     for (int i = 0; i < count && !stream->isBroken; ++i)
     {
         swViewDef def = world->views[i]->def;
-        swStreamViewDef(stream, &def);
-        if (!stream->isBroken && !isSameViewDef(&def, &world->views[i]->def))
+        swStreamDef(stream, &swViewFields, &def);
+        if (!stream->isBroken && !swIsSameDef(&swViewFields, &def, &world->views[i]->def))
         {
             return failRewind(world, "a view had another def then");
         }
@@ -194,6 +176,12 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
         swCheckLayers(stream, &world->views[i]->layers);
     }
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
+}
+
+static swResult findZones(const swWorld* world, swStream* stream)
+{
+    swResult result = swCheckZones(world, stream);
+    return result != SW_ERROR_UNSUPPORTED ? result : failRewind(world, "it had other zones then");
 }
 
 static void applyRewind(swWorld* world, const swStream* stream, const Rewind* rewind)
@@ -212,6 +200,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
         swSetViewState(view, &rewind->views[i]);
         last[i] = rewind->views[i].last;
     }
+    swStream zones = *stream;
+    zones.at = rewind->zones;
+    swReadZones(world, &zones);
     world->waves.rewindCount += 1;
     finishReading(world, &rewind->clocks, last);
 }
@@ -227,6 +218,8 @@ swResult swRewindState(swWorld* world, swStream* stream)
     }
     streamSystems(stream, &rewind.sets, &rewind.ids, rewind.systems);
     result = stream->isBroken ? SW_ERROR_FORMAT : readViews(world, stream, &rewind);
+    rewind.zones = stream->at;
+    result = result == SW_SUCCESS ? findZones(world, stream) : result;
     bool isFine = stream->at == stream->size && swIsWithinLimits(&world->waves, rewind.systems);
     result = result == SW_SUCCESS && !isFine ? SW_ERROR_FORMAT : result;
     if (result == SW_SUCCESS)

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "core/world/world.h"
+#include "core/world/zone.h"
 
 void swSetFrameTime(swWorld* world, double time, double dt)
 {
@@ -25,9 +25,11 @@ void swStepWorldTo(swWorld* world, double time)
 {
     int64_t before = world->frame.ticks;
     swSetFrameTime(world, time, time - world->time);
-    swAdvanceWaves(&world->waves, world->frame.ticks);                 // changes that are over end
-    swDeriveWater(world);                                              // waves to tiles
-    swStepViews(world, swGetTicksBetween(before, world->frame.ticks)); // tiles to slices, then foam
+    int64_t elapsed = swGetTicksBetween(before, world->frame.ticks);
+    swAdvanceWaves(&world->waves, world->frame.ticks); // changes that are over end
+    swDeriveWater(world);                              // waves to tiles
+    swStepZones(world, elapsed);                       // simulated fields
+    swStepViews(world, elapsed);                       // tiles to slices, then foam
     world->waves.isChanged = false;
 }
 

@@ -1,51 +1,65 @@
 // SPDX-License-Identifier: MIT
+// What the def of a view is, by default and at most.
+
 #include <math.h>
 
 #include "core/base/host.h"
 #include "core/world/world.h"
 
-swViewDef swDefaultViewDef(void)
+#define SW_DEF swViewDef
+static const swField viewFields[] = {
+    SW_NUMBER(sliceCount, "", SW_WITHIN(2.0, SW_MAX_SLICES), 7.0, .key = "slice_count", .label = "slices",
+              SW_KNOB(2.0, SW_MAX_SLICES), .use = SW_USE_STATE),
+    SW_NUMBER(resolution, "", SW_WITHIN(64.0, 1024.0), 384.0, .key = "resolution", .label = "resolution",
+              .tip = "Texels along a slice's side, a multiple of 64", SW_KNOB(64.0, 1024.0), .use = SW_USE_STATE),
+    SW_NUMBER(finestTexel, "m", SW_WITHIN(0.015625, 16.0), 0.0625, .key = "finest_texel_m", .label = "finest texel",
+              .tip = "Of the finest slice near the water, a power of two", SW_LOG_KNOB(0.015625, 16.0),
+              .use = SW_USE_STATE),
+    SW_NUMBER(maxScaleLevel, "", SW_WITHIN(0.0, 16.0), 10.0, .key = "max_scale_level", .label = "doublings",
+              .tip = "How many times slices may double with height", SW_KNOB(0.0, 16.0), .use = SW_USE_STATE),
+    SW_SWITCH(enableCpuLayers, false, .key = NULL, .label = "CPU layers",
+              .tip = "Compute the slices' layers on the CPU too", .use = SW_USE_STATE),
+};
+#undef SW_DEF
+
+const swFields swViewFields = SW_FIELDS(swViewDef, "view", "slices", viewFields, -1);
+
+const swFields* swGetViewFields(void)
 {
-    return (swViewDef){
-        .sliceCount = 7,
-        .resolution = 384,
-        .finestTexel = 1.0f / 16.0f,
-        .maxScaleLevel = 10,
-        .internalValue = SW_DEF_COOKIE,
-    };
+    return &swViewFields;
 }
 
-static bool isPowerOfTwoTexel(float texel)
+swViewDef swDefaultViewDef(void)
 {
-    int exponent;
-    return texel >= 1.0f / 64.0f && texel <= 16.0f && frexpf(texel, &exponent) == 0.5f;
+    swViewDef def;
+    swFillDef(&swViewFields, &def);
+    return def;
 }
+
+// ---- what the table cannot say ----
 
 swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQueries)
 {
-    if (def->sliceCount < 2 || def->sliceCount > SW_MAX_SLICES)
+    swResult result = swCheckDef(host, &swViewFields, def);
+    if (result != SW_SUCCESS)
     {
-        return swFail(host, SW_ERROR_INVALID, "a view's slice count is %d; it must be in [2, %d]", def->sliceCount,
-                      SW_MAX_SLICES);
+        return result;
     }
-    if (def->resolution < 64 || def->resolution > 1024 || def->resolution % 64 != 0)
+    if (def->resolution % 64 != 0)
     {
-        return swFail(host, SW_ERROR_INVALID, "a view's resolution is %d; it must be a multiple of 64 in [64, 1024]",
+        return swFail(host, SW_ERROR_INVALID, "swViewDef::resolution is %d; it must be a multiple of 64.",
                       def->resolution);
     }
-    if (!isPowerOfTwoTexel(def->finestTexel))
+    int exponent;
+    if (frexpf(def->finestTexel, &exponent) != 0.5f)
     {
-        return swFail(host, SW_ERROR_INVALID, "a view's finest texel is %g m; it must be a power of two in [1/64, 16]",
+        return swFail(host, SW_ERROR_INVALID, "swViewDef::finestTexel is %g m; it must be a power of two.",
                       (double)def->finestTexel);
-    }
-    if (def->maxScaleLevel < 0 || def->maxScaleLevel > 16)
-    {
-        return swFail(host, SW_ERROR_INVALID, "a view's highest scale level is %d; it must be in [0, 16]",
-                      def->maxScaleLevel);
     }
     if (def->enableCpuLayers && !hasQueries)
     {
-        return swFail(host, SW_ERROR_INVALID, "a view asks for CPU layers in a world made without queries");
+        return swFail(host, SW_ERROR_INVALID,
+                      "swViewDef::enableCpuLayers is true; that needs a world with swWorldDef::enableQueries.");
     }
     return SW_SUCCESS;
 }

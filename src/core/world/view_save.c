@@ -3,15 +3,6 @@
 
 #include <math.h>
 
-void swStreamViewDef(swStream* stream, swViewDef* def)
-{
-    swStreamI32(stream, &def->sliceCount);
-    swStreamI32(stream, &def->resolution);
-    swStreamF32(stream, &def->finestTexel);
-    swStreamI32(stream, &def->maxScaleLevel);
-    swStreamBool(stream, &def->enableCpuLayers);
-}
-
 static void streamPlace(swStream* stream, swPos* place)
 {
     swStreamF64(stream, &place->x);
@@ -59,7 +50,7 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
     swView* view = swIsReading(stream) ? NULL : world->views[index];
     swViewDef def = view != NULL ? view->def : swDefaultViewDef();
     swViewState state = view != NULL ? getViewState(view) : (swViewState){.isPlaced = false};
-    swStreamViewDef(stream, &def);
+    swStreamDef(stream, &swViewFields, &def);
     if (swIsReading(stream))
     {
         // Before memory for layers is asked for: what is saved of them must be there.

@@ -14,7 +14,6 @@ typedef struct swViewState
     int scaleLevel;
 } swViewState;
 
-void swStreamViewDef(swStream* stream, swViewDef* def);
 void swStreamViewState(swStream* stream, int maxScaleLevel, swViewState* state);
 void swSetViewState(swView* view, const swViewState* state);
 

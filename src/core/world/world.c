@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/world/world.h"
+#include "core/world/zone.h"
 
 #include "core/base/host.h"
 
@@ -21,14 +21,20 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
         .gravity = def->gravity,
         .foam = def->foam,
         .views = world->viewFrames,
+        .zones = world->zoneFrames,
     };
-    world->moment = (swMoment){&world->host, kernels, &world->frame, &world->origin};
+    world->moment =
+        (swMoment){.host = &world->host, .kernels = kernels, .frame = &world->frame, .origin = &world->origin};
     *worldOut = world;
     return SW_SUCCESS;
 }
 
 void swFreeWorld(swWorld* world)
 {
+    while (world->zoneCount > 0)
+    {
+        swRemoveZone(world->zones[world->zoneCount - 1]);
+    }
     while (world->viewCount > 0)
     {
         swRemoveView(world->views[world->viewCount - 1]);

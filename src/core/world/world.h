@@ -26,6 +26,8 @@ struct swView
     swLayerStack layers;
 };
 
+typedef struct swZone swZone; // zone.h
+
 struct swWorld
 {
     swHost host; // the caller's
@@ -45,6 +47,11 @@ struct swWorld
     uint32_t viewVersion; // grows with every view
     swViewFrame viewFrames[SW_MAX_VIEWS];
 
+    swZone* zones[SW_MAX_ZONES];
+    int zoneCount;
+    uint32_t zoneVersion; // grows with every zone
+    swZoneFrame zoneFrames[SW_MAX_ZONES];
+
     swFrame frame;
     swMoment moment; // of the frame
 };
@@ -56,8 +63,8 @@ swResult swCreateSystem(swWorld* world, const swWaveSystemDef* def, swId* id);
 void swDestroySystem(swWorld* world, swId id);
 
 // world_def.c and view_def.c: what defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise.
-swResult swCheckWorldDef(const swHost* host, const swWorldDef* def);
-bool swIsFoamValid(const swHost* host, const swFoamDef* foam);
+extern const swFields swWorldFields;
+extern const swFields swViewFields;
 swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQueries);
 
 // view.c
@@ -81,7 +88,6 @@ void swStepWorld(swWorld* world, double dt);
 void swStepWorldTo(swWorld* world, double time);
 
 // save.c
-void swStreamWorldDef(swStream* stream, swWorldDef* def);
 swResult swStreamState(swWorld* world, swStream* stream); // everything but the def
 swResult swRewindState(swWorld* world, swStream* stream); // the same, read into a world that has all of the waves
 

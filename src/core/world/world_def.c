@@ -1,79 +1,39 @@
 // SPDX-License-Identifier: MIT
-#include <math.h>
-
-#include "core/base/host.h"
+#include "core/base/field.h"
+#include "core/sim/foam.h"
 #include "core/world/world.h"
 
-swFoamDef swDefaultFoamDef(void)
+static const char* const isaWords[] = {"best", "scalar", "sse2", "avx2", "neon", NULL};
+
+#define SW_DEF swWorldDef
+static const swField worldFields[] = {
+    SW_NUMBER(gravity, "m/s^2", SW_ABOVE(0.0, 100.0), 9.81, .key = "gravity_mps2", .label = "gravity",
+              SW_KNOB(1.0, 25.0)),
+    SW_NUMBER(surfaceTension, "m^3/s^2", SW_WITHIN(0.0, 1e-3), 7.4e-5, .key = "surface_tension_m3ps2",
+              .label = "surface tension", .tip = "Over density; it makes ripples faster", SW_KNOB(0.0, 1e-3)),
+    SW_NUMBER(seaLevel, "m", SW_WITHIN(-1e6, 1e6), 0.0, .key = "sea_level_m", .label = "sea level",
+              SW_KNOB(-100.0, 100.0)),
+    SW_SWITCH(enableQueries, true, .key = NULL, .label = "queries", .tip = "Compute the surface on the CPU",
+              .use = SW_USE_STATE),
+    SW_SWITCH(enableVelocity, false, .key = NULL, .label = "velocities",
+              .tip = "Keep velocities of the surface, for fast queries", .use = SW_USE_STATE),
+    SW_SWITCH(enableAcceleration, false, .key = NULL, .label = "accelerations",
+              .tip = "Keep accelerations of the surface, for fast queries", .use = SW_USE_STATE),
+    SW_PART(foam, &swFoamFields, .key = "foam", .label = "foam"),
+    SW_CHOICE(isa, isaWords, isaWords, SW_ISA_BEST, .key = NULL, .label = "instruction set", .use = SW_USE_HERE),
+};
+#undef SW_DEF
+
+const swFields swWorldFields = SW_FIELDS(swWorldDef, "world", "world", worldFields, -1);
+
+const swFields* swGetWorldFields(void)
 {
-    return (swFoamDef){.fadeRate = 0.25f, .coverage = 1.0f, .internalValue = SW_DEF_COOKIE};
+    return &swWorldFields;
 }
 
 swWorldDef swDefaultWorldDef(void)
 {
-    return (swWorldDef){
-        .gravity = 9.81f,
-        .surfaceTension = 7.4e-5f,
-        .enableQueries = true,
-        .foam = swDefaultFoamDef(),
-        .isa = SW_ISA_BEST,
-        .internalValue = SW_DEF_COOKIE,
-    };
-}
-
-// Comparisons are written so that NaN fails them.
-static bool isWithin(float value, float least, float most)
-{
-    return value >= least && value <= most;
-}
-
-// A sentence goes to the log.
-bool swIsFoamValid(const swHost* host, const swFoamDef* foam)
-{
-    const struct
-    {
-        const char* name;
-        float value, least, most;
-    } fields[] = {
-        {"a fade rate", foam->fadeRate, 0.01f, 10.0f},   {"a coverage", foam->coverage, 0.0f, 100.0f},
-        {"a wind speed", foam->windSpeed, 0.0f, 100.0f}, {"a shortest wavelength", foam->minWavelength, 0.0f, 1024.0f},
-        {"a threshold", foam->threshold, -4.0f, 1.0f},
-    };
-    for (size_t i = 0; i < sizeof fields / sizeof fields[0]; ++i)
-    {
-        if (!isWithin(fields[i].value, fields[i].least, fields[i].most))
-        {
-            swFail(host, SW_ERROR_INVALID, "foam has %s of %g; it must be in [%g, %g]", fields[i].name,
-                   (double)fields[i].value, (double)fields[i].least, (double)fields[i].most);
-            return false;
-        }
-    }
-    return true;
-}
-
-swResult swCheckWorldDef(const swHost* host, const swWorldDef* def)
-{
-    if (!(def->gravity > 0.0f && def->gravity <= 100.0f))
-    {
-        return swFail(host, SW_ERROR_INVALID, "gravity is %g m/s^2; it must be above 0 and at most 100",
-                      (double)def->gravity);
-    }
-    if (!isWithin(def->surfaceTension, 0.0f, 1e-3f))
-    {
-        return swFail(host, SW_ERROR_INVALID, "surface tension is %g m^3/s^2; it must be in [0, 0.001]",
-                      (double)def->surfaceTension);
-    }
-    if (!(fabs(def->seaLevel) <= 1e6))
-    {
-        return swFail(host, SW_ERROR_INVALID, "sea level is %g m; it must be within 1000 km of 0", def->seaLevel);
-    }
-    if (!swIsFoamValid(host, &def->foam))
-    {
-        return SW_ERROR_INVALID;
-    }
-    if ((unsigned)def->isa >= SW_ISA_COUNT)
-    {
-        return swFail(host, SW_ERROR_INVALID, "instruction set %d does not exist", (int)def->isa);
-    }
-    return SW_SUCCESS;
+    swWorldDef def;
+    swFillDef(&swWorldFields, &def);
+    return def;
 }

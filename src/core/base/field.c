@@ -1,0 +1,524 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/field.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/misuse.h"
+#include "seaway/math.h"
+
+#define DEGREE (SW_PI / 180.0)
+#define FULL_TURN 360.0
+
+// ---- one number ----
+
+static size_t getPartSize(const swField* field)
+{
+    return field->size / (size_t)(field->count > 0 ? field->count : 1);
+}
+
+static bool isNumber(const swField* field)
+{
+    return field->type <= SW_FIELD_DOUBLES;
+}
+
+static bool isFloat(const swField* field)
+{
+    return field->type == SW_FIELD_FLOAT || field->type == SW_FIELD_FLOATS;
+}
+
+// SW_FIELD_INT and the like of a part of the field.
+static double getNumber(const swField* field, const void* def, int index)
+{
+    const char* at = (const char*)def + field->offset + (size_t)index * getPartSize(field);
+    union
+    {
+        bool flag;
+        int whole;
+        uint32_t word;
+        size_t size;
+        float single;
+        double number;
+    } value = {.number = 0.0};
+    memcpy(&value, at, getPartSize(field));
+    switch (field->type)
+    {
+    case SW_FIELD_BOOL:
+        return value.flag ? 1.0 : 0.0;
+    case SW_FIELD_INT:
+    case SW_FIELD_CHOICE:
+        return (double)value.whole;
+    case SW_FIELD_UINT:
+        return (double)value.word;
+    case SW_FIELD_SIZE:
+        return (double)value.size;
+    case SW_FIELD_FLOAT:
+    case SW_FIELD_FLOATS:
+        return (double)value.single;
+    default:
+        return value.number;
+    }
+}
+
+// A whole number that the member cannot hold is left alone.
+static void setNumber(const swField* field, void* def, int index, double value)
+{
+    char* at = (char*)def + field->offset + (size_t)index * getPartSize(field);
+    float single = (float)value;
+    bool flag = value != 0.0;
+    switch (field->type)
+    {
+    case SW_FIELD_BOOL:
+        memcpy(at, &flag, sizeof flag);
+        break;
+    case SW_FIELD_INT:
+    case SW_FIELD_CHOICE:
+        if (value >= (double)INT32_MIN && value <= (double)INT32_MAX)
+        {
+            int whole = (int)value;
+            memcpy(at, &whole, sizeof whole);
+        }
+        break;
+    case SW_FIELD_UINT:
+        if (value >= 0.0 && value <= (double)UINT32_MAX)
+        {
+            uint32_t word = (uint32_t)value;
+            memcpy(at, &word, sizeof word);
+        }
+        break;
+    case SW_FIELD_SIZE:
+        if (value >= 0.0 && value < 18446744073709551616.0)
+        {
+            size_t size = (size_t)value;
+            memcpy(at, &size, sizeof size);
+        }
+        break;
+    case SW_FIELD_FLOAT:
+    case SW_FIELD_FLOATS:
+        memcpy(at, &single, sizeof single);
+        break;
+    default:
+        memcpy(at, &value, sizeof value);
+        break;
+    }
+}
+
+bool swField_IsInRange(const swField* field, double value)
+{
+    SW_REQUIRE(field != NULL, false, NULL, "swField_IsInRange() needs a field");
+    if (field->hasOther && (value == field->other || (isnan(value) && isnan(field->other))))
+    {
+        return true;
+    }
+    // A limit such as 0.1 is meant as the float that is nearest to it.
+    double x = isFloat(field) ? (double)(float)value : value;
+    double low = isFloat(field) ? (double)(float)field->low : field->low;
+    double high = isFloat(field) ? (double)(float)field->high : field->high;
+    return (field->isLowOpen ? x > low : x >= low) && (field->isHighOpen ? x < high : x <= high); // false for NaN
+}
+
+double swField_GetNumber(const swField* field, const void* def, int index)
+{
+    SW_REQUIRE(field != NULL && def != NULL && isNumber(field) && index >= 0 && index < field->count, 0.0, NULL,
+               "swField_GetNumber() needs a field that is a number, a def and an index that it has");
+    return getNumber(field, def, index);
+}
+
+void swField_SetNumber(const swField* field, void* def, int index, double value)
+{
+    SW_REQUIRE_VOID(field != NULL && def != NULL && isNumber(field) && index >= 0 && index < field->count, NULL,
+                    "swField_SetNumber() needs a field that is a number, a def and an index that it has");
+    setNumber(field, def, index, value);
+}
+
+// ---- as people write it ----
+
+double swField_Show(const swField* field, double value)
+{
+    SW_REQUIRE(field != NULL, 0.0, NULL, "swField_Show() needs a field");
+    if (field->form != SW_FORM_DEGREES && field->form != SW_FORM_BEARING)
+    {
+        return value;
+    }
+    double degrees = value / DEGREE - (field->form == SW_FORM_BEARING ? 90.0 : 0.0);
+    return fabs(degrees) <= FULL_TURN ? degrees : fmod(degrees, FULL_TURN);
+}
+
+double swField_Read(const swField* field, double shown)
+{
+    SW_REQUIRE(field != NULL, 0.0, NULL, "swField_Read() needs a field");
+    switch (field->form)
+    {
+    case SW_FORM_DEGREES:
+        return shown * DEGREE;
+    case SW_FORM_BEARING:
+        return (shown + 90.0) * DEGREE; // SW_DIRECTION_FROM_BEARING()
+    default:
+        return shown;
+    }
+}
+
+void swField_GetShownRange(const swField* field, double* low, double* high)
+{
+    SW_REQUIRE_VOID(field != NULL && low != NULL && high != NULL, NULL,
+                    "swField_GetShownRange() needs a field and places for both ends");
+    *low = field->low;
+    *high = field->high;
+    if (field->form == SW_FORM_BEARING)
+    {
+        *low = -FULL_TURN;
+        *high = FULL_TURN;
+    }
+    else if (field->form == SW_FORM_DEGREES)
+    {
+        *low = fmax(field->low / DEGREE, -FULL_TURN);
+        *high = fmin(field->high / DEGREE, FULL_TURN);
+    }
+}
+
+// ---- a table ----
+
+bool swFields_Counts(const swFields* fields, const swField* field, const void* def)
+{
+    SW_REQUIRE(fields != NULL && field != NULL && def != NULL, false, NULL,
+               "swFields_Counts() needs a table, a field of it and a def");
+    if (fields->kind < 0 || field->kinds == 0)
+    {
+        return true;
+    }
+    double kind = getNumber(&fields->fields[fields->kind], def, 0);
+    return kind >= 0.0 && kind < 32.0 && (field->kinds >> (int)kind & 1) != 0;
+}
+
+const swField* swFields_Find(const swFields* fields, const char* member)
+{
+    SW_REQUIRE(fields != NULL && member != NULL, NULL, NULL, "swFields_Find() needs a table and the name of a member");
+    size_t length = strcspn(member, ".");
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        if (strlen(field->member) == length && memcmp(field->member, member, length) == 0)
+        {
+            bool isWhole = member[length] == '\0';
+            return isWhole ? field : field->fields != NULL ? swFields_Find(field->fields, member + length + 1) : NULL;
+        }
+    }
+    return NULL;
+}
+
+static int getCookie(const swFields* fields, const void* def)
+{
+    int cookie;
+    memcpy(&cookie, (const char*)def + fields->cookieOffset, sizeof cookie);
+    return cookie;
+}
+
+void swFillDef(const swFields* fields, void* def)
+{
+    memset(def, 0, fields->size);
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        for (int k = 0; k < field->count && isNumber(field); ++k)
+        {
+            setNumber(field, def, k, field->defaults[k]);
+        }
+        bool isDef = field->type == SW_FIELD_DEF || field->type == SW_FIELD_DEFS;
+        for (int k = 0; k < field->count && isDef; ++k)
+        {
+            swFillDef(field->fields, (char*)def + field->offset + (size_t)k * getPartSize(field));
+        }
+    }
+    if (fields->cookie != 0)
+    {
+        memcpy((char*)def + fields->cookieOffset, &fields->cookie, sizeof fields->cookie);
+    }
+}
+
+// ---- the check ----
+
+// What is wrong, and where: "swWaveSystemDef::", then "components[3].".
+typedef struct Complaint
+{
+    char place[160];
+    char* sentence;
+    size_t size;
+} Complaint;
+
+static bool complain(const Complaint* complaint, const char* format, ...) SW_PRINTF(2, 3);
+
+static bool complain(const Complaint* complaint, const char* format, ...)
+{
+    if (complaint->sentence != NULL && complaint->size > 0)
+    {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(complaint->sentence, complaint->size, format, arguments);
+        va_end(arguments);
+    }
+    return false;
+}
+
+static const char* nameUnit(const swField* field)
+{
+    return field->form == SW_FORM_DEGREES || field->form == SW_FORM_BEARING ? "rad" : field->unit;
+}
+
+static bool checkNumber(const Complaint* complaint, const swField* field, double value, int index)
+{
+    if (field->type == SW_FIELD_BOOL || swField_IsInRange(field, value))
+    {
+        return true;
+    }
+    static const char* const parts[] = {".x", ".y", ".z", ".w"};
+    const char* unit = nameUnit(field);
+    return complain(complaint, "%s%s%s is %.8g%s%s; its range is %s%.10g, %.10g%s.", complaint->place, field->member,
+                    field->count > 1 && index < 4 ? parts[index] : "", value, unit[0] != '\0' ? " " : "", unit,
+                    field->isLowOpen ? "(" : "[", field->low, field->high, field->isHighOpen ? ")" : "]");
+}
+
+static bool checkFields(const Complaint* complaint, const swFields* fields, const void* def);
+
+// The struct at `part` of a field; `index` is -1 of one that stands alone.
+static bool checkPart(const Complaint* complaint, const swField* field, const void* part, int index)
+{
+    Complaint inner = *complaint;
+    char number[16] = "";
+    if (index >= 0)
+    {
+        snprintf(number, sizeof number, "[%d]", index);
+    }
+    snprintf(inner.place, sizeof inner.place, "%.90s%.40s%s.", complaint->place, field->member, number);
+    const swFields* fields = field->fields;
+    if (fields->cookie != 0 && getCookie(fields, part) != fields->cookie)
+    {
+        return complain(complaint, "%s%s%s was not made by swDefault%s().", complaint->place, field->member, number,
+                        fields->name + 2);
+    }
+    return checkFields(&inner, fields, part);
+}
+
+static bool checkList(const Complaint* complaint, const swField* field, const void* def)
+{
+    int count;
+    const char* items;
+    memcpy(&count, (const char*)def + field->countOffset, sizeof count);
+    memcpy(&items, (const char*)def + field->offset, sizeof items);
+    if (count < 0 || count > field->count || (count > 0 && items == NULL))
+    {
+        return complain(complaint, "%s%s are %d at %s; their range is [0, %d].", complaint->place, field->member, count,
+                        items == NULL ? "NULL" : "an address", field->count);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        if (!checkPart(complaint, field, items + (size_t)i * field->fields->size, i))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool checkField(const Complaint* complaint, const swField* field, const void* def)
+{
+    bool isFine = field->type != SW_FIELD_LIST || checkList(complaint, field, def);
+    for (int i = 0; i < field->count && isFine && field->type <= SW_FIELD_DEFS; ++i)
+    {
+        const char* part = (const char*)def + field->offset + (size_t)i * getPartSize(field);
+        isFine = isNumber(field)                ? checkNumber(complaint, field, getNumber(field, def, i), i)
+                 : field->type == SW_FIELD_TEXT ? true
+                                                : checkPart(complaint, field, part, field->count > 1 ? i : -1);
+    }
+    return isFine;
+}
+
+// The kind first: whether the others count hangs on it.
+static bool checkFields(const Complaint* complaint, const swFields* fields, const void* def)
+{
+    if (fields->kind >= 0 && !checkField(complaint, &fields->fields[fields->kind], def))
+    {
+        return false;
+    }
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        if (swFields_Counts(fields, field, def) && !checkField(complaint, field, def))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool swFields_Check(const swFields* fields, const void* def, char* sentence, size_t size)
+{
+    SW_REQUIRE(fields != NULL && def != NULL, false, NULL, "swFields_Check() needs a table and a def");
+    Complaint complaint = {.sentence = sentence, .size = size};
+    snprintf(complaint.place, sizeof complaint.place, "%.90s::", fields->name);
+    if (fields->cookie != 0 && getCookie(fields, def) != fields->cookie)
+    {
+        return complain(&complaint, "The %s was not made by swDefault%s().", fields->name, fields->name + 2);
+    }
+    return checkFields(&complaint, fields, def);
+}
+
+swResult swCheckDef(const swHost* host, const swFields* fields, const void* def)
+{
+    char sentence[320];
+    bool isFine = swFields_Check(fields, def, sentence, sizeof sentence);
+    return isFine ? SW_SUCCESS : swFail(host, SW_ERROR_INVALID, "%s", sentence);
+}
+
+// ---- equality ----
+
+static bool isSameList(const swField* field, const void* a, const void* b)
+{
+    int counts[2];
+    const char* items[2];
+    const void* defs[2] = {a, b};
+    for (int i = 0; i < 2; ++i)
+    {
+        memcpy(&counts[i], (const char*)defs[i] + field->countOffset, sizeof counts[i]);
+        memcpy(&items[i], (const char*)defs[i] + field->offset, sizeof items[i]);
+    }
+    bool isSame = counts[0] == counts[1];
+    for (int i = 0; i < counts[0] && isSame; ++i)
+    {
+        size_t at = (size_t)i * field->fields->size;
+        isSame = swIsSameDef(field->fields, items[0] + at, items[1] + at);
+    }
+    return isSame;
+}
+
+static bool isSameField(const swField* field, const void* a, const void* b)
+{
+    const char* x = (const char*)a + field->offset;
+    const char* y = (const char*)b + field->offset;
+    switch (field->type)
+    {
+    case SW_FIELD_TEXT:
+        return strncmp(x, y, field->size) == 0;
+    case SW_FIELD_GIVEN:
+        return true;
+    case SW_FIELD_LIST:
+        return isSameList(field, a, b);
+    default:
+        break;
+    }
+    for (int i = 0; i < field->count; ++i)
+    {
+        size_t at = (size_t)i * getPartSize(field);
+        double u = isNumber(field) ? getNumber(field, a, i) : 0.0;
+        double v = isNumber(field) ? getNumber(field, b, i) : 0.0;
+        bool isSame = isNumber(field) ? u == v || (isnan(u) && isnan(v)) : swIsSameDef(field->fields, x + at, y + at);
+        if (!isSame)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Of defs of different kinds the kind itself tells.
+bool swIsSameDef(const swFields* fields, const void* a, const void* b)
+{
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        if (swFields_Counts(fields, field, a) && !isSameField(field, a, b))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool swFields_AreEqual(const swFields* fields, const void* a, const void* b)
+{
+    SW_REQUIRE(fields != NULL && a != NULL && b != NULL, false, NULL, "swFields_AreEqual() needs a table and two defs");
+    return swIsSameDef(fields, a, b);
+}
+
+// ---- bytes and digests ----
+
+static void streamNumber(swStream* stream, const swField* field, void* def, int index)
+{
+    char* at = (char*)def + field->offset + (size_t)index * getPartSize(field);
+    switch (field->type)
+    {
+    case SW_FIELD_BOOL:
+        swStreamBool(stream, (bool*)(void*)at);
+        break;
+    case SW_FIELD_CHOICE:
+        swStreamRange(stream, (int*)(void*)at, 0, (int)field->high);
+        break;
+    case SW_FIELD_INT:
+        swStreamI32(stream, (int*)(void*)at);
+        break;
+    case SW_FIELD_UINT:
+        swStreamU32(stream, (uint32_t*)(void*)at);
+        break;
+    case SW_FIELD_SIZE:
+    {
+        size_t size;
+        memcpy(&size, at, sizeof size);
+        uint64_t word = size;
+        swStreamU64(stream, &word);
+        if (swIsReading(stream))
+        {
+            size = (size_t)word;
+            memcpy(at, &size, sizeof size);
+        }
+        break;
+    }
+    case SW_FIELD_FLOAT:
+    case SW_FIELD_FLOATS:
+        swStreamF32(stream, (float*)(void*)at);
+        break;
+    default:
+        swStreamF64(stream, (double*)(void*)at);
+        break;
+    }
+}
+
+void swStreamDef(swStream* stream, const swFields* fields, void* def)
+{
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        bool isDef = field->type == SW_FIELD_DEF || field->type == SW_FIELD_DEFS;
+        for (int k = 0; k < field->count && field->use != SW_USE_HERE; ++k)
+        {
+            if (isNumber(field))
+            {
+                streamNumber(stream, field, def, k);
+            }
+            else if (isDef)
+            {
+                swStreamDef(stream, field->fields, (char*)def + field->offset + (size_t)k * getPartSize(field));
+            }
+        }
+    }
+}
+
+void swHashDef(swHash* hash, const swFields* fields, const void* def)
+{
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        bool isDef = field->type == SW_FIELD_DEF || field->type == SW_FIELD_DEFS;
+        for (int k = 0; k < field->count && field->use == SW_USE_SEA; ++k)
+        {
+            if (isNumber(field))
+            {
+                swAddHashDouble(hash, getNumber(field, def, k));
+            }
+            else if (isDef)
+            {
+                swHashDef(hash, field->fields, (const char*)def + field->offset + (size_t)k * getPartSize(field));
+            }
+        }
+    }
+}
