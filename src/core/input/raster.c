@@ -24,8 +24,8 @@ static swResult checkShape(const swHost* host, const swRasterDef* def, const cha
     double east = def->x + def->spacingX * def->width, south = def->z + def->spacingZ * def->height;
     if (east > FARTHEST || south > FARTHEST)
     {
-        return swFail(host, SW_ERROR_INVALID, "%s reaches to (%g, %g) m; a raster lies within %g m of the origin.", name,
-                      east, south, FARTHEST);
+        return swFail(host, SW_ERROR_INVALID, "%s reaches to (%g, %g) m; a raster lies within %g m of the origin.",
+                      name, east, south, FARTHEST);
     }
     return SW_SUCCESS;
 }
