@@ -28,6 +28,7 @@ typedef struct swQuery
     int tileCount;
     const swTile* tiles; // of the frame; see swIsTileAsked()
     float sideways;      // root mean square of the particles' horizontal displacement, m
+    float longestFelt;   // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
 } swQuery;
 
 // Whether a tile of the query's has waves of at least the shortest length that was asked for.

@@ -3,7 +3,7 @@
 #include "core/sim/foam.h"
 #include "core/world/world.h"
 
-static const char* const isaWords[] = {"best", "scalar", "sse2", "avx2", "neon", NULL};
+static const char* const isaWords[] = {"best", "scalar", "sse2", "avx2", "neon", "avx512", NULL};
 
 #define SW_DEF swWorldDef
 static const swField worldFields[] = {
