@@ -37,8 +37,9 @@ bench: build ## Measure: the core against FFTW, the queries, the GPU passes
 format: ## Lay out the code as .clang-format says
 	@scripts/format
 
-docs: build ## Write the pages of the verbs and of the truth tests, then check links and code in the docs
+docs: build ## Write the pages of the verbs, of scenes' keys and of the truth tests, then check links and code in the docs
 	@scripts/make_cli_docs $(SEAWAY) docs/cli.md
+	@scripts/make_scene_docs $(BUILD)
 	@scripts/make_validation $(BUILD) docs/validation.md
 	@python3 scripts/check_docs.py
 

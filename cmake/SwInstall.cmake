@@ -69,13 +69,21 @@ if(NOT SW_INSTALL)
 endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/seaway DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# GLSL for hosts' own shaders: the layers of a view, and what the water's own shaders are put together from.
+set(SW_SHADER_INSTALL_DIR ${CMAKE_INSTALL_DATADIR}/seaway/shaders)
+if(TARGET seaway_gpu)
+    foreach(folder IN ITEMS seaway shared lib)
+        install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/${folder} DESTINATION ${SW_SHADER_INSTALL_DIR})
+    endforeach()
+endif()
 if(BUILD_SHARED_LIBS)
     set(SW_IS_SHARED ON)
 else()
     set(SW_IS_SHARED OFF)
 endif()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/seaway-config.cmake.in
-    ${PROJECT_BINARY_DIR}/seaway-config.cmake INSTALL_DESTINATION ${SW_PACKAGE_DIR})
+    ${PROJECT_BINARY_DIR}/seaway-config.cmake INSTALL_DESTINATION ${SW_PACKAGE_DIR}
+    PATH_VARS SW_SHADER_INSTALL_DIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/seaway-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/seaway-config.cmake ${PROJECT_BINARY_DIR}/seaway-config-version.cmake
     DESTINATION ${SW_PACKAGE_DIR})
@@ -90,7 +98,8 @@ foreach(file IN ITEMS LICENSE CHANGELOG.md CONTRIBUTING.md README.md)
     install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.c")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.c"
+    PATTERN "*.comp")
 
 # The program writes its own man page, where it can be run and there is a shell.
 find_program(SW_BASH bash)

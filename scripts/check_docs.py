@@ -8,7 +8,6 @@
   verb     every `seaway VERB` in the docs is a verb of the program
   cite     every [Author Year] in the sources stands in docs/references.md
   target   every `make TARGET` in the docs is a target of the Makefile
-  range    the ranges in docs/scenes.md are those of the reader's tables; --fix writes them anew
   mistake  every code of src/scene/mistakes.inl stands in docs/scenes.md
 
 Usage: scripts/check_docs.py [--fix]
@@ -117,45 +116,9 @@ def check_cites(files):
                     report("cite", path, f"[{cite}] is not in docs/references.md")
 
 
-def read_ranges():
-    """Rows of a table: the section of a scene file, and its numbers with their ranges as the reader has them."""
-    names = {"waves": "`waves`", "sceneView": "`views`", "scene": "top", "component": "`components`",
-             "octave": "`octaves`", "replay": "`replay`"}
-    values = {"FAR": "1e9", "SW_YAML_LARGEST_TIME": "2.7e11"}
-    values["SW_MAX_SLICES"] = re.search(r"SW_MAX_SLICES (\d+)", read("include/seaway/view.h")).group(1)
-    rows = []
-    for path in ("scene_read.c", "scene_components.c", "scene_octaves.c", "scene_measured.c"):
-        for table, body in re.findall(r"static const swYamlField (\w+)Fields\[\w*\] = \{\n(.*?)\n\};",
-                                      read("src/scene/" + path), re.S):
-            items = []
-            for key, low, high in re.findall(r'\.key = "(\w+)",[^}]*?\.low = (-?[\w.+-]+?),\s*\.high = (-?[\w.+-]+)', body):
-                ends = []
-                for end in (low, high):
-                    sign = "-" if end.startswith("-") else ""
-                    number = float(sign + values.get(end.lstrip("-"), end.lstrip("-")))
-                    short = f"{number:.2g}".replace("e+0", "e").replace("e+", "e")
-                    ends.append((short if float(short) == number and abs(number) > 1e4 else f"{number:.10g}").replace("-", "−"))
-                items.append(f"`{key}` {ends[0]} to {ends[1]}")
-            if items:
-                rows.append((names.get(table, f"`{table}`"), ", ".join(items)))
-    order = {"top": 0, "`views`": 9}
-    return sorted(rows, key=lambda row: order.get(row[0], 5))
-
-
-def check_ranges(fix):
+def check_mistakes():
     page = "docs/scenes.md"
     text = read(page)
-    table = "| Where | Ranges, both ends included |\n| --- | --- |\n"
-    table += "".join(f"| {where} | {items} |\n" for where, items in read_ranges())
-    match = re.search(r"<!-- ranges -->\n\n((?:\|.*\n)*)", text)
-    if match is None:
-        report("range", page, "there is no table after <!-- ranges -->")
-    elif match.group(1) != table:
-        if fix:
-            with open(os.path.join(ROOT, page), "w", encoding="utf-8") as file:
-                file.write(text[:match.start(1)] + table + text[match.end(1):])
-        else:
-            report("range", page, "the table differs from the reader's; scripts/check_docs.py --fix")
     for code in re.findall(r'SW_MISTAKE\(\w+, "(\w+)"\)', read("src/scene/mistakes.inl")):
         if f"`{code}`" not in text:
             report("mistake", page, f"the code '{code}' is not explained")
@@ -173,7 +136,7 @@ def main():
         check_verbs(path, text, verbs)
         check_targets(path, text, targets)
     check_cites(files)
-    check_ranges(fix)
+    check_mistakes()
     for problem in problems:
         print(problem, file=sys.stderr)
     print(f"docs: {len(pages)} pages, {len(problems)} problems")

@@ -107,6 +107,8 @@ def may_include(root, path, target):
         return True
     if folder == "viewer" and re.fullmatch(r"\w+\.(vert|frag|comp)\.inc", target):
         return True  # SPIR-V of the build
+    if folder == "examples" and re.fullmatch(r"\w+\.comp\.inc", target):
+        return True  # likewise
     # The command line opens the viewer through the one header that the viewer shows; both write text to a terminal.
     if folder == "viewer" and target == "text.h":
         return True

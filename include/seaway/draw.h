@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "field.h"
 #include "gpu.h"
 
 /// @file
@@ -33,6 +34,7 @@ typedef struct swSkyDef
     int internalValue;
 } swSkyDef;
 SW_API swSkyDef swDefaultSkyDef(void);
+SW_API const swFields* swGetSkyFields(void);
 
 /// Look of the water. Must be initialized with swDefaultWaterDef().
 typedef struct swWaterDef
@@ -45,6 +47,7 @@ typedef struct swWaterDef
     int internalValue;
 } swWaterDef;
 SW_API swWaterDef swDefaultWaterDef(void);
+SW_API const swFields* swGetWaterFields(void);
 
 typedef enum swDebugMode
 {

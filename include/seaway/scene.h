@@ -2,6 +2,7 @@
 #pragma once
 
 #include "draw.h"
+#include "field.h"
 #include "seaway.h"
 
 /// @file
@@ -21,7 +22,11 @@ typedef struct swSceneView
     bool hasSun;        ///< this view has a sun of its own, instead of the scene's
     float sunAzimuth;   ///< radians clockwise from north
     float sunElevation; ///< radians
+    int item;           ///< which of the file's views it is, from 1 on; 0: the file has it not yet
 } swSceneView;
+
+/// Twenty metres above the water, northward.
+SW_API swSceneView swDefaultSceneView(void);
 
 /// One wave system of a scene; it owns what was measured or given by hand.
 typedef struct swSceneWaves
@@ -35,9 +40,14 @@ typedef struct swSceneWaves
     char file[512];          ///< the spectrum file, the first of several, or empty
     bool isReplay;           ///< the records play one after another
     swSeaReplayDef replay;   ///< how, if they do; but its waves are `def`
+    int item;                ///< which of the file's wave systems it is, from 1 on; 0: the file has it not yet
 } swSceneWaves;
 
-/// A scene file, read. Its wave systems point into it: do not copy it.
+/// The text that a scene was read from.
+typedef struct swSceneSource swSceneSource;
+
+/// A scene file, read. Its wave systems point into it: do not copy it. Its values may be changed, and written back to
+/// the file with swWriteScene().
 typedef struct swScene
 {
     char name[128];
@@ -51,8 +61,17 @@ typedef struct swScene
     swSceneWaves waves[SW_MAX_WAVE_SYSTEMS];
     int viewCount;
     swSceneView views[SW_MAX_SCENE_VIEWS];
-    swHost host; ///< who gave the memory
+    swHost host;           ///< who gave the memory
+    swSceneSource* source; ///< what it was read from
 } swScene;
+
+/// Tables of a scene's own values and of a view's, see field.h. The other values are those of their defs.
+SW_API const swFields* swGetSceneFields(void);
+SW_API const swFields* swGetSceneViewFields(void);
+
+/// A scene with nothing but defaults, no waves and no views, to be filled and written.
+/// @return SW_ERROR_NO_MEMORY
+SW_API swResult swCreateScene(const swHost* host, swScene** scene);
 
 /// Read a scene file. Relative paths in it are relative to the file.
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_NO_MEMORY
@@ -64,6 +83,50 @@ SW_API swResult swReadSceneText(const swHost* host, const char* text, size_t siz
 
 /// NULL is allowed.
 SW_API void swDestroyScene(swScene* scene);
+
+/// @name Changing a scene
+/// Plain values are changed where they stand: scene->sky.haze, scene->waves[i].def.chop, scene->waves[i].record,
+/// scene->views[i].pitch. What comes and goes has functions. The scene's seas, if there are any, do not follow; do not
+/// remove waves that a swSceneSea replays.
+/// @{
+
+/// Add a wave system behind the others: a formula, an equaliser, or waves given by hand, which are copied. A table is
+/// no part of scene files: name the file that holds it in the scene.
+/// @return SW_ERROR_INVALID if the def is outside its ranges, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT
+SW_API swResult swScene_AddWaves(swScene* scene, const swWaveSystemDef* def);
+
+/// Let a wave system be of another def. Waves given by hand are copied; a measured sea stays as it is.
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY
+SW_API swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDef* def);
+
+/// Remove a wave system; those behind it move up.
+SW_API void swScene_RemoveWaves(swScene* scene, int index);
+
+/// Add a viewpoint behind the others; it needs a name that no other has.
+/// @return SW_ERROR_INVALID, SW_ERROR_LIMIT
+SW_API swResult swScene_AddView(swScene* scene, const swSceneView* view);
+
+/// Remove a viewpoint; those behind it move up.
+SW_API void swScene_RemoveView(swScene* scene, int index);
+
+/// @}
+
+/// The scene as the text of a scene file: the text that it was read from, in which only what was changed since is
+/// changed. Comments, order, quotes and line ends stay. A value that a key of the file tells is written there; others
+/// come behind those that stand there, and only where they differ from the default. The text is read again to see that
+/// it says the same.
+/// @param text room for `*size` bytes; NULL to ask for the size. No zero is added
+/// @param size in: bytes of room; out: bytes needed
+/// @return SW_ERROR_LIMIT if there is too little room; SW_ERROR_FORMAT, with line and remedy in the host's log, if the
+/// text cannot be changed so: values that & and * share between two places, items in another order; SW_ERROR_INVALID if
+/// a value is outside its range; SW_ERROR_NO_MEMORY
+SW_API swResult swPrintScene(const swScene* scene, char* text, size_t* size);
+
+/// Write the scene to a file as swPrintScene() has it, and go on from there: the scene counts as read from that text.
+/// The file is replaced when all of the new one is on the disk, so that nothing is lost if it fails. A scene that was
+/// read from this file is refused if the file has changed since.
+/// @return what swPrintScene() returns, and SW_ERROR_FILE
+SW_API swResult swWriteScene(swScene* scene, const char* path);
 
 /// View by name; NULL name: the first. NULL if there is none.
 SW_API const swSceneView* swScene_FindView(const swScene* scene, const char* name);

@@ -2,6 +2,9 @@
 // Air: Rayleigh and Mie scattering and ozone around a spherical earth, after [Bruneton 2008] and [Hillaire 2020].
 // Kilometres from the earth's centre; mu is the cosine of the angle to the zenith. Coefficients are per kilometre at
 // 680, 550 and 440 nm and stand for the three linear sRGB primaries.
+#ifndef SW_LIB_ATMOSPHERE
+#define SW_LIB_ATMOSPHERE
+#include "shared/picture.h"
 
 const float earthBottom = 6360.0;
 const float earthTop = 6460.0;
@@ -198,3 +201,14 @@ vec2 airUv(vec3 direction, vec3 sun, float distanceKm, float cameraHeightKm)
     float size = float(SW_SKY_AIR_SIDE);
     return (vec2(angle, x) * (size - 1.0) + 0.5) / size;
 }
+
+// What is seen of `radiance` at the end of a line of sight over `distanceKm`, through the table of the air.
+vec3 behindAir(sampler2DArray air, vec3 radiance, vec3 direction, vec3 sun, float distanceKm, float cameraHeightKm)
+{
+    vec2 uv = airUv(direction, sun, distanceKm, cameraHeightKm);
+    vec3 added =
+        withHaze(textureLod(air, vec3(uv, 0.0), 0.0).rgb, textureLod(air, vec3(uv, 2.0), 0.0).rgb, direction, sun);
+    vec3 passed = textureLod(air, vec3(uv, 1.0), 0.0).rgb;
+    return radiance * passed + added;
+}
+#endif

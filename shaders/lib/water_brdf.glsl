@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Reflection by a rough sea: a normal distribution of slopes around a mean, as [Ross 2005] and [Bruneton 2010].
 // Slopes are dh/dx and dh/dz; a facet of slope s has the normal (-s.x, 1, -s.y) normalised. The two axes have variances
-// of their own and no correlation. Needs shared/fresnel.h.
+// of their own and no correlation.
+#ifndef SW_LIB_WATER_BRDF
+#define SW_LIB_WATER_BRDF
+#include "shared/fresnel.h"
 
 vec3 facetNormal(vec2 slope)
 {
@@ -41,3 +44,4 @@ float sunGlitter(vec3 view, vec3 sun, vec2 slope, vec2 variance, float area, flo
     float h2 = h.y * h.y;
     return swFresnel(dot(view, h), index) * density * min(lit, 1.0) / (4.0 * h2 * h2 * area);
 }
+#endif

@@ -25,40 +25,51 @@
 
 SW_PARAMS(swPictureParams)
 {
-    sw_vec4 clip[4];    // columns: metres from the camera to clip space
-    sw_vec4 rayX;       // xyz: world direction that one unit of clip x adds to a ray; w: output width
-    sw_vec4 rayY;       // the same for y; w: output height
-    sw_vec4 forward;    // xyz: where the camera looks; w: metres that a pixel covers at distance 1
-    sw_vec4 sun;        // xyz: towards the sun; w: cosine of its angular radius
-    sw_vec4 sunLight;   // rgb: illuminance above the atmosphere, pre-exposed lux; w: haze
-    sw_vec4 absorption; // 1/m; w: refractive index
-    sw_vec4 scattering; // 1/m; w: deviation of height, m
-    sw_vec4 foamAlbedo; // w: cloud cover
+    sw_vec4 clip[4]; // columns: metres from the camera to clip space
 
+    sw_vec3 rayX;       // world direction that one unit of clip x adds to a ray
+    float pixel;        // m that a pixel covers at distance 1
+    sw_vec3 rayY;       // the same for y
     float cameraHeight; // above sea level, m
+    sw_vec3 forward;    // where the camera looks
     float seaY;         // sea level from the camera, m
-    float anchorX;      // the mesh's anchor from the camera, m
-    float anchorZ;
 
+    sw_vec3 sun;      // towards the sun
+    float haze;       // aerosol relative to clear air
+    sw_vec3 sunLight; // illuminance above the atmosphere, pre-exposed lux
+    float clouds;     // cover, [0, 1]
+
+    sw_vec3 absorption; // 1/m
+    float index;        // of refraction
+    sw_vec3 scattering; // 1/m
+    float deviation;    // of the sea's height, m
+    sw_vec3 foamAlbedo;
+    float foamAtRest; // beyond the slices
+
+    float anchorX; // the mesh's anchor from the camera, m
+    float anchorZ;
     float viewX; // the viewer, finest steps from the anchor
     float viewZ;
+
     float step; // of the finest ring, m
     float fade;
-
     float quads; // d of mesh_rings
     float flatDistance;
+
     float earthRadius;  // m
     float horizonScale; // log2 of the horizon strip's outer over its inner edge
-
     sw_uint ringCount;
     sw_uint tileCount; // of the mesh
+
     sw_uint tileSide;
     sw_uint resolution; // texels along a slice
+    sw_uint bandCount;  // tiles of waves
+    sw_uint waveCount;  // free waves
 
-    sw_uint bandCount;      // tiles of waves
     sw_uint debugMode;      // swDebugMode
     float finestWavelength; // shortest wave that slice 0 carries, m; doubles with each slice
     float rippleVariance;   // slope variance of each axis that no band holds
+    float slopeVariance;    // of each axis, all waves
 
     float horizontalReach; // most that a vertex is displaced, m: bounds for culling
     float verticalReach;
@@ -70,15 +81,19 @@ SW_PARAMS(swPictureParams)
     float cloudX; // where the camera is in the clouds, with their drift, km
     float cloudZ;
 
-    float slopeVariance; // of each axis, all waves
-    float foamAtRest;    // beyond the slices
-    sw_uint waveCount;   // free waves
-    float cloudWayX;     // 1 or -1: which way the clouds run there, see swMirrorClouds()
-
+    float cloudWayX; // 1 or -1: which way the clouds run there, see swMirrorClouds()
     float cloudWayZ;
-    float unused0, unused1, unused2;
+    float unused0, unused1;
 };
-SW_PARAMS_SIZE(swPictureParams, 336);
+SW_PARAMS_SIZE(swPictureParams, 320);
+SW_PARAMS_VEC3(swPictureParams, rayX);
+SW_PARAMS_VEC3(swPictureParams, rayY);
+SW_PARAMS_VEC3(swPictureParams, forward);
+SW_PARAMS_VEC3(swPictureParams, sun);
+SW_PARAMS_VEC3(swPictureParams, sunLight);
+SW_PARAMS_VEC3(swPictureParams, absorption);
+SW_PARAMS_VEC3(swPictureParams, scattering);
+SW_PARAMS_VEC3(swPictureParams, foamAlbedo);
 
 // The clouds' noise has no period of its own, and floats hold a metre of it within SW_CLOUD_EDGE of its middle, km.
 // Beyond its edges it goes on as in a mirror, without a jump, and so repeats after four times as much.

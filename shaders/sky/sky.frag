@@ -27,9 +27,9 @@ vec3 sunDisc(vec3 direction, float radius, vec3 sky)
 {
     const vec3 limbPower = vec3(0.397, 0.503, 0.652);
     const float sunAngle = 0.004654;
-    float angle = acos(clamp(dot(direction, picture.sun.xyz), -1.0, 1.0));
+    float angle = acos(clamp(dot(direction, picture.sun), -1.0, 1.0));
     // At least a pixel wide at its edge, so that it does not shimmer.
-    float edge = clamp((sunAngle - angle) / max(picture.forward.w, 1e-5) + 0.5, 0.0, 1.0);
+    float edge = clamp((sunAngle - angle) / max(picture.pixel, 1e-5) + 0.5, 0.0, 1.0);
     if (edge <= 0.0)
     {
         return vec3(0.0);
@@ -38,23 +38,22 @@ vec3 sunDisc(vec3 direction, float radius, vec3 sky)
     vec3 limb = pow(vec3(max(1.0 - x * x, 1e-3)), 0.5 * limbPower);
     vec3 mean = 2.0 / (limbPower + 2.0);
     vec3 through = textureLod(transmittance, transmittanceUv(radius, direction.y), 0.0).rgb;
-    vec3 radiance = picture.sunLight.rgb / (pi * sunAngle * sunAngle) * limb / mean * through;
+    vec3 radiance = picture.sunLight / (pi * sunAngle * sunAngle) * limb / mean * through;
     vec3 rim = 2.0 * sky * (edge / max(1.0 - edge, 1e-6));
     return min(min(edge * radiance, rim), vec3(60000.0));
 }
 
 void main()
 {
-    vec3 direction = normalize(picture.forward.xyz + clip.x * picture.rayX.xyz + clip.y * picture.rayY.xyz);
+    vec3 direction = normalize(picture.forward + clip.x * picture.rayX + clip.y * picture.rayY);
     float radius = earthBottom + max(picture.cameraHeight, 1.0) * 1e-3;
     float horizon = asin(horizonCosine(radius));
     vec2 uv = skyViewUv(direction, horizon);
     vec3 sky = withHaze(textureLod(skyView, vec3(uv, 0.0), 0.0).rgb, textureLod(skyView, vec3(uv, 2.0), 0.0).rgb,
-                        direction, picture.sun.xyz);
+                        direction, picture.sun);
     CloudOrigin clouds = CloudOrigin(vec2(picture.cloudX, picture.cloudZ), vec2(picture.cloudWayX, picture.cloudWayZ));
-    vec4 cover =
-        cloudsAlong(direction, radius, clouds, picture.sun.xyz, light, picture.foamAlbedo.w, picture.forward.w);
-    float above = smoothstep(horizon - 0.5 * picture.forward.w, horizon + 0.5 * picture.forward.w, asin(direction.y));
+    vec4 cover = cloudsAlong(direction, radius, clouds, picture.sun, light, picture.clouds, picture.pixel);
+    float above = smoothstep(horizon - 0.5 * picture.pixel, horizon + 0.5 * picture.pixel, asin(direction.y));
     sky += above * sunDisc(direction, radius, sky);
     color = vec4(sky * (1.0 - cover.a) + cover.rgb, 1.0);
 }

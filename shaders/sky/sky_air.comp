@@ -33,9 +33,8 @@ void main()
     vec2 level = vec2(cos(angle) * toSun.x - sin(angle) * toSun.y, sin(angle) * toSun.x + cos(angle) * toSun.y);
     vec3 direction = vec3(level * sqrt(max(1.0 - mu * mu, 0.0)), mu).xzy;
 
-    Scattered air =
-        scatteredLight(transmittance, multiple, radius, direction, picture.sun.xyz, distance, picture.sunLight.w, 20);
-    imageStore(target, ivec3(texel, 0), vec4(air.light * picture.sunLight.rgb, 1.0));
+    Scattered air = scatteredLight(transmittance, multiple, radius, direction, picture.sun, distance, picture.haze, 20);
+    imageStore(target, ivec3(texel, 0), vec4(air.light * picture.sunLight, 1.0));
     imageStore(target, ivec3(texel, 1), vec4(air.passed, 1.0));
-    imageStore(target, ivec3(texel, 2), vec4(air.haze * picture.sunLight.rgb, 1.0));
+    imageStore(target, ivec3(texel, 2), vec4(air.haze * picture.sunLight, 1.0));
 }

@@ -34,7 +34,7 @@ void main()
         vec3 direction = vec3(cos(angle) * level, sqrt(1.0 - s), sin(angle) * level);
         vec2 uv = skyViewUv(direction, 0.0);
         sum += withHaze(textureLod(skyView, vec3(uv, 1.0), 0.0).rgb, textureLod(skyView, vec3(uv, 3.0), 0.0).rgb,
-                        direction, picture.sun.xyz);
+                        direction, picture.sun);
     }
     sums[worker] = sum;
     barrier();
@@ -51,8 +51,8 @@ void main()
         float sunY = picture.sun.y;
         vec3 atSea = sunTransmittance(transmittance, earthBottom + 1e-3, sunY);
         vec3 atClouds = sunTransmittance(transmittance, earthBottom + 8.0, sunY);
-        light.sun = vec4(atSea * picture.sunLight.rgb, 1.0);
-        light.high = vec4(atClouds * picture.sunLight.rgb, 1.0);
+        light.sun = vec4(atSea * picture.sunLight, 1.0);
+        light.high = vec4(atClouds * picture.sunLight, 1.0);
         light.sky = vec4(sums[0] * (pi / float(rings * 64)), 1.0);
     }
 }

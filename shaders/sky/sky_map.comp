@@ -24,8 +24,8 @@ void main()
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
     vec3 direction = skyViewDirection(texel, 0.0);
     vec3 sky = withHaze(texelFetch(skyView, ivec3(texel, 1), 0).rgb, texelFetch(skyView, ivec3(texel, 3), 0).rgb,
-                        direction, picture.sun.xyz);
+                        direction, picture.sun);
     CloudOrigin clouds = CloudOrigin(vec2(picture.cloudX, picture.cloudZ), vec2(picture.cloudWayX, picture.cloudWayZ));
-    vec4 cover = cloudsAlong(direction, earthBottom + 1e-3, clouds, picture.sun.xyz, light, picture.foamAlbedo.w, 0.02);
+    vec4 cover = cloudsAlong(direction, earthBottom + 1e-3, clouds, picture.sun, light, picture.clouds, 0.02);
     imageStore(target, texel, vec4(sky * (1.0 - cover.a) + cover.rgb, 1.0));
 }

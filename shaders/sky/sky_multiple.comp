@@ -26,7 +26,7 @@ void integrateRay(float radius, vec3 direction, vec3 sun, inout vec3 second, ino
     {
         vec3 position = vec3(0.0, radius, 0.0) + direction * ((float(i) + 0.5) * stepLength);
         float r = sqrt(dot(position, position));
-        Air air = airAt(r, picture.sunLight.w);
+        Air air = airAt(r, picture.haze);
         vec3 scattering = air.rayleigh + air.mie;
         vec3 through = exp(-air.extinction * stepLength);
         vec3 part = passed * (1.0 - through) / max(air.extinction, vec3(1e-7));

@@ -26,7 +26,7 @@ void main()
     {
         float t = (float(i) + 0.5) * stepLength;
         float r = sqrt(radius * radius + t * t + 2.0 * radius * mu * t);
-        depth += airAt(r, picture.sunLight.w).extinction * stepLength;
+        depth += airAt(r, picture.haze).extinction * stepLength;
     }
     imageStore(target, texel, vec4(exp(-depth), 1.0));
 }

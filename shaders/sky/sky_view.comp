@@ -21,8 +21,8 @@ void main()
     float height = texel.z == 0 ? max(picture.cameraHeight, 1.0) * 1e-3 : 1e-3;
     float radius = earthBottom + height;
     vec3 direction = skyViewDirection(texel.xy, asin(horizonCosine(radius)));
-    Scattered air = scatteredLight(transmittance, multiple, radius, direction, picture.sun.xyz,
-                                   distanceToSphere(radius, direction.y, earthTop), picture.sunLight.w, 32);
-    imageStore(target, texel, vec4(air.light * picture.sunLight.rgb, 1.0));
-    imageStore(target, ivec3(texel.xy, texel.z + 2), vec4(air.haze * picture.sunLight.rgb, 1.0));
+    Scattered air = scatteredLight(transmittance, multiple, radius, direction, picture.sun,
+                                   distanceToSphere(radius, direction.y, earthTop), picture.haze, 32);
+    imageStore(target, texel, vec4(air.light * picture.sunLight, 1.0));
+    imageStore(target, ivec3(texel.xy, texel.z + 2), vec4(air.haze * picture.sunLight, 1.0));
 }

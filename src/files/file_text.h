@@ -3,6 +3,7 @@
 
 // Whole files into the host's memory.
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "seaway/base.h"
@@ -14,6 +15,7 @@ typedef struct swFileText
     char* data;
     size_t size;
     size_t capacity;
+    bool isPacked; // by gzip, in the file
 } swFileText;
 
 // Read a file, unpacking it if it is gzip, whatever its name. More than `limit` bytes are refused.
@@ -23,3 +25,8 @@ void swFreeText(const swHost* host, swFileText* text);
 
 // Whether there is a file that can be opened for reading.
 bool swHasFile(const char* path);
+
+// Write a whole file so that the one that is there stays whole whatever happens: into a new file beside it, which takes
+// its place once all of it is on the disk. Permissions stay; a link leads to the file that is replaced.
+// SW_ERROR_FILE and a sentence in the log if it cannot be written.
+swResult swWriteText(const swHost* host, const char* path, const char* text, size_t size);

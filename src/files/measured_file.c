@@ -319,7 +319,7 @@ static swResult readStart(const swHost* host, FileSet* set)
     {
         fclose(file);
     }
-    swFileText start = {bytes, count, 0};
+    swFileText start = {.data = bytes, .size = count};
     if (!isNetcdf(&start))
     {
         return swReadText(host, set->paths[ENERGY], MAX_FILE_SIZE, &set->texts[ENERGY]);

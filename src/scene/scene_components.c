@@ -5,49 +5,20 @@
 
 #include <string.h>
 
-enum
-{
-    WAVELENGTH,
-    AMPLITUDE,
-    DIRECTION,
-    PHASE
-};
-
-static const swYamlField componentFields[] = {
-    [WAVELENGTH] = {.key = "wavelength_m",
-                    .type = SW_YAML_FLOAT,
-                    .offset = offsetof(swWaveComponent, wavelength),
-                    .low = 0.0625,
-                    .high = 4096.0},
-    [AMPLITUDE] = {.key = "amplitude_m",
-                   .type = SW_YAML_FLOAT,
-                   .offset = offsetof(swWaveComponent, amplitude),
-                   .low = 0.0,
-                   .high = 40.0},
-    [DIRECTION] = {.key = "direction_from_deg",
-                   .type = SW_YAML_BEARING,
-                   .offset = offsetof(swWaveComponent, direction),
-                   .low = -360.0,
-                   .high = 360.0},
-    [PHASE] = {.key = "phase_deg",
-               .type = SW_YAML_DEGREES,
-               .offset = offsetof(swWaveComponent, phase),
-               .low = -360.0,
-               .high = 360.0},
-};
-
 static swResult readComponent(swYaml* yaml, yaml_node_t* node, swWaveComponent* component)
 {
-    swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "a component", componentFields, SW_YAML_COUNT(componentFields),
-                                        component, &nodes);
-    for (int i = WAVELENGTH; i <= DIRECTION && node->type == YAML_MAPPING_NODE; ++i)
+    static const char* const needed[] = {"wavelength_m", "amplitude_m", "direction_from_deg"};
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "a component");
+    swAddYamlFields(&mapping, swGetWaveComponentFields(), 0, "components");
+    swResult result = swReadYamlMapping(yaml, node, &mapping, component);
+    for (int i = 0; i < 3 && node->type == YAML_MAPPING_NODE; ++i)
     {
-        if (nodes.nodes[i] == NULL)
+        if (swGetYamlNode(&mapping, needed[i]) == NULL)
         {
             result = swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
                                 "the component has no %s; it needs wavelength_m, amplitude_m and direction_from_deg.",
-                                componentFields[i].key);
+                                needed[i]);
         }
     }
     return result;

@@ -14,35 +14,13 @@
 
 #define MAX_FILES 1024
 
-const char* const swDirectionWords[] = {"from", "to", NULL};
-
-enum
+swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text, yaml_node_t** from)
 {
-    FROM,
-    TIME,
-    SPEED
-};
-
-static const swYamlField replayFields[] = {
-    [FROM] = {.key = "from", .type = SW_YAML_TEXT, .offset = offsetof(swMeasuredText, from), .size = 32},
-    [TIME] = {.key = "time_s",
-              .type = SW_YAML_DOUBLE,
-              .offset = offsetof(swMeasuredText, replayTime),
-              .low = -SW_YAML_LARGEST_TIME,
-              .high = SW_YAML_LARGEST_TIME},
-    [SPEED] = {.key = "speed",
-               .type = SW_YAML_DOUBLE,
-               .offset = offsetof(swMeasuredText, replaySpeed),
-               .low = -1e6,
-               .high = 1e6},
-};
-
-swResult swReadReplay(swYaml* yaml, yaml_node_t* node, swMeasuredText* text)
-{
-    text->replaySpeed = 1.0;
-    swYamlNodes nodes;
-    swResult result = swReadYamlMapping(yaml, node, "replay", replayFields, SW_YAML_COUNT(replayFields), text, &nodes);
-    text->fromNode = nodes.nodes[FROM];
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "replay");
+    swAddYamlFields(&mapping, swGetMeasuredTextFields(), 0, "replay");
+    swResult result = swReadYamlMapping(yaml, node, &mapping, text);
+    *from = swGetYamlNode(&mapping, "from");
     return result;
 }
 
@@ -55,19 +33,19 @@ static bool joinPath(char* path, size_t size, const char* folder, const char* fi
     return (size_t)snprintf(path, size, "%s%s%s", isAlone ? "" : folder, isAlone ? "" : "/", file) < size;
 }
 
-static swResult readFile(swYaml* yaml, const swMeasuredText* text, const yaml_node_t* node, const char* file,
+static swResult readFile(swYaml* yaml, const swMeasuredKeys* keys, const yaml_node_t* node, const char* file,
                          swMeasuredSea** sea)
 {
     char path[SW_MAX_PATH];
-    if (!joinPath(path, sizeof(path), text->folder, file))
+    if (!joinPath(path, sizeof(path), keys->folder, file))
     {
         return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE,
                           "the path of %s has more than %d bytes; move the scene or the file.", file, SW_MAX_PATH - 1);
     }
     swMeasuredFileDef def = swDefaultMeasuredFileDef();
-    if (text->directionsNode != NULL)
+    if (keys->directions != NULL)
     {
-        def.directions = text->directions == 0 ? SW_DIRECTIONS_FROM : SW_DIRECTIONS_TO;
+        def.directions = keys->text->directions == 0 ? SW_DIRECTIONS_FROM : SW_DIRECTIONS_TO;
     }
     swResult result = swReadMeasuredFile(yaml->host, path, &def, sea);
     if (result == SW_ERROR_FILE || result == SW_ERROR_FORMAT)
@@ -91,41 +69,41 @@ static void listPlaces(const swMeasuredSea* sea, char* list, size_t size)
 }
 
 // The place nearest to the latitude and longitude that are asked for.
-static swResult chooseNearest(swYaml* yaml, const swMeasuredText* text, const swMeasuredSea* sea, int* location)
+static swResult chooseNearest(swYaml* yaml, const swMeasuredKeys* keys, const swMeasuredSea* sea, int* location)
 {
-    const yaml_node_t* node = text->latitudeNode != NULL ? text->latitudeNode : text->longitudeNode;
-    if (text->latitudeNode == NULL || text->longitudeNode == NULL)
+    const yaml_node_t* node = keys->latitude != NULL ? keys->latitude : keys->longitude;
+    if (keys->latitude == NULL || keys->longitude == NULL)
     {
         return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "latitude and longitude belong together; give both.");
     }
-    if (text->locationNode != NULL)
+    if (keys->location != NULL)
     {
         return swFailYaml(yaml, node, SW_MISTAKE_CONFLICT,
                           "location and latitude both choose a place; keep one of them.");
     }
-    swResult result = swMeasuredSea_ChooseNearest(sea, text->longitude, text->latitude, location, NULL);
+    swResult result = swMeasuredSea_ChooseNearest(sea, keys->text->longitude, keys->text->latitude, location, NULL);
     return result == SW_SUCCESS
                ? result
                : swFailYaml(yaml, node, SW_MISTAKE_NO_RECORD, "no place of the file is near latitude %g, longitude %g.",
-                            text->latitude, text->longitude);
+                            keys->text->latitude, keys->text->longitude);
 }
 
 // The place that is asked for; without one -1, if the waves may be of any.
-static swResult choosePlace(swYaml* yaml, const swMeasuredText* text, const yaml_node_t* fileNode,
+static swResult choosePlace(swYaml* yaml, const swMeasuredKeys* keys, const yaml_node_t* fileNode,
                             const swMeasuredSea* sea, bool needsOne, int* location)
 {
-    if (text->latitudeNode != NULL || text->longitudeNode != NULL)
+    if (keys->latitude != NULL || keys->longitude != NULL)
     {
-        return chooseNearest(yaml, text, sea, location);
+        return chooseNearest(yaml, keys, sea, location);
     }
     char places[400] = "";
     listPlaces(sea, places, sizeof(places));
-    *location = text->locationNode != NULL ? swFindMeasuredPlace(sea, text->location) : -1;
-    if (text->locationNode != NULL && *location < 0)
+    *location = keys->location != NULL ? swFindMeasuredPlace(sea, keys->text->location) : -1;
+    if (keys->location != NULL && *location < 0)
     {
-        return swFailYaml(yaml, text->locationNode, SW_MISTAKE_UNKNOWN_WORD,
+        return swFailYaml(yaml, keys->location, SW_MISTAKE_UNKNOWN_WORD,
                           "location is '%s'; it must be the name or number of a place of the file, which has: %s.",
-                          text->location, places);
+                          keys->text->location, places);
     }
     if (*location < 0 && needsOne)
     {
@@ -231,13 +209,13 @@ static swResult copyPlace(const swHost* host, const swMeasuredSea* sea, int loca
 }
 
 // Add a file's records of the place to the series, which is made with the first.
-static swResult addFile(swYaml* yaml, const swMeasuredText* text, const yaml_node_t* node, const char* file,
+static swResult addFile(swYaml* yaml, const swMeasuredKeys* keys, const yaml_node_t* node, const char* file,
                         swMeasuredSea** series)
 {
     swMeasuredSea* sea = NULL;
     int location = 0;
-    swResult result = readFile(yaml, text, node, file, &sea);
-    result = result == SW_SUCCESS ? choosePlace(yaml, text, node, sea, true, &location) : result;
+    swResult result = readFile(yaml, keys, node, file, &sea);
+    result = result == SW_SUCCESS ? choosePlace(yaml, keys, node, sea, true, &location) : result;
     if (result == SW_SUCCESS && *series == NULL)
     {
         swMeasuredLocation place = swMeasuredSea_GetLocation(sea, location);
@@ -250,7 +228,7 @@ static swResult addFile(swYaml* yaml, const swMeasuredText* text, const yaml_nod
     }
     if (result == SW_SUCCESS)
     {
-        int calms = text->replayNode != NULL ? countCalms(sea, location) : 0;
+        int calms = keys->replay != NULL ? countCalms(sea, location) : 0;
         if (calms > 0)
         {
             swLog(yaml->host, SW_LOG_WARNING, "%s: %d %s without energy %s left out of the replay.", file, calms,
@@ -262,26 +240,24 @@ static swResult addFile(swYaml* yaml, const swMeasuredText* text, const yaml_nod
     return result;
 }
 
-static swResult addFiles(swYaml* yaml, const swMeasuredText* text, swSceneWaves* waves)
+static swResult addFiles(swYaml* yaml, const swMeasuredKeys* keys, swSceneWaves* waves)
 {
-    if (text->listNode == NULL)
+    if (keys->list == NULL)
     {
-        return addFile(yaml, text, text->fileNode, text->file, &waves->measured);
+        return addFile(yaml, keys, keys->file, keys->text->file, &waves->measured);
     }
-    static const swYamlField itemField = {.key = "files", .type = SW_YAML_TEXT, .size = sizeof(waves->file)};
     int count = 0;
-    swResult result = swReadYamlList(yaml, text->listNode, "files", MAX_FILES, &count);
+    swResult result = swReadYamlList(yaml, keys->list, "files", MAX_FILES, &count);
     if (result == SW_SUCCESS && count == 0)
     {
-        result =
-            swFailYaml(yaml, text->listNode, SW_MISTAKE_MISSING_KEY, "files is empty; name the files of the series.");
+        result = swFailYaml(yaml, keys->list, SW_MISTAKE_MISSING_KEY, "files is empty; name the files of the series.");
     }
     for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
         char name[sizeof(waves->file)];
-        yaml_node_t* item = swGetYamlItem(yaml, text->listNode, i);
-        swResult own = swReadYamlText(yaml, item, &itemField, name);
-        own = own == SW_SUCCESS ? addFile(yaml, text, item, name, &waves->measured) : own;
+        yaml_node_t* item = swGetYamlItem(yaml, keys->list, i);
+        swResult own = swReadYamlText(yaml, item, "files", name, sizeof(name));
+        own = own == SW_SUCCESS ? addFile(yaml, keys, item, name, &waves->measured) : own;
         result = swKeepFailure(result, own);
         if (i == 0 && own == SW_SUCCESS)
         {
@@ -292,15 +268,15 @@ static swResult addFiles(swYaml* yaml, const swMeasuredText* text, swSceneWaves*
 }
 
 // All records of one place in a sea of their own.
-static swResult readSeries(swYaml* yaml, const swMeasuredText* text, swSceneWaves* waves)
+static swResult readSeries(swYaml* yaml, const swMeasuredKeys* keys, swSceneWaves* waves)
 {
-    swResult result = addFiles(yaml, text, waves);
+    swResult result = addFiles(yaml, keys, waves);
     if (result == SW_SUCCESS)
     {
         result = swMeasuredSea_Finish(waves->measured);
         if (result == SW_ERROR_FORMAT)
         {
-            swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode, SW_MISTAKE_NO_RECORD,
+            swFailYaml(yaml, keys->file != NULL ? keys->file : keys->list, SW_MISTAKE_NO_RECORD,
                        "no record is left of which a sea could be made.");
         }
     }
@@ -309,36 +285,36 @@ static swResult readSeries(swYaml* yaml, const swMeasuredText* text, swSceneWave
 
 // ---- what is made of it ----
 
-static swResult chooseRecord(swYaml* yaml, const swMeasuredText* text, int location, swSceneWaves* waves)
+static swResult chooseRecord(swYaml* yaml, const swMeasuredKeys* keys, int location, swSceneWaves* waves)
 {
     waves->record = swMeasuredSea_FindRecord(waves->measured, location, NULL);
     if (waves->record < 0)
     {
-        return swFailYaml(yaml, text->locationNode, SW_MISTAKE_NO_RECORD,
-                          "location '%s' has no record; choose another.", text->location);
+        return swFailYaml(yaml, keys->location, SW_MISTAKE_NO_RECORD, "location '%s' has no record; choose another.",
+                          keys->text->location);
     }
     double seconds = 0.0;
-    if (text->atNode != NULL && !swParseMeasuredTime(text->at, &seconds))
+    if (keys->at != NULL && !swParseMeasuredTime(keys->text->at, &seconds))
     {
-        return swFailYaml(yaml, text->atNode, SW_MISTAKE_WRONG_FORM,
-                          "at is '%s'; it must be a time such as 2022-05-10 10:50.", text->at);
+        return swFailYaml(yaml, keys->at, SW_MISTAKE_WRONG_FORM,
+                          "at is '%s'; it must be a time such as 2022-05-10 10:50.", keys->text->at);
     }
-    if (text->atNode != NULL &&
-        swMeasuredSea_ChooseRecord(waves->measured, location, text->at, &waves->record) != SW_SUCCESS)
+    if (keys->at != NULL &&
+        swMeasuredSea_ChooseRecord(waves->measured, location, keys->text->at, &waves->record) != SW_SUCCESS)
     {
-        return swFailYaml(yaml, text->atNode, SW_MISTAKE_NO_RECORD, "at is '%s', of which the file has no record.",
-                          text->at);
+        return swFailYaml(yaml, keys->at, SW_MISTAKE_NO_RECORD, "at is '%s', of which the file has no record.",
+                          keys->text->at);
     }
     return SW_SUCCESS;
 }
 
-static swResult chooseRecords(swYaml* yaml, const swMeasuredText* text, int location, swSceneWaves* waves)
+static swResult chooseRecords(swYaml* yaml, const swMeasuredKeys* keys, int location, swSceneWaves* waves)
 {
     swMeasuredLocation place = swMeasuredSea_GetLocation(waves->measured, location);
     swMeasuredRecord first = swMeasuredSea_GetRecord(waves->measured, place.firstRecord);
     if (place.recordCount < 2 || first.time[0] == '\0')
     {
-        return swFailYaml(yaml, text->replayNode, SW_MISTAKE_NO_RECORD,
+        return swFailYaml(yaml, keys->replay, SW_MISTAKE_NO_RECORD,
                           "a replay needs records of at least two times; there %s.",
                           place.recordCount > 1 ? "are no times" : "is one");
     }
@@ -347,53 +323,53 @@ static swResult chooseRecords(swYaml* yaml, const swMeasuredText* text, int loca
     waves->replay = swDefaultSeaReplayDef();
     waves->replay.sea = waves->measured;
     waves->replay.location = location;
-    waves->replay.startTime = text->replayTime;
+    waves->replay.startTime = keys->text->replayTime;
     waves->replay.startSeconds = first.seconds;
-    waves->replay.speed = text->replaySpeed;
-    if (text->fromNode != NULL && !swParseMeasuredTime(text->from, &waves->replay.startSeconds))
+    waves->replay.speed = keys->text->replaySpeed;
+    if (keys->from != NULL && !swParseMeasuredTime(keys->text->from, &waves->replay.startSeconds))
     {
-        return swFailYaml(yaml, text->fromNode, SW_MISTAKE_WRONG_FORM,
-                          "from is '%s'; it must be a time such as 2022-05-10 10:50.", text->from);
+        return swFailYaml(yaml, keys->from, SW_MISTAKE_WRONG_FORM,
+                          "from is '%s'; it must be a time such as 2022-05-10 10:50.", keys->text->from);
     }
     int start = 0;
-    if (text->fromNode != NULL &&
-        swMeasuredSea_ChooseRecord(waves->measured, location, text->from, &start) != SW_SUCCESS)
+    if (keys->from != NULL &&
+        swMeasuredSea_ChooseRecord(waves->measured, location, keys->text->from, &start) != SW_SUCCESS)
     {
-        return swFailYaml(yaml, text->fromNode, SW_MISTAKE_NO_RECORD, "from is '%s', of which there is no record.",
-                          text->from);
+        return swFailYaml(yaml, keys->from, SW_MISTAKE_NO_RECORD, "from is '%s', of which there is no record.",
+                          keys->text->from);
     }
     return SW_SUCCESS;
 }
 
 // Keys that do not go together.
-static swResult checkText(swYaml* yaml, const swMeasuredText* text, const swSceneWaves* waves)
+static swResult checkText(swYaml* yaml, const swMeasuredKeys* keys, const swSceneWaves* waves)
 {
     swResult result = SW_SUCCESS;
-    if (text->fileNode == NULL && text->listNode == NULL)
+    if (keys->file == NULL && keys->list == NULL)
     {
         result =
-            swFailYaml(yaml, text->system, SW_MISTAKE_MISSING_KEY,
+            swFailYaml(yaml, keys->system, SW_MISTAKE_MISSING_KEY,
                        "a spectrum 'file' needs the key file with the name of an NDBC energy file or summary, or of "
                        "any other measured sea, or a list of files.");
     }
-    if (text->fileNode != NULL && text->listNode != NULL)
+    if (keys->file != NULL && keys->list != NULL)
     {
-        result = swFailYaml(yaml, text->listNode, SW_MISTAKE_CONFLICT,
+        result = swFailYaml(yaml, keys->list, SW_MISTAKE_CONFLICT,
                             "file and files both name what to read; keep one of them.");
     }
-    if (text->replayNode != NULL && text->atNode != NULL)
+    if (keys->replay != NULL && keys->at != NULL)
     {
-        result = swFailYaml(yaml, text->atNode, SW_MISTAKE_CONFLICT,
-                            "at chooses one record, but all are replayed; say replay: {from: %s}.", text->at);
+        result = swFailYaml(yaml, keys->at, SW_MISTAKE_CONFLICT,
+                            "at chooses one record, but all are replayed; say replay: {from: %s}.", keys->text->at);
     }
-    if (text->replayNode != NULL && waves->def.method != SW_WAVES_FFT)
+    if (keys->replay != NULL && waves->def.method != SW_WAVES_FFT)
     {
-        result = swFailYaml(yaml, text->methodNode, SW_MISTAKE_CONFLICT, "a replay needs 'method: fft'; remove this.");
+        result = swFailYaml(yaml, keys->method, SW_MISTAKE_CONFLICT, "a replay needs 'method: fft'; remove this.");
     }
     return result;
 }
 
-static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves* waves)
+static swResult useRecord(swYaml* yaml, const swMeasuredKeys* keys, swSceneWaves* waves)
 {
     swMeasuredRecord record = swMeasuredSea_GetRecord(waves->measured, waves->record);
     waves->table = record.table;
@@ -401,7 +377,7 @@ static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves
     swSeaState seaState;
     if (swSpectrum_GetSeaState(&waves->def.spectrum, 0.0f, 0.0f, &seaState) != SW_SUCCESS)
     {
-        return swFailYaml(yaml, text->fileNode != NULL ? text->fileNode : text->listNode, SW_MISTAKE_NO_ENERGY,
+        return swFailYaml(yaml, keys->file != NULL ? keys->file : keys->list, SW_MISTAKE_NO_ENERGY,
                           "the record of %s in %s has no energy; choose another with at.", record.time, waves->file);
     }
     if (record.meanDirection == NULL)
@@ -415,22 +391,27 @@ static swResult useRecord(swYaml* yaml, const swMeasuredText* text, swSceneWaves
     return SW_SUCCESS;
 }
 
-swResult swReadSceneMeasured(swYaml* yaml, const swMeasuredText* text, swSceneWaves* waves)
+swResult swReadSceneMeasured(swYaml* yaml, const swMeasuredKeys* keys, swSceneWaves* waves)
 {
-    bool isReplay = text->replayNode != NULL;
+    bool isReplay = keys->replay != NULL;
     int location = 0;
-    swResult result = checkText(yaml, text, waves);
+    swResult result = checkText(yaml, keys, waves);
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    memcpy(waves->file, text->file, sizeof(waves->file));
-    bool isSeries = text->listNode != NULL;
+    memcpy(waves->file, keys->text->file, sizeof(waves->file));
+    if (keys->opensNone)
+    {
+        waves->isReplay = isReplay;
+        return SW_SUCCESS;
+    }
+    bool isSeries = keys->list != NULL;
     if (!isSeries)
     {
-        result = readFile(yaml, text, text->fileNode, text->file, &waves->measured);
-        result = result == SW_SUCCESS ? choosePlace(yaml, text, text->fileNode, waves->measured, isReplay, &location)
-                                      : result;
+        result = readFile(yaml, keys, keys->file, keys->text->file, &waves->measured);
+        result =
+            result == SW_SUCCESS ? choosePlace(yaml, keys, keys->file, waves->measured, isReplay, &location) : result;
         if (result == SW_SUCCESS && isReplay && countCalms(waves->measured, location) > 0)
         {
             swDestroyMeasuredSea(waves->measured);
@@ -440,14 +421,14 @@ swResult swReadSceneMeasured(swYaml* yaml, const swMeasuredText* text, swSceneWa
     }
     if (isSeries)
     {
-        result = readSeries(yaml, text, waves);
+        result = readSeries(yaml, keys, waves);
         location = 0;
     }
     if (result == SW_SUCCESS)
     {
-        result = isReplay ? chooseRecords(yaml, text, location, waves) : chooseRecord(yaml, text, location, waves);
+        result = isReplay ? chooseRecords(yaml, keys, location, waves) : chooseRecord(yaml, keys, location, waves);
     }
-    return result == SW_SUCCESS ? useRecord(yaml, text, waves) : result;
+    return result == SW_SUCCESS ? useRecord(yaml, keys, waves) : result;
 }
 
 void swChooseReplayRecords(swScene* scene)
@@ -459,7 +440,7 @@ void swChooseReplayRecords(swScene* scene)
         double seconds = replay->startSeconds + (scene->time - replay->startTime) * replay->speed;
         int before = 0, after = 0;
         double fraction = 0.0;
-        if (waves->isReplay &&
+        if (waves->isReplay && replay->sea != NULL &&
             swMeasuredSea_Bracket(replay->sea, replay->location, seconds, &before, &after, &fraction))
         {
             waves->record = fraction < 0.5 ? before : after;

@@ -7,50 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-const char* const swOctaveStartWords[] = {"default", "swell", "pierson_moskowitz", "jonswap", NULL};
-
 enum
 {
     START_DEFAULT,
     START_SWELL,
     START_PIERSON_MOSKOWITZ,
     START_JONSWAP
-};
-
-typedef struct OctaveText
-{
-    float wavelength;
-    swOctave octave;
-} OctaveText;
-
-enum
-{
-    WAVELENGTH,
-    POWER,
-    ENABLED,
-    CHOP,
-    GRAVITY_SCALE
-};
-
-static const swYamlField octaveFields[] = {
-    [WAVELENGTH] = {.key = "wavelength_m",
-                    .type = SW_YAML_FLOAT,
-                    .offset = offsetof(OctaveText, wavelength),
-                    .low = 0.0625,
-                    .high = 512.0},
-    [POWER] = {.key = "power",
-               .type = SW_YAML_FLOAT,
-               .offset = offsetof(OctaveText, octave.power),
-               .low = -10.0,
-               .high = 5.0},
-    [ENABLED] = {.key = "enabled", .type = SW_YAML_BOOL, .offset = offsetof(OctaveText, octave.isEnabled)},
-    [CHOP] =
-        {.key = "chop", .type = SW_YAML_FLOAT, .offset = offsetof(OctaveText, octave.chop), .low = 0.0, .high = 4.0},
-    [GRAVITY_SCALE] = {.key = "gravity_scale",
-                       .type = SW_YAML_FLOAT,
-                       .offset = offsetof(OctaveText, octave.gravityScale),
-                       .low = 0.0,
-                       .high = 4.0},
 };
 
 static int findOctave(float wavelength)
@@ -66,34 +28,38 @@ static int findOctave(float wavelength)
     return -1;
 }
 
-static swResult readOctave(swYaml* yaml, yaml_node_t* node, swOctavesText* text)
+static swResult readOctave(swYaml* yaml, yaml_node_t* node, int item, swOctavesText* text)
 {
-    OctaveText read;
-    memset(&read, 0, sizeof(read));
-    swYamlNodes nodes;
-    swResult result =
-        swReadYamlMapping(yaml, node, "an octave", octaveFields, SW_YAML_COUNT(octaveFields), &read, &nodes);
-    if (node->type != YAML_MAPPING_NODE || nodes.isWrong[WAVELENGTH])
+    swOctaveText read = {.item = item};
+    const swFields* fields = swGetOctaveFields();
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "an octave");
+    swAddYamlFields(&mapping, swGetOctaveTextFields(), 0, "octaves");
+    swAddYamlFields(&mapping, fields, offsetof(swOctaveText, octave), "octaves");
+    swResult result = swReadYamlMapping(yaml, node, &mapping, &read);
+    if (node->type != YAML_MAPPING_NODE || swIsYamlWrong(&mapping, "wavelength_m"))
     {
         return result;
     }
-    int index = nodes.nodes[WAVELENGTH] != NULL ? findOctave(read.wavelength) : -1;
+    const yaml_node_t* wavelength = swGetYamlNode(&mapping, "wavelength_m");
+    int index = wavelength != NULL ? findOctave(read.wavelength) : -1;
     if (index < 0)
     {
         return swFailYaml(
-            yaml, nodes.nodes[WAVELENGTH] != NULL ? nodes.nodes[WAVELENGTH] : node, SW_MISTAKE_OUT_OF_RANGE,
+            yaml, wavelength != NULL ? wavelength : node, SW_MISTAKE_OUT_OF_RANGE,
             "an octave needs a wavelength_m that is a power of two from 0.0625 to 512, its shortest wave.");
     }
-    if (text->hasPower[index] || text->hasEnabled[index] || text->hasChop[index] || text->hasGravity[index])
+    if (text->octaves[index].given != 0)
     {
         return swFailYaml(yaml, node, SW_MISTAKE_REPEATED, "the octave of %g m stands twice; remove one.",
                           (double)ldexpf(1.0f, index - 4));
     }
-    text->octaves[index] = read.octave;
-    text->hasPower[index] = nodes.nodes[POWER] != NULL;
-    text->hasEnabled[index] = nodes.nodes[ENABLED] != NULL;
-    text->hasChop[index] = nodes.nodes[CHOP] != NULL;
-    text->hasGravity[index] = nodes.nodes[GRAVITY_SCALE] != NULL;
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const char* key = fields->fields[i].key;
+        read.given |= key != NULL && swGetYamlNode(&mapping, key) != NULL ? 1u << i : 0;
+    }
+    text->octaves[index] = read;
     return result;
 }
 
@@ -103,41 +69,65 @@ swResult swReadOctaves(swYaml* yaml, yaml_node_t* node, swOctavesText* text)
     swResult result = swReadYamlList(yaml, node, "octaves", SW_OCTAVE_COUNT, &count);
     for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
     {
-        result = swKeepFailure(result, readOctave(yaml, swGetYamlItem(yaml, node, i), text));
+        result = swKeepFailure(result, readOctave(yaml, swGetYamlItem(yaml, node, i), i, text));
     }
     return result;
 }
 
-static void startFrom(int start, swSpectrumDef* spectrum)
+void swStartOctaves(const swOctavesText* text, swSpectrumDef* spectrum)
 {
-    if (start == START_PIERSON_MOSKOWITZ || start == START_JONSWAP)
+    if (text->start == START_PIERSON_MOSKOWITZ || text->start == START_JONSWAP)
     {
         swSpectrumDef source = *spectrum;
-        source.kind = start == START_JONSWAP ? SW_SPECTRUM_JONSWAP : SW_SPECTRUM_PIERSON_MOSKOWITZ;
+        source.kind = text->start == START_JONSWAP ? SW_SPECTRUM_JONSWAP : SW_SPECTRUM_PIERSON_MOSKOWITZ;
         source.significantHeight = 0.0f;
         float height = spectrum->significantHeight;
         *spectrum = swMakeOctaveSpectrum(&source);
         spectrum->significantHeight = height;
-        return;
     }
-    spectrum->octaves = start == START_SWELL ? swDefaultSwellOctaves() : swDefaultOctaves();
+    else
+    {
+        spectrum->octaves = text->start == START_SWELL ? swDefaultSwellOctaves() : swDefaultOctaves();
+    }
+    spectrum->kind = SW_SPECTRUM_OCTAVES;
 }
 
-void swBuildOctaves(const swOctavesText* text, swSpectrumDef* spectrum)
+static void copyField(const swField* field, const void* from, void* to)
 {
-    startFrom(text->start, spectrum);
-    spectrum->kind = SW_SPECTRUM_OCTAVES;
+    memcpy((char*)to + field->offset, (const char*)from + field->offset, field->size);
+}
+
+void swBuildOctaves(const swOctavesText* text, const swYamlMapping* mapping, swSpectrumDef* spectrum)
+{
+    swStartOctaves(text, spectrum);
+    const swFields* fields = swGetOctaveFields();
+    const swField* power = swFields_Find(fields, "power");
     for (int i = 0; i < SW_OCTAVE_COUNT; ++i)
     {
+        const swOctaveText* given = &text->octaves[i];
         swOctave* octave = &spectrum->octaves.octaves[i];
-        octave->power = text->hasPower[i] ? text->octaves[i].power : octave->power;
         // Who gives an octave a power wants to see it.
-        octave->isEnabled = text->hasEnabled[i] ? text->octaves[i].isEnabled : octave->isEnabled || text->hasPower[i];
-        octave->chop = text->hasChop[i] ? text->octaves[i].chop : octave->chop;
-        octave->gravityScale = text->hasGravity[i] ? text->octaves[i].gravityScale : octave->gravityScale;
+        octave->isEnabled = octave->isEnabled || (given->given >> (power - fields->fields) & 1u) != 0;
+        for (int j = 0; j < fields->count; ++j)
+        {
+            if ((given->given >> j & 1u) != 0)
+            {
+                copyField(&fields->fields[j], &given->octave, octave);
+            }
+        }
     }
-    spectrum->octaves.multiplier *= text->multiplier;
-    spectrum->octaves.multiplier = fminf(spectrum->octaves.multiplier, 10.0f);
-    spectrum->octaves.gravityScale = text->gravityScale;
-    spectrum->octaves.limitByWind = text->hasLimit ? text->limitByWind : spectrum->octaves.limitByWind;
+    float multiplier = spectrum->octaves.multiplier;
+    fields = swGetOctavesFields();
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        if (field->type < SW_FIELD_DEF && field->key != NULL && swGetYamlNode(mapping, field->key) != NULL)
+        {
+            copyField(field, &text->given, &spectrum->octaves);
+        }
+    }
+    if (swGetYamlNode(mapping, "multiplier") != NULL)
+    {
+        spectrum->octaves.multiplier = fminf(multiplier * text->given.multiplier, 10.0f);
+    }
 }

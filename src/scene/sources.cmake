@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_scene PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/exact_number.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_components.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_fields.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_measured.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_octaves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_read.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_source.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_tree.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_waves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_world.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_write.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_edit.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_merge.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_read.c

@@ -464,17 +464,54 @@ static bool standsAlone(const swYamlEdits* edits, size_t begin, size_t end)
     return end >= edits->size || isBreak(edits->text[end]) || edits->text[end] == '#';
 }
 
-// The first pair of a list's item stands behind the dash: the next one moves up, unless a comment lies between.
-static void removeFirstPair(swYamlEdits* edits, const yaml_node_t* node, size_t begin, size_t end)
+// Whether a line of its own between two places is a comment. One behind a value goes with it.
+static bool hasCommentLine(const swYamlEdits* edits, size_t begin, size_t end)
 {
-    if (countChildren(node) < 2)
+    for (size_t at = findNextLine(edits, begin); at < end; at = findNextLine(edits, at))
+    {
+        size_t first = at;
+        while (first < end && isSpace(edits->text[first]))
+        {
+            ++first;
+        }
+        if (first < end && edits->text[first] == '#')
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+// The first pair of a list's item stands behind the dash. What is kept moves up to there, unless a comment lies
+// between; if nothing is, a new pair takes the place. Returns how many pairs are dealt with, and whether the first new
+// one is.
+static int replaceFirstPairs(swYamlEdits* edits, const yaml_node_t* node, const bool* isKept, const swYamlAdded* added,
+                             bool* usesAdded)
+{
+    int count = countChildren(node), kept = 0;
+    size_t begin = findChildBegin(edits, node, 0), end = findEnd(edits, getNode(edits, getChild(node, 0)));
+    while (kept < count && !isKept[kept])
+    {
+        ++kept;
+    }
+    *usesAdded = kept == count;
+    if (kept < count)
+    {
+        size_t next = findChildBegin(edits, node, kept);
+        bool hasComment = hasCommentLine(edits, end, next);
+        addEdit(edits, begin, hasComment ? end : next, edits->added.chars.count);
+        return hasComment ? 1 : kept;
+    }
+    if (added == NULL)
     {
         swRefuseYamlEdit(edits, node, "nothing would be left of it");
-        return;
+        return count;
     }
-    size_t next = findChildBegin(edits, node, 1);
-    bool hasComment = memchr(edits->text + end, '#', next - end) != NULL;
-    addEdit(edits, begin, hasComment ? end : next, edits->added.chars.count);
+    size_t from = edits->added.chars.count;
+    swAddTreePair(&edits->added, &edits->layout, added->tree, added->node, node->start_mark.column);
+    edits->added.chars.count -= edits->added.isBroken ? 0 : strlen(edits->layout.lineEnd);
+    addEdit(edits, begin, end, from);
+    return 1;
 }
 
 static void removeLines(swYamlEdits* edits, const yaml_node_t* node, int index)
@@ -487,10 +524,6 @@ static void removeLines(swYamlEdits* edits, const yaml_node_t* node, int index)
     else if (standsAlone(edits, begin, end))
     {
         addEdit(edits, findLine(edits, begin), findNextLine(edits, end), edits->added.chars.count);
-    }
-    else if (node->type == YAML_MAPPING_NODE && index == 0)
-    {
-        removeFirstPair(edits, node, begin, end);
     }
     else
     {
@@ -571,18 +604,24 @@ static void arrangeLines(swYamlEdits* edits, const yaml_node_t* node, const bool
         return;
     }
     indent = isList ? first - findLine(edits, first) : indent;
-    for (int i = 0; i < addedCount; ++i)
+    int done = 0;
+    bool usesAdded = false;
+    if (!isList && !isKept[0] && !standsAlone(edits, first, findEnd(edits, getNode(edits, getChild(node, 0)))))
+    {
+        done = replaceFirstPairs(edits, node, isKept, addedCount > 0 ? added : NULL, &usesAdded);
+    }
+    for (int i = usesAdded ? 1 : 0; i < addedCount; ++i)
     {
         int after = added[i].after < count ? added[i].after : count - 1;
         size_t at = after < 0 ? findLine(edits, first)
                               : findNextLine(edits, findEnd(edits, getNode(edits, getChild(node, after))));
-        bool isSection = added[i].tree != NULL && swGetTreeNode(added[i].tree, added[i].node)->type != SW_TREE_SCALAR;
+        bool isSection = swGetTreeNode(added[i].tree, added[i].node)->type != SW_TREE_SCALAR;
         addLines(edits, at, indent, hasGap && isSection, node, &added[i]);
     }
     for (int i = 0; i < count; ++i)
     {
         left += isKept[i];
-        if (!isKept[i])
+        if (!isKept[i] && i >= done)
         {
             removeLines(edits, node, i);
         }

@@ -34,6 +34,16 @@ static int findKey(Merge* merge, const swTree* tree, int mapping, int key)
                : -1;
 }
 
+static int countItems(const swTree* tree, int list)
+{
+    int count = 0;
+    for (int child = swGetTreeNode(tree, list)->first; child >= 0; child = swGetTreeNode(tree, child)->next)
+    {
+        ++count;
+    }
+    return count;
+}
+
 // What a collection shall become, for swArrangeYaml().
 typedef struct Plan
 {
@@ -45,11 +55,7 @@ typedef struct Plan
 
 static bool beginPlan(Merge* merge, int count, int after, Plan* plan)
 {
-    int most = 0;
-    for (int child = swGetTreeNode(merge->after, after)->first; child >= 0; ++most)
-    {
-        child = swGetTreeNode(merge->after, child)->next;
-    }
+    int most = countItems(merge->after, after);
     *plan = (Plan){.count = count};
     plan->size = (size_t)most * sizeof(swYamlAdded) + (size_t)count + 1;
     plan->added = swAllocateZero(merge->edits.yaml->host, plan->size);
@@ -138,10 +144,72 @@ static void mergeMapping(Merge* merge, int node, int before, int after)
     endPlan(merge, node, &plan);
 }
 
+// How far along a list the first item is that says the same; -1 if there is none.
+static int findEqual(const swTree* list, int from, const swTree* other, int item)
+{
+    int distance = 0;
+    for (; from >= 0; from = swGetTreeNode(list, from)->next, ++distance)
+    {
+        if (swAreTreesEqual(list, from, other, item))
+        {
+            return distance;
+        }
+    }
+    return -1;
+}
+
+// Which of the text's items each of the new list's is: those that say the same go together, and what lies between is
+// taken in pairs.
+static void matchItems(const swTree* before, int old, const swTree* after, int fresh, int* items)
+{
+    for (int item = 0, at = 0; fresh >= 0;)
+    {
+        int added = old >= 0 ? findEqual(after, fresh, before, old) : 1;
+        int removed = old >= 0 ? findEqual(before, old, after, fresh) : -1;
+        if (removed > 0 && (added < 0 || removed <= added))
+        {
+            old = swGetTreeNode(before, old)->next;
+            item += 1;
+            continue;
+        }
+        bool isNew = added > 0;
+        items[at++] = isNew ? -1 : item;
+        fresh = swGetTreeNode(after, fresh)->next;
+        old = isNew ? old : swGetTreeNode(before, old)->next;
+        item += isNew ? 0 : 1;
+    }
+}
+
+// The items of the new list, by what they are or by what they say. NULL if there is no memory.
+static int* listItems(Merge* merge, int before, int after, int count)
+{
+    int* items = swAllocate(merge->edits.yaml->host, (size_t)(count + 1) * sizeof(int));
+    const swTreeNode* list = swGetTreeNode(merge->after, after);
+    if (items == NULL)
+    {
+        merge->edits.result =
+            swFail(merge->edits.yaml->host, SW_ERROR_NO_MEMORY, "No memory to write %s.", merge->edits.yaml->name);
+        return NULL;
+    }
+    if (list->isMatched && before >= 0)
+    {
+        matchItems(merge->before, swGetTreeNode(merge->before, before)->first, merge->after, list->first, items);
+        return items;
+    }
+    int child = list->first;
+    for (int i = 0; child >= 0; ++i, child = swGetTreeNode(merge->after, child)->next)
+    {
+        items[i] = swGetTreeNode(merge->after, child)->item;
+    }
+    return items;
+}
+
+// The old list's item with this number.
 static int findItem(const swTree* tree, int list, int item)
 {
+    bool isMatched = list >= 0 && swGetTreeNode(tree, list)->isMatched;
     int child = list >= 0 ? swGetTreeNode(tree, list)->first : -1;
-    while (child >= 0 && swGetTreeNode(tree, child)->item != item)
+    for (int i = 0; child >= 0 && (isMatched ? i : swGetTreeNode(tree, child)->item) != item; ++i)
     {
         child = swGetTreeNode(tree, child)->next;
     }
@@ -152,15 +220,18 @@ static void mergeList(Merge* merge, int node, int before, int after)
 {
     const yaml_node_t* at = getNode(merge, node);
     int count = (int)(at->data.sequence.items.top - at->data.sequence.items.start), last = -1;
+    int wanted = countItems(merge->after, after);
     Plan plan;
-    if (!beginPlan(merge, count, after, &plan))
+    int* items = listItems(merge, before, after, wanted);
+    if (items == NULL || !beginPlan(merge, count, after, &plan))
     {
+        swFree(merge->edits.yaml->host, items, (size_t)(wanted + 1) * sizeof(int));
         return;
     }
     int child = swGetTreeNode(merge->after, after)->first;
-    for (; child >= 0; child = swGetTreeNode(merge->after, child)->next)
+    for (int i = 0; child >= 0; ++i, child = swGetTreeNode(merge->after, child)->next)
     {
-        int item = swGetTreeNode(merge->after, child)->item;
+        int item = items[i];
         if (item < 0)
         {
             plan.added[plan.addedCount++] = (swYamlAdded){merge->after, child, last};
@@ -178,6 +249,7 @@ static void mergeList(Merge* merge, int node, int before, int after)
         }
     }
     endPlan(merge, node, &plan);
+    swFree(merge->edits.yaml->host, items, (size_t)(wanted + 1) * sizeof(int));
 }
 
 static void mergeValue(Merge* merge, int node, int before, int after, bool isInLine)

@@ -6,13 +6,12 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "core/base/number.h"
+#include "core/base/assert.h"
 #include "files/file_text.h"
-#include "seaway/math.h"
+#include "scene/exact_number.h"
 
 static const char* const mistakeCodes[] = {
 #define SW_MISTAKE(name, code) code,
@@ -225,69 +224,91 @@ static const char* getScalar(const yaml_node_t* node, int* size)
     return (const char*)node->data.scalar.value;
 }
 
-static swResult readNumber(swYaml* yaml, yaml_node_t* node, const swYamlField* field, double* value)
+// "0 to 100", "above 0 to 100"
+static const char* printRange(const swField* field, char text[80])
+{
+    double low = 0.0, high = 0.0;
+    swField_GetShownRange(field, &low, &high);
+    snprintf(text, 80, "%s%.7g to %s%.7g", field->isLowOpen ? "above " : "", low, field->isHighOpen ? "below " : "",
+             high);
+    return text;
+}
+
+static bool isInShownRange(const swField* field, double shown)
+{
+    double low = 0.0, high = 0.0;
+    swField_GetShownRange(field, &low, &high);
+    double room = 1e-12 * (fabs(low) + fabs(high)); // of degrees, which ranges have as radians
+    return (shown >= low - (room < 1e300 ? room : 0.0) && shown <= high + (room < 1e300 ? room : 0.0)) &&
+           (field->form == SW_FORM_DEGREES || field->form == SW_FORM_BEARING ||
+            swField_IsInRange(field, swField_Read(field, shown)));
+}
+
+static bool isWhole(const swField* field)
+{
+    return field->type == SW_FIELD_INT || field->type == SW_FIELD_UINT || field->type == SW_FIELD_SIZE;
+}
+
+static swResult readNumber(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, int index, void* def)
 {
     int size = 0;
+    double shown = 0.0;
+    char range[80];
     const char* text = getScalar(node, &size);
-    if (text == NULL || !swParseNumber(text, size, value))
+    if (text == NULL || !swParseExactNumber(text, size, &shown))
     {
-        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s is '%.*s'; it must be a number from %g to %g.",
-                          field->key, text != NULL && size < 60 ? size : 0, text != NULL ? text : "", field->low,
-                          field->high);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s is '%.*s'; it must be a number from %s.", key->key,
+                          text != NULL && size < 60 ? size : 0, text != NULL ? text : "",
+                          printRange(key->field, range));
     }
-    if (!(*value >= field->low && *value <= field->high))
+    if (!isInShownRange(key->field, shown))
     {
-        return swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE, "%s is %g; its range is %g to %g.", field->key, *value,
-                          field->low, field->high);
+        return swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE, "%s is %g; its range is %s.", key->key, shown,
+                          printRange(key->field, range));
     }
+    if (isWhole(key->field) && shown != floor(shown))
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE, "%s is %g; it must be a whole number.", key->key, shown);
+    }
+    swField_SetNumber(key->field, def, index, swField_Read(key->field, shown));
     return SW_SUCCESS;
 }
 
-static swResult readInteger(swYaml* yaml, yaml_node_t* node, const swYamlField* field, double* value)
+static swResult readNumbers(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* def)
 {
-    swResult result = readNumber(yaml, node, field, value);
-    if (result == SW_SUCCESS && *value != floor(*value))
+    static const char* const words[] = {"", "one", "two", "three", "four"};
+    int count = 0, wanted = key->field->count;
+    swResult result = swReadYamlList(yaml, node, key->key, wanted, &count);
+    if (result == SW_SUCCESS && count != wanted)
     {
-        result =
-            swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE, "%s is %g; it must be a whole number.", field->key, *value);
+        result = swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s has %d numbers; it must have %s, as in %s.",
+                            key->key, count, words[wanted < 4 ? wanted : 4], wanted == 3 ? "[0, 2, 0]" : "[0, 2]");
+    }
+    for (int i = 0; i < count && i < wanted; ++i)
+    {
+        result = swKeepFailure(result, readNumber(yaml, swGetYamlItem(yaml, node, i), key, i, def));
     }
     return result;
 }
 
-static swResult readTriple(swYaml* yaml, yaml_node_t* node, const swYamlField* field, double values[3])
-{
-    int count = 0;
-    swResult result = swReadYamlList(yaml, node, field->key, 3, &count);
-    if (result == SW_SUCCESS && count != 3)
-    {
-        result = swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM,
-                            "%s has %d numbers; it must have three, as in [0, 2, 0].", field->key, count);
-    }
-    for (int i = 0; i < count && i < 3; ++i)
-    {
-        result = swKeepFailure(result, readNumber(yaml, swGetYamlItem(yaml, node, i), field, &values[i]));
-    }
-    return result;
-}
-
-swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const swYamlField* field, char* target)
+swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const char* key, char* target, size_t limit)
 {
     int size = 0;
     const char* text = getScalar(node, &size);
     if (text == NULL || size == 0)
     {
-        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must be a text.", field->key);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must be a text.", key);
     }
-    if ((size_t)size >= field->size)
+    if ((size_t)size >= limit)
     {
-        return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE, "%s has %d bytes; at most %zu are kept.", field->key, size,
-                          field->size - 1);
+        return swFailYaml(yaml, node, SW_MISTAKE_TOO_LARGE, "%s has %d bytes; at most %zu are kept.", key, size,
+                          limit - 1);
     }
     if (memchr(text, '\0', (size_t)size) != NULL)
     {
-        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s holds a zero byte; remove it.", field->key);
+        return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s holds a zero byte; remove it.", key);
     }
-    memset(target, 0, field->size);
+    memset(target, 0, limit);
     memcpy(target, text, (size_t)size);
     return SW_SUCCESS;
 }
@@ -297,16 +318,16 @@ static bool isWord(const char* text, int size, const char* word)
     return (size_t)size == strlen(word) && memcmp(text, word, (size_t)size) == 0;
 }
 
-static swResult readBool(swYaml* yaml, yaml_node_t* node, const swYamlField* field, bool* target)
+static swResult readBool(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* def)
 {
     int size = 0;
     const char* text = getScalar(node, &size);
     if (text != NULL && (isWord(text, size, "true") || isWord(text, size, "false")))
     {
-        *target = text[0] == 't';
+        swField_SetNumber(key->field, def, 0, text[0] == 't' ? 1.0 : 0.0);
         return SW_SUCCESS;
     }
-    return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must be true or false.", field->key);
+    return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must be true or false.", key->key);
 }
 
 // "a, b, c" for messages, cut off where the room ends.
@@ -316,127 +337,155 @@ static void listWord(char* list, size_t size, const char* word)
     snprintf(list + used, size - used, "%s%s", used > 0 ? ", " : "", word);
 }
 
-static swResult readChoice(swYaml* yaml, yaml_node_t* node, const swYamlField* field, int* target)
+static swResult readChoice(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* def)
 {
     int size = 0;
     const char* text = getScalar(node, &size);
     char known[700] = "";
-    for (int i = 0; field->words[i] != NULL; ++i)
+    for (int i = 0; key->field->words[i] != NULL; ++i)
     {
-        if (text != NULL && isWord(text, size, field->words[i]))
+        if (text != NULL && isWord(text, size, key->field->words[i]))
         {
-            *target = i;
+            swField_SetNumber(key->field, def, 0, (double)i);
             return SW_SUCCESS;
         }
-        listWord(known, sizeof(known), field->words[i]);
+        listWord(known, sizeof(known), key->field->words[i]);
     }
-    return swFailYaml(yaml, node, SW_MISTAKE_UNKNOWN_WORD, "%s is '%.*s'; it must be one of: %s.", field->key,
+    return swFailYaml(yaml, node, SW_MISTAKE_UNKNOWN_WORD, "%s is '%.*s'; it must be one of: %s.", key->key,
                       size < 60 ? size : 60, text != NULL ? text : "", known);
 }
 
-static swResult readValue(swYaml* yaml, yaml_node_t* node, const swYamlField* field, void* target)
+static swResult readValue(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
 {
-    char* member = (char*)target + field->offset;
-    double values[3] = {0.0, 0.0, 0.0};
-    swResult result = SW_SUCCESS;
-    switch (field->type)
+    char* def = (char*)target + key->offset;
+    if (key->read != NULL)
     {
-    case SW_YAML_TEXT:
-        return swReadYamlText(yaml, node, field, member);
-    case SW_YAML_BOOL:
-        return readBool(yaml, node, field, (bool*)(void*)member);
-    case SW_YAML_CHOICE:
-        return readChoice(yaml, node, field, (int*)(void*)member);
-    case SW_YAML_CUSTOM:
-        return field->read(yaml, node, target);
-    case SW_YAML_COLOR:
-    case SW_YAML_POSITION:
-        result = readTriple(yaml, node, field, values);
-        break;
-    case SW_YAML_INT:
-    case SW_YAML_UINT:
-        result = readInteger(yaml, node, field, &values[0]);
-        break;
+        return key->read(yaml, node, key, target);
+    }
+    switch (key->field->type)
+    {
+    case SW_FIELD_TEXT:
+        return swReadYamlText(yaml, node, key->key, def + key->field->offset, key->field->size);
+    case SW_FIELD_BOOL:
+        return readBool(yaml, node, key, def);
+    case SW_FIELD_CHOICE:
+        return readChoice(yaml, node, key, def);
+    case SW_FIELD_FLOATS:
+    case SW_FIELD_DOUBLES:
+        return readNumbers(yaml, node, key, def);
     default:
-        result = readNumber(yaml, node, field, &values[0]);
-        break;
+        return readNumber(yaml, node, key, 0, def);
     }
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
+}
 
-    float single = (float)values[0];
-    switch (field->type)
+// ---- keys ----
+
+void swBeginYamlMapping(swYamlMapping* mapping, const char* what)
+{
+    mapping->what = what;
+    mapping->count = 0;
+}
+
+static void addKey(swYamlMapping* mapping, const swYamlKey* key)
+{
+    SW_ASSERT(mapping->count < SW_YAML_MAX_KEYS);
+    if (mapping->count < SW_YAML_MAX_KEYS && swFindYamlKey(mapping, key->key) == NULL)
     {
-    case SW_YAML_DOUBLE:
-        memcpy(member, &values[0], sizeof(double));
-        break;
-    case SW_YAML_INT:
-        *(int*)(void*)member = (int)values[0];
-        break;
-    case SW_YAML_UINT:
-        *(uint32_t*)(void*)member = (uint32_t)values[0];
-        break;
-    case SW_YAML_COLOR:
-        *(swVec3*)(void*)member = (swVec3){(float)values[0], (float)values[1], (float)values[2]};
-        break;
-    case SW_YAML_POSITION:
-        *(swPos*)(void*)member = (swPos){values[0], values[1], values[2]};
-        break;
-    case SW_YAML_DEGREES:
-        single = (float)(values[0] * (SW_PI / 180.0));
-        memcpy(member, &single, sizeof(float));
-        break;
-    case SW_YAML_BEARING:
-        single = SW_DIRECTION_FROM_BEARING(values[0]);
-        memcpy(member, &single, sizeof(float));
-        break;
-    default:
-        memcpy(member, &single, sizeof(float));
-        break;
+        mapping->keys[mapping->count++] = *key;
     }
-    return SW_SUCCESS;
+}
+
+void swAddYamlKey(swYamlMapping* mapping, const char* key, swReadYamlFcn read)
+{
+    addKey(mapping, &(swYamlKey){.key = key, .read = read});
+}
+
+const char* swGetFieldSection(const swFields* fields, const swField* field)
+{
+    return field->section != NULL ? field->section : fields->section;
+}
+
+void swAddYamlFields(swYamlMapping* mapping, const swFields* fields, size_t offset, const char* section)
+{
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        const char* own = swGetFieldSection(fields, field);
+        if (field->type == SW_FIELD_DEF)
+        {
+            swAddYamlFields(mapping, field->fields, offset + field->offset, section);
+        }
+        else if (field->type < SW_FIELD_DEF && field->key != NULL && own != NULL && strcmp(own, section) == 0)
+        {
+            addKey(mapping, &(swYamlKey){.key = field->key, .fields = fields, .field = field, .offset = offset});
+        }
+    }
+}
+
+swYamlKey* swFindYamlKey(swYamlMapping* mapping, const char* key)
+{
+    for (int i = 0; i < mapping->count; ++i)
+    {
+        if (strcmp(mapping->keys[i].key, key) == 0)
+        {
+            return &mapping->keys[i];
+        }
+    }
+    return NULL;
+}
+
+static const swYamlKey* findKey(const swYamlMapping* mapping, const char* key)
+{
+    const swYamlKey* found = swFindYamlKey((swYamlMapping*)mapping, key);
+    SW_ASSERT(found != NULL);
+    return found;
+}
+
+yaml_node_t* swGetYamlNode(const swYamlMapping* mapping, const char* key)
+{
+    const swYamlKey* found = findKey(mapping, key);
+    return found != NULL ? found->node : NULL;
+}
+
+bool swIsYamlWrong(const swYamlMapping* mapping, const char* key)
+{
+    const swYamlKey* found = findKey(mapping, key);
+    return found != NULL && found->isWrong;
 }
 
 // ---- collections ----
 
-static int findField(const swYamlField* fields, int fieldCount, const char* key, int size)
+static swYamlKey* matchKey(swYamlMapping* mapping, const char* text, int size)
 {
-    for (int i = 0; i < fieldCount; ++i)
+    for (int i = 0; i < mapping->count && text != NULL; ++i)
     {
-        if (isWord(key, size, fields[i].key))
+        if (isWord(text, size, mapping->keys[i].key))
         {
-            return i;
+            return &mapping->keys[i];
         }
     }
-    return -1;
+    return NULL;
 }
 
-static swResult failKey(swYaml* yaml, const yaml_node_t* key, const char* what, const swYamlField* fields,
-                        int fieldCount)
+static swResult failKey(swYaml* yaml, const yaml_node_t* key, const swYamlMapping* mapping)
 {
     int size = 0;
     const char* text = getScalar(key, &size);
     char known[700] = "";
-    for (int i = 0; i < fieldCount; ++i)
+    for (int i = 0; i < mapping->count; ++i)
     {
-        listWord(known, sizeof(known), fields[i].key);
+        listWord(known, sizeof(known), mapping->keys[i].key);
     }
     return swFailYaml(yaml, key, SW_MISTAKE_UNKNOWN_KEY, "'%.*s' is no key of %s; it has: %s.", size < 60 ? size : 60,
-                      text != NULL ? text : "", what, known);
+                      text != NULL ? text : "", mapping->what, known);
 }
 
-swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, const swYamlField* fields, int fieldCount,
-                           void* target, swYamlNodes* nodes)
+swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, swYamlMapping* mapping, void* target)
 {
-    swYamlNodes local;
-    nodes = nodes != NULL ? nodes : &local;
-    memset(nodes, 0, sizeof(*nodes));
     if (node->type != YAML_MAPPING_NODE)
     {
         return swFailYaml(yaml, node, SW_MISTAKE_WRONG_FORM, "%s must hold lines of the form 'key: value', indented.",
-                          what);
+                          mapping->what);
     }
     swResult result = SW_SUCCESS;
     yaml_node_pair_t* pair = node->data.mapping.pairs.start;
@@ -446,22 +495,22 @@ swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, co
         yaml_node_t* value = yaml_document_get_node(&yaml->document, pair->value);
         int size = 0;
         const char* text = getScalar(key, &size);
-        int index = text != NULL ? findField(fields, fieldCount, text, size) : -1;
+        swYamlKey* known = matchKey(mapping, text, size);
         swResult own = SW_SUCCESS;
-        if (index < 0)
+        if (known == NULL)
         {
-            own = failKey(yaml, key, what, fields, fieldCount);
+            own = failKey(yaml, key, mapping);
         }
-        else if (nodes->nodes[index] != NULL)
+        else if (known->node != NULL)
         {
             own = swFailYaml(yaml, key, SW_MISTAKE_REPEATED, "%s stands twice in %s, first on line %d; remove one.",
-                             fields[index].key, what, (int)nodes->nodes[index]->start_mark.line + 1);
+                             known->key, mapping->what, (int)known->node->start_mark.line + 1);
         }
         else
         {
-            nodes->nodes[index] = value;
-            own = readValue(yaml, value, &fields[index], target);
-            nodes->isWrong[index] = own != SW_SUCCESS;
+            known->node = value;
+            own = readValue(yaml, value, known, target);
+            known->isWrong = own != SW_SUCCESS;
         }
         result = swKeepFailure(result, own);
     }

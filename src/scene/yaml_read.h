@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mappings of a YAML document into structs by tables of fields. Every complaint is one sentence with file and line,
-// says what would be right, and ends with its code in brackets. Reading goes on after a mistake, so that all are told
-// at once: functions return the first failure of what they read, and what could not be read keeps its value.
+// Mappings of a YAML document into structs by the tables of their defs (seaway/field.h). Every complaint is one
+// sentence with file and line, says what would be right, and ends with its code in brackets. Reading goes on after a
+// mistake, so that all are told at once: functions return the first failure of what they read, and what could not be
+// read keeps its value.
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <yaml.h>
 
 #include "core/base/host.h"
+#include "seaway/field.h"
 
 typedef enum swMistake
 {
@@ -32,70 +34,71 @@ typedef struct swYaml
     const swHost* host;
     const char* name; // of the file, for messages
     yaml_document_t document;
-    void* context; // what custom fields are read into
+    void* context; // what custom keys are read into
     int mistakeCount;
 } swYaml;
 
 // Of a world, s; see swWorld_SetTime().
 #define SW_YAML_LARGEST_TIME 2.7e11
 
-typedef enum swYamlType
-{
-    SW_YAML_FLOAT,
-    SW_YAML_DOUBLE,
-    SW_YAML_INT,
-    SW_YAML_UINT,
-    SW_YAML_BOOL,
-    SW_YAML_TEXT,     // char[size]
-    SW_YAML_DEGREES,  // float, stored in radians
-    SW_YAML_BEARING,  // float: degrees clockwise from north that waves come from, stored as the direction they go
-    SW_YAML_COLOR,    // swVec3 from a list of three numbers
-    SW_YAML_POSITION, // swPos from a list of three numbers
-    SW_YAML_CHOICE,   // int: index into the words
-    SW_YAML_CUSTOM    // `read`
-} swYamlType;
-
-typedef struct swYamlField
+// A key of a mapping: a field of a def that begins at `offset` of the target, or what `read` makes of it.
+typedef struct swYamlKey swYamlKey;
+typedef swResult (*swReadYamlFcn)(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target);
+struct swYamlKey
 {
     const char* key;
-    swYamlType type;
+    const swFields* fields; // that the field is of
+    const swField* field;
     size_t offset;
-    double low, high;         // numbers: both inclusive, in the file's unit
-    size_t size;              // TEXT
-    const char* const* words; // CHOICE: ends with NULL
-    swResult (*read)(swYaml* yaml, yaml_node_t* node, void* target);
-} swYamlField;
+    swReadYamlFcn read; // NULL: by the field
+    yaml_node_t* node;  // that set it; NULL where the file says nothing
+    bool isWrong;       // it holds a mistake, which has been told
+};
 
-#define SW_YAML_MAX_FIELDS 64
+#define SW_YAML_MAX_KEYS 96
 
-// How many fields a table has. A table with more than there is room for does not compile.
-#define SW_YAML_COUNT(fields)                                                                                          \
-    ((int)(sizeof(fields) / sizeof((fields)[0])) +                                                                     \
-     0 * (int)sizeof(char[sizeof(fields) / sizeof((fields)[0]) <= SW_YAML_MAX_FIELDS ? 1 : -1]))
-
-// Which node set each field, NULL where the file says nothing, and whether it holds a mistake, which has been told.
-typedef struct swYamlNodes
+// The keys that a mapping may have.
+typedef struct swYamlMapping
 {
-    yaml_node_t* nodes[SW_YAML_MAX_FIELDS];
-    bool isWrong[SW_YAML_MAX_FIELDS];
-} swYamlNodes;
+    const char* what; // names it in messages
+    int count;
+    swYamlKey keys[SW_YAML_MAX_KEYS];
+} swYamlMapping;
+
+// No keys yet.
+void swBeginYamlMapping(swYamlMapping* mapping, const char* what);
+
+// A key that is read by a function.
+void swAddYamlKey(swYamlMapping* mapping, const char* key, swReadYamlFcn read);
+
+// The fields of a table that scene files have in a section, those of defs within it as well. Keys that are there
+// already stay what they are. Lists of defs are left to swAddYamlKey().
+void swAddYamlFields(swYamlMapping* mapping, const swFields* fields, size_t offset, const char* section);
+
+// A key of the mapping; NULL if it has none of that name.
+swYamlKey* swFindYamlKey(swYamlMapping* mapping, const char* key);
+
+// What the file says there; NULL if nothing.
+yaml_node_t* swGetYamlNode(const swYamlMapping* mapping, const char* key);
+bool swIsYamlWrong(const swYamlMapping* mapping, const char* key);
+
+// The section that a field stands in, and whether a part is one whose fields stand in it.
+const char* swGetFieldSection(const swFields* fields, const swField* field);
 
 // Parse a text. Needs swCloseYaml() if it succeeds. `root` is NULL for an empty document.
 swResult swOpenYaml(const swHost* host, const char* text, size_t size, const char* name, swYaml* yaml,
                     yaml_node_t** root);
 void swCloseYaml(swYaml* yaml);
 
-// Read a mapping into `target`; `what` names it in messages. Unknown and repeated keys are refused. `nodes` may be
-// NULL.
-swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, const char* what, const swYamlField* fields, int fieldCount,
-                           void* target, swYamlNodes* nodes);
+// Read a mapping into `target`. Unknown and repeated keys are refused.
+swResult swReadYamlMapping(swYaml* yaml, yaml_node_t* node, swYamlMapping* mapping, void* target);
 
 // The items of a list, at most `limit`; the first ones also if there are more, which fails.
 swResult swReadYamlList(swYaml* yaml, yaml_node_t* node, const char* what, int limit, int* count);
 yaml_node_t* swGetYamlItem(swYaml* yaml, yaml_node_t* node, int index);
 
-// A text of at most field->size bytes, its zero included.
-swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const swYamlField* field, char* target);
+// A text of at most `size` bytes, its zero included.
+swResult swReadYamlText(swYaml* yaml, yaml_node_t* node, const char* key, char* target, size_t size);
 
 // Log "file:line: sentence [code]" and return SW_ERROR_FORMAT.
 swResult swFailYaml(swYaml* yaml, const yaml_node_t* node, swMistake mistake, const char* format, ...) SW_PRINTF(4, 5);

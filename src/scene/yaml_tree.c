@@ -99,7 +99,11 @@ bool swIsTreeDefault(const swTree* tree, int node)
     {
         return at->isDefault;
     }
-    bool isDefault = at->type == SW_TREE_MAPPING || at->first < 0;
+    bool isDefault = at->type == SW_TREE_MAPPING || at->first < 0 || at->isDefault;
+    if (at->type == SW_TREE_LIST)
+    {
+        return isDefault;
+    }
     for (int child = at->first; child >= 0 && isDefault; child = swGetTreeNode(tree, child)->next)
     {
         isDefault = swIsTreeDefault(tree, child);
@@ -144,6 +148,43 @@ bool swAreTreesEqual(const swTree* a, int nodeA, const swTree* b, int nodeB)
         j = swGetTreeNode(b, j)->next;
     }
     return i < 0 && j < 0;
+}
+
+static const char* findMissing(const swTree* a, int nodeA, const swTree* b, int nodeB)
+{
+    int child = swGetTreeNode(a, nodeA)->first;
+    for (; child >= 0; child = swGetTreeNode(a, child)->next)
+    {
+        const char* key = swGetTreeNode(a, child)->key;
+        int other = swFindTreeKey(b, nodeB, key, strlen(key));
+        if (other < 0 ? !swIsTreeDefault(a, child) : !swAreTreesEqual(a, child, b, other))
+        {
+            const char* inner = other < 0 ? "" : swFindTreeDifference(a, child, b, other);
+            return inner[0] != '\0' ? inner : key;
+        }
+    }
+    return "";
+}
+
+const char* swFindTreeDifference(const swTree* a, int nodeA, const swTree* b, int nodeB)
+{
+    const swTreeNode *left = swGetTreeNode(a, nodeA), *right = swGetTreeNode(b, nodeB);
+    if (left->type != right->type || left->type == SW_TREE_SCALAR)
+    {
+        return "";
+    }
+    if (left->type == SW_TREE_MAPPING)
+    {
+        const char* key = findMissing(a, nodeA, b, nodeB);
+        return key[0] != '\0' ? key : findMissing(b, nodeB, a, nodeA);
+    }
+    int i = left->first, j = right->first;
+    while (i >= 0 && j >= 0 && swAreTreesEqual(a, i, b, j))
+    {
+        i = swGetTreeNode(a, i)->next;
+        j = swGetTreeNode(b, j)->next;
+    }
+    return i >= 0 && j >= 0 ? swFindTreeDifference(a, i, b, j) : "";
 }
 
 // ---- scalars ----

@@ -21,9 +21,10 @@ typedef struct swTreeNode
     swTreeType type;
     const char* key; // of a mapping's value; outlives the tree
     size_t text;     // scalar: where in `chars` its text begins, ended by a zero
-    bool isDefault;  // scalar: a text without it says the same, so it need not be written
+    bool isDefault;  // scalar, list: a text without it says the same, so it need not be written
     bool isMain;     // what a mapping is about: it takes the place of the main value that it replaces
     bool isLine;     // written in one line, as in {a: 1, b: 2}
+    bool isMatched;  // list: which of the text's items each is shows in what they say
     int item;        // of a list's item: which of the text's list it is, from 0 on; -1: new
     int first, last, next;
 } swTreeNode;
@@ -52,6 +53,9 @@ bool swIsTreeDefault(const swTree* tree, int node);
 
 // Whether two say the same: what only one of them has must be a default. Items are compared in order.
 bool swAreTreesEqual(const swTree* a, int nodeA, const swTree* b, int nodeB);
+
+// The innermost key at which two differ.
+const char* swFindTreeDifference(const swTree* a, int nodeA, const swTree* b, int nodeB);
 
 // ---- text ----
 

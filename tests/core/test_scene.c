@@ -197,7 +197,7 @@ static void WrongScenesAreNamedWithTheirLine(void** state)
         {"waves:\n  - spectrum: jonswap\n    growth: cube_root\n    peak_period_s: 8\n",
          "a.yaml:3: growth has no effect where peak_period_s is given; remove one of them."},
         {"waves:\n  - spectrum: jonswap\n    wind_speed_mps: 0\n",
-         "a.yaml:3: wind_speed_mps is 0; its range is 0.1 to 100"},
+         "a.yaml:3: wind_speed_mps is 0; its range is above 0 to 100"},
         {"waves:\n  - spectrum: jonswap\n    resolution: 100\n",
          "a.yaml:3: resolution is 100; it must be a power of two."},
         {"waves:\n  - spectrum: jonswap\n    resolution: 64\n",

@@ -195,7 +195,9 @@ static void PairsAreTakenAwayWithTheirLine(void** state)
         {"s: {a: 1, b: 2}\n", "{s: {c: 3, d: 4}}", "s: {c: 3, d: 4}\n"},
         {"l:\n  - a: 1\n    b: 2\n", "{l: [{b: 2}]}", "l:\n  - b: 2\n"},
         {"l:\n  - a: 1 # one\n    # about b\n    b: 2\n", "{l: [{b: 2}]}", "l:\n  -  # one\n    # about b\n    b: 2\n"},
-        {"l:\n  - a: 1\n", "{l: [{b: 2}]}", NULL},
+        {"l:\n  - a: 1 # one\n", "{l: [{b: 2, c: 3}]}", "l:\n  - b: 2 # one\n    c: 3\n"},
+        {"l:\n  - a: 1\n    b:\n      - 1\n    c: 2 # two\n    d: 3\n", "{l: [{d: 3}]}", "l:\n  - d: 3\n"},
+        {"l:\n  - a: 1\n", "{l: [{}]}", NULL},
     };
     CHECK(cases);
 }

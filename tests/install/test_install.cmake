@@ -66,7 +66,7 @@ message("pkg-config ${modules}: ${said}")
 
 # What people read: every page with what it shows, every scene, and an example as a host would compile it.
 set(doc ${prefix}/${DOC_DIR})
-foreach(pair IN ITEMS "docs/*.md:${doc}/docs" "docs/images/*:${doc}/docs/images" "examples/*.c:${doc}/examples"
+foreach(pair IN ITEMS "docs/*.md:${doc}/docs" "docs/images/*:${doc}/docs/images" "examples/*.c:${doc}/examples" "examples/*.comp:${doc}/examples"
         "scenes/*.yaml:${prefix}/${DATA_DIR}/seaway/scenes" "scenes/data/*:${prefix}/${DATA_DIR}/seaway/scenes/data"
         "README.md:${doc}" "CHANGELOG.md:${doc}" "CONTRIBUTING.md:${doc}" "LICENSE:${doc}")
     string(REPLACE ":" ";" pair ${pair})
@@ -86,6 +86,13 @@ endforeach()
 run(COMMAND ${C_COMPILER} ${flags} ${doc}/examples/01_heights.c -o ${WORK_DIR}/example ${found} -lm)
 run(COMMAND ${WORK_DIR}/example OUTPUT said)
 message("an installed example: ${said}")
+find_program(GLSLC glslc)
+if(HAS_GPU AND GLSLC)
+    run(COMMAND ${PKG_CONFIG} --variable=shaderdir seaway-gpu OUTPUT shaders)
+    run(COMMAND ${GLSLC} --target-env=vulkan1.3 -I ${shaders} -o ${WORK_DIR}/own.spv ${doc}/examples/08_own_shader.comp)
+    run(COMMAND ${GLSLC} --target-env=vulkan1.3 -I ${shaders} -o ${WORK_DIR}/water.spv ${CONSUMER_DIR}/water.frag)
+    message("an installed shader: compiled with ${shaders}")
+endif()
 if(HAS_PROGRAM)
     run(COMMAND ${prefix}/bin/seaway check ${prefix}/${DATA_DIR}/seaway/scenes/buoy.yaml OUTPUT said)
     message("the installed program: ${said}")

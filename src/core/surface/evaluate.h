@@ -27,8 +27,12 @@ typedef struct swQuery
     const swFreeWave* waves;
     int tileCount;
     const swTile* tiles; // of the frame; see swIsTileAsked()
+    int64_t tileTicks;   // of their texels
     float sideways;      // root mean square of the particles' horizontal displacement, m
     float longestFelt;   // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
+
+    // A later frame, or NULL: up to its time the surface runs linearly from the one's to the other's.
+    const swFrame* after;
 } swQuery;
 
 // Whether a tile of the query's has waves of at least the shortest length that was asked for.
@@ -39,6 +43,7 @@ static inline bool swIsTileAsked(const swQuery* query, const swTile* tile)
 
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin);
+void swBlendQuery(swQuery* query, const swFrame* after);
 
 // What is asked of a block of rest points (in the sea). What is not asked for is NULL; gradients come with
 // displacement, and so do levels.

@@ -6,8 +6,6 @@
 #include "core/base/misuse.h"
 #include "gpu/draw/renderer.h"
 
-#define SW_SKY_COOKIE 0x534b59
-#define SW_WATER_COOKIE 0x575452
 #define SW_PICTURE_COOKIE 0x504943
 
 #define SW_NEAR_PLANE 0.1f
@@ -36,31 +34,6 @@ swCamera swMakeCamera(swPos position, float heading, float pitch, float roll, fl
     camera.projection.m[11] = -1.0f;
     camera.projection.m[14] = SW_NEAR_PLANE;
     return camera;
-}
-
-swSkyDef swDefaultSkyDef(void)
-{
-    return (swSkyDef){
-        .sunAzimuth = (float)(135.0 * SW_PI / 180.0),
-        .sunElevation = (float)(40.0 * SW_PI / 180.0),
-        .sunIlluminance = 128e3f,
-        .haze = 1.0f,
-        .clouds = 0.35f,
-        .internalValue = SW_SKY_COOKIE,
-    };
-}
-
-// Clear ocean with some plankton: absorption of pure water [Pope 1997] and pigments at about 610, 540 and 460 nm.
-swWaterDef swDefaultWaterDef(void)
-{
-    return (swWaterDef){
-        .absorption = {0.30f, 0.066f, 0.040f},
-        .scattering = {0.22f, 0.26f, 0.30f},
-        .refractiveIndex = 1.34f,
-        .foamAlbedo = {0.9f, 0.9f, 0.9f},
-        .windSpeed = 7.0f,
-        .internalValue = SW_WATER_COOKIE,
-    };
 }
 
 const char* swDebugMode_GetName(swDebugMode mode)
@@ -146,14 +119,7 @@ static bool areNumbers(const float* values, int count)
 
 static bool isLookGood(const swSkyDef* sky, const swWaterDef* water)
 {
-    const float looks[] = {
-        sky->sunAzimuth,     sky->sunElevation,   sky->sunIlluminance, sky->haze,
-        sky->clouds,         water->absorption.x, water->absorption.y, water->absorption.z,
-        water->scattering.x, water->scattering.y, water->scattering.z, water->foamAlbedo.x,
-        water->foamAlbedo.y, water->foamAlbedo.z, water->windSpeed,    water->refractiveIndex,
-    };
-    return sky->internalValue == SW_SKY_COOKIE && water->internalValue == SW_WATER_COOKIE &&
-           areNumbers(looks, (int)(sizeof looks / sizeof looks[0]));
+    return swFields_Check(swGetSkyFields(), sky, NULL, 0) && swFields_Check(swGetWaterFields(), water, NULL, 0);
 }
 
 static bool isCameraGood(const swCamera* camera)

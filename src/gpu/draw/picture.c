@@ -14,15 +14,9 @@
 #define SW_SUN_RED 1.047f
 #define SW_SUN_GREEN 0.995f
 #define SW_SUN_BLUE 0.915f
-#define SW_SUN_RADIUS 0.004654
 #define SW_FOAM_PERIOD 1024.0
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define SW_CLOUD_DRIFT 0.015 // km/s
-
-static swVec4 withW(swVec3 v, float w)
-{
-    return (swVec4){v.x, v.y, v.z, w};
-}
 
 static double wrap(double x, double period)
 {
@@ -60,18 +54,21 @@ static void setCamera(const swCamera* camera, swPictureParams* p)
     memcpy(p->clip, clip, sizeof(clip));
     float perX = 1.0f / projection[0];
     float perY = 1.0f / projection[5];
-    p->rayX = (swVec4){view[0] * perX, view[4] * perX, view[8] * perX, (float)camera->width};
-    p->rayY = (swVec4){view[1] * perY, view[5] * perY, view[9] * perY, (float)camera->height};
-    p->forward = (swVec4){-view[2], -view[6], -view[10], 2.0f * fabsf(perY) / (float)camera->height};
+    p->rayX = (swVec3){view[0] * perX, view[4] * perX, view[8] * perX};
+    p->rayY = (swVec3){view[1] * perY, view[5] * perY, view[9] * perY};
+    p->forward = (swVec3){-view[2], -view[6], -view[10]};
+    p->pixel = 2.0f * fabsf(perY) / (float)camera->height;
 }
 
 static void setSky(const swSkyDef* sky, swPictureParams* p)
 {
     double level = cos((double)sky->sunElevation);
-    p->sun = (swVec4){(float)(sin((double)sky->sunAzimuth) * level), (float)sin((double)sky->sunElevation),
-                      (float)(-cos((double)sky->sunAzimuth) * level), (float)cos(SW_SUN_RADIUS)};
+    p->sun = (swVec3){(float)(sin((double)sky->sunAzimuth) * level), (float)sin((double)sky->sunElevation),
+                      (float)(-cos((double)sky->sunAzimuth) * level)};
     float light = sky->sunIlluminance * SW_PRE_EXPOSURE;
-    p->sunLight = (swVec4){light * SW_SUN_RED, light * SW_SUN_GREEN, light * SW_SUN_BLUE, sky->haze};
+    p->sunLight = (swVec3){light * SW_SUN_RED, light * SW_SUN_GREEN, light * SW_SUN_BLUE};
+    p->haze = sky->haze;
+    p->clouds = sky->clouds;
 }
 
 static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* built)
@@ -91,9 +88,11 @@ static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* b
         slopes += swGetFreeWaveSlope(&frame->waves[i]);
     }
     float deviation = sqrtf(variance);
-    p->absorption = withW(water->absorption, water->refractiveIndex);
-    p->scattering = withW(water->scattering, deviation);
-    p->foamAlbedo = withW(water->foamAlbedo, shot->sky.clouds);
+    p->absorption = water->absorption;
+    p->scattering = water->scattering;
+    p->index = water->refractiveIndex;
+    p->deviation = deviation;
+    p->foamAlbedo = water->foamAlbedo;
     p->rippleVariance = swRippleVariance(water->windSpeed, slopes);
     p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.

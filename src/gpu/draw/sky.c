@@ -124,7 +124,7 @@ static bool differs(float a, float b, float limit)
     return !(fabsf(a - b) <= limit);
 }
 
-static bool vectorDiffers(swVec4 a, swVec4 b, float limit)
+static bool vectorDiffers(swVec3 a, swVec3 b, float limit)
 {
     return differs(a.x, b.x, limit) || differs(a.y, b.y, limit) || differs(a.z, b.z, limit);
 }
@@ -132,11 +132,11 @@ static bool vectorDiffers(swVec4 a, swVec4 b, float limit)
 static swSkyState getState(const swPictureParams* p)
 {
     return (swSkyState){
-        .haze = p->sunLight.w,
+        .haze = p->haze,
         .sun = p->sun,
         .sunLight = p->sunLight,
         .cameraHeight = p->cameraHeight,
-        .clouds = p->foamAlbedo.w,
+        .clouds = p->clouds,
         .cloudX = p->cloudX,
         .cloudZ = p->cloudZ,
     };

@@ -9,7 +9,7 @@
 typedef struct swSkyState
 {
     float haze;
-    swVec4 sun, sunLight;
+    swVec3 sun, sunLight;
     float cameraHeight;
     float clouds, cloudX, cloudZ;
 } swSkyState;

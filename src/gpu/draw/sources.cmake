@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/foam_texture.c
+    ${CMAKE_CURRENT_LIST_DIR}/look_def.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_rings.c
     ${CMAKE_CURRENT_LIST_DIR}/picture.c
     ${CMAKE_CURRENT_LIST_DIR}/renderer.c

@@ -130,7 +130,8 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .bands = swBindUpload(&picture->bandsUpload),
         .light = swBindBuffer(&from->sky->light),
         .derivatives = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
-        .foamLayer = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FOAM), SW_SAMPLER_LINEAR_CLAMP),
+        .foamLayer =
+            swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FOAM), swChooseLayerSampler(gpu, SW_LAYER_FOAM)),
         .detail = swBindImage(gpu, swGetDetailImage(from->gpuWorld), SW_SAMPLER_LINEAR_REPEAT),
         .skyMap = swBindImage(gpu, &from->sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         .air = swBindImage(gpu, &from->sky->air, SW_SAMPLER_LINEAR_CLAMP),

@@ -3,16 +3,24 @@
 
 #include <string.h>
 
+#include "core/lod/scroll.h"
+
 static const VkFormat formats[] = {
     [SW_TEXEL_R32F] = VK_FORMAT_R32_SFLOAT,
     [SW_TEXEL_RGBA32F] = VK_FORMAT_R32G32B32A32_SFLOAT,
     [SW_TEXEL_RGBA16F] = VK_FORMAT_R16G16B16A16_SFLOAT,
 };
 
-// Simulated fields live in zones.
-static bool isInView(int layer)
+bool swIsLayerInView(int layer)
 {
     return swGetLayerInfo(layer)->kind != SW_LAYER_IS_SIMULATED;
+}
+
+swSamplerKind swChooseLayerSampler(const swGpu* gpu, int layer)
+{
+    const swLayerInfo* info = swGetLayerInfo(layer);
+    bool canFilter = info->format == SW_TEXEL_RGBA16F || gpu->filtersFloats;
+    return info->isLinear && canFilter ? SW_SAMPLER_LINEAR_CLAMP : SW_SAMPLER_NEAREST_CLAMP;
 }
 
 static swResult createImages(swGpu* gpu, swGpuView* view)
@@ -30,7 +38,7 @@ static swResult createImages(swGpu* gpu, swGpuView* view)
             .layout = VK_IMAGE_LAYOUT_GENERAL,
             .name = info->name,
         };
-        int count = !isInView(i) ? 0 : info->hasPast ? 2 : 1;
+        int count = !swIsLayerInView(i) ? 0 : info->hasPast ? 2 : 1;
         for (int k = 0; k < count; ++k)
         {
             swResult result = swCreateImage(gpu, &def, &view->layers[i].images[k]);
@@ -113,12 +121,25 @@ static void planView(swGpuView* view)
 {
     for (int i = 0; i < SW_LAYERS; ++i)
     {
-        if (isInView(i) && swGetLayerInfo(i)->hasPast)
+        if (swIsLayerInView(i) && swGetLayerInfo(i)->hasPast)
         {
             view->layers[i].due = swFindCatchUp(&view->layers[i].mark.at, i, &view->frame->stack);
             view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore;
         }
     }
+}
+
+static swViewPlace notePlace(const swFrame* frame, const swViewFrame* view)
+{
+    swViewPlace place = {
+        .viewpoint = view->viewpoint,
+        .seaLevel = frame->seaLevel,
+        .fade = view->fade,
+        .scaleLevel = view->scaleLevel,
+        .foamAtRest = frame->foamLaw.cover,
+    };
+    memcpy(place.slices, view->stack.slices, sizeof(place.slices));
+    return place;
 }
 
 swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
@@ -133,6 +154,7 @@ swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
         if (result == SW_SUCCESS)
         {
             view->frame = viewFrame;
+            view->place = notePlace(frame, viewFrame);
             view->isCore = gpu->usesCoreLayers && viewFrame->stack.layers[SW_LAYER_DISPLACEMENT].texels != NULL;
             planView(view);
             result = view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : SW_SUCCESS;
@@ -175,6 +197,17 @@ bool swCopyGpuViews(swGpu* gpu, VkCommandBuffer commands, swGpuView* views)
         }
     }
     return hasCopies;
+}
+
+void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSource* sources)
+{
+    const swStackFrame* stack = &view->frame->stack;
+    const swGpuLayer* past = &view->layers[layer];
+    int count = past->due.isReset ? 0 : stack->sliceCount;
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        swFindPastSources(&stack->slices[i], stack->resolution, count, past->mark.at.slices, sources + i * stride);
+    }
 }
 
 static void commitView(uint64_t frameIndex, swGpuView* view)

@@ -31,6 +31,18 @@ typedef struct swGpuLayer
 // Layers of one view, as layers.inl lists them. Array layer = slice; texel centres are the lattice points, so point
 // (column, row) of a slice is at uv = ((column + 0.5) / R, (row + 0.5) / R). The fourth component of the displacement
 // holds J in full precision, by which foam grows.
+// Where a view's slices were when it was recorded, and what is beyond them: kept for who asks after the world has
+// stepped on.
+typedef struct swViewPlace
+{
+    swPos viewpoint;
+    double seaLevel;
+    float fade; // see swViewFrame
+    int scaleLevel;
+    float foamAtRest;
+    swSlice slices[SW_MAX_SLICES];
+} swViewPlace;
+
 typedef struct swGpuView
 {
     uint32_t viewVersion; // of the view it belongs to
@@ -43,6 +55,7 @@ typedef struct swGpuView
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     const swViewFrame* frame;
+    swViewPlace place;
     bool isCore; // the core made the layers, they are only copied
 } swGpuView;
 
@@ -61,9 +74,18 @@ void swDestroyGpuViews(swGpu* gpu, swGpuView* views);
 // Bytes of device memory.
 size_t swGetGpuViewMemory(const swGpuView* views);
 
+// Where the texels of each slice were in the image that swGetLayerImage() gives: SW_PAST_SOURCES entries a slice, each
+// slice's first one `stride` behind that of the slice before.
+void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSource* sources);
+
 // Layers that the core has made: all that may fail, then the copies.
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view);
 void swCopyCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view);
+
+// Whether views have the layer: simulated fields live in zones.
+bool swIsLayerInView(int layer);
+// How readers sample a layer: linear if it is meant so and the device can filter its format.
+swSamplerKind swChooseLayerSampler(const swGpu* gpu, int layer);
 
 // Copy one slice of a layer to the host; waits.
 swResult swReadLayer(swGpu* gpu, const swGpuView* view, int layer, int slice, float* texels);

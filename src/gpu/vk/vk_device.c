@@ -529,6 +529,7 @@ static swResult createParts(swGpu* gpu, const swGpuDef* def)
         def->layers == SW_LAYERS_CORE || (def->layers == SW_LAYERS_AUTO && isSoftwareType(gpu->properties.deviceType));
     float anisotropy = gpu->properties.limits.maxSamplerAnisotropy;
     gpu->maxAnisotropy = anisotropy < 16.0f ? anisotropy : 16.0f;
+    gpu->filtersFloats = swFiltersFloats(gpu);
     gpu->vk.GetPhysicalDeviceMemoryProperties(gpu->physicalDevice, &gpu->memory.properties);
     swResult result = createSamplers(gpu);
     result = result == SW_SUCCESS ? createPipelineCache(gpu, def) : result;
@@ -567,6 +568,8 @@ static void destroyParts(swGpu* gpu)
 {
     swDestroyRetired(gpu, UINT64_MAX);
     swDestroyUploads(gpu);
+    swDestroySets(gpu);
+    gpu->vk.DestroyDescriptorSetLayout(gpu->device, gpu->layersLayout, NULL);
     swDestroyPassTimer(gpu);
     swDestroySubmit(gpu);
     for (int i = 0; i < SW_SAMPLER_COUNT; ++i)

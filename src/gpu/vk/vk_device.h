@@ -12,6 +12,7 @@
 #include "gpu/vk/vk_image.h"
 #include "gpu/vk/vk_memory.h"
 #include "gpu/vk/vk_pass.h"
+#include "gpu/vk/vk_sets.h"
 #include "gpu/vk/vk_upload.h"
 
 typedef struct swVkFunctions
@@ -56,9 +57,11 @@ struct swGpu
 
     VkPhysicalDeviceProperties properties;
     float maxAnisotropy;
-    bool hasWireframe; // fillModeNonSolid
+    bool hasWireframe;  // fillModeNonSolid
+    bool filtersFloats; // linear filtering of 32-bit floats; not on many mobile GPUs
     VkPipelineCache pipelineCache;
     VkSampler samplers[SW_SAMPLER_COUNT];
+    VkDescriptorSetLayout layersLayout; // of swGpu_GetLayersLayout(), once it was asked for
     swMemory memory;
 
     bool usesCoreLayers; // where a view has them, see swGpuDef::layers
@@ -69,6 +72,7 @@ struct swGpu
     bool hasFinished;    // the host said that a frame is done
     uint64_t finishedFrame;
     swUploadRing uploads[SW_MAX_FRAMES_IN_FLIGHT];
+    swSetRing sets[SW_MAX_FRAMES_IN_FLIGHT];
     swPassTimer timer;
     int retiredCount, retiredCapacity;
     swRetired* retired;
@@ -85,6 +89,8 @@ void swDestroyDevice(swGpu* gpu);
 bool swCheckDeviceFeatures(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance, VkPhysicalDevice device,
                            char* missing, size_t size);
 void swFillDeviceFeatures(swGpuFeatures* storage);
+// What is used where it is there.
+bool swFiltersFloats(const swGpu* gpu);
 extern const char* const swDeviceExtensions[];
 #define SW_DEVICE_EXTENSION_COUNT 1
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a device must have: Vulkan 1.3, a handful of features that every such device of note has, push descriptors, and
-// linear filtering of 32-bit foam. Everything is in one place, so that the check, the device that we create and what we
-// tell a host that creates its own can never disagree.
+// What a device must have: Vulkan 1.3, a handful of features that every such device of note has, and push descriptors.
+// Everything is in one place, so that the check, the device that we create and what we tell a host that creates its own
+// can never disagree.
 
 #include <stdio.h>
 #include <string.h>
@@ -96,8 +96,8 @@ static void checkFormats(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstan
         VkFormatFeatureFlags features;
         const char* text;
     } needs[] = {
-        {VK_FORMAT_R32_SFLOAT, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
-         "linear filtering of R32_SFLOAT"},
+        {VK_FORMAT_R32_SFLOAT, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT,
+         "storage images of R32_SFLOAT"},
         {VK_FORMAT_R16G16B16A16_SFLOAT,
          VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT,
          "storage images of R16G16B16A16_SFLOAT"},
@@ -172,4 +172,11 @@ bool swCheckDeviceFeatures(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInst
     checkFormats(getInstanceProcAddr, instance, device, &list);
     checkQueues(getInstanceProcAddr, instance, device, &list);
     return list.isEmpty;
+}
+
+bool swFiltersFloats(const swGpu* gpu)
+{
+    VkFormatProperties properties;
+    gpu->vk.GetPhysicalDeviceFormatProperties(gpu->physicalDevice, VK_FORMAT_R32_SFLOAT, &properties);
+    return (properties.optimalTilingFeatures & VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT) != 0;
 }

@@ -77,6 +77,7 @@ void swBeginGpuFrame(swGpu* gpu, uint64_t frameIndex)
     gpu->frameSlot = (int)(frameIndex % (uint64_t)gpu->framesInFlight);
     collectTimes(gpu, gpu->frameSlot);
     swResetUpload(gpu, gpu->frameSlot);
+    swResetSets(gpu, gpu->frameSlot);
     swDestroyRetired(gpu, frameIndex);
     gpu->timer.counts[gpu->frameSlot] = 0;
     gpu->timer.isStarted = false;

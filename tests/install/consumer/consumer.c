@@ -3,6 +3,7 @@
 #include <seaway/seaway.h>
 #ifdef USE_GPU
 #include <seaway/draw.h>
+#include <seaway/layers.h>
 #endif
 #ifdef USE_STAGE
 #include <seaway/stage.h>

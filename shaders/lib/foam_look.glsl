@@ -3,6 +3,9 @@
 // over 0 .. 1, so that a threshold can leave just that amount covered, see foamEdge(): laces at two scales decide where
 // foam is, bubbles how thick. The pattern rests on the water, drifts with it, and is renewed bit by bit: two copies
 // with different offsets take turns. Where a pixel is wider than the pattern, the amount itself is the answer.
+#ifndef SW_LIB_FOAM_LOOK
+#define SW_LIB_FOAM_LOOK
+#include "lib/surface_sample.glsl"
 
 struct FoamDetail
 {
@@ -152,3 +155,12 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     foam.thickness = clamp(mix(foamMeanThickness, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
     return foam;
 }
+
+// Radiance of foam, matt and lit from all around.
+vec3 foamRadiance(vec3 albedo, vec3 normal, vec3 sun, vec3 sunlight, vec3 skylight)
+{
+    float lambert = max(0.85 * dot(normal, sun) + 0.15, 0.0);
+    vec3 foamLight = (sunlight * lambert * smoothstep(-0.02, 0.05, sun.y) + skylight) / 3.14159265;
+    return foamLight * albedo;
+}
+#endif

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Slopes of the sea at a pixel, and the variance of those that the pixel cannot resolve.
+//
+// Long waves come from the slices, chop and all. A slice carries waves from eight of its texels up, so a coarser slice
+// is also a filtered one: the slice is chosen by distance, like the mesh's, or coarser where a pixel covers more. Every
+// band that the chosen slices leave out comes from the layers of its own tile's slopes, filtered by their mips along
+// the pixel's footprint; what a mip has averaged away is its mean square less the square of its mean.
+//
+// Buffers cannot be arguments, so whoever includes this says where their elements come from, by functions of the three
+// names that are declared below.
+#ifndef SW_LIB_SURFACE_SAMPLE
+#define SW_LIB_SURFACE_SAMPLE
+#include "shared/mesh.h"
+#include "shared/picture.h"
+
+swMeshSlice meshSlice(uint index);
+swDetailParams detailBand(uint index);
+swDetailWave detailWave(uint index);
+
+// Of the buffers and layers: members of swPictureParams.
+struct SurfaceGrid
+{
+    uint ringCount, bandCount, waveCount, resolution;
+    float finestWavelength;
+    float rippleVariance;
+};
+
+struct Slopes
+{
+    vec2 mean;
+    vec2 variance; // unresolved
+    float jacobian;
+};
+
+// The pixel's footprint on the water: an ellipse drawn out along the line of sight.
+struct Footprint
+{
+    vec2 axis; // unit vector along the longer half axis
+    float longest, shortest;
+};
+
+// From distance and angle, not from derivatives: those of a triangle seen edge on are as large as they are meaningless.
+// `facing` is the mean projected area of level water, which on a rough sea stays above 0 at the horizon.
+Footprint footprintAt(vec3 view, float range, float pixelAngle, float facing)
+{
+    Footprint footprint;
+    footprint.axis = view.xz * inversesqrt(max(dot(view.xz, view.xz), 1e-8));
+    footprint.shortest = range * pixelAngle;
+    footprint.longest = footprint.shortest / min(facing, 1.0);
+    return footprint;
+}
+
+// Mean of a repeating layer over the footprint: blurred probes along the longer axis, none narrower than a texel, and
+// at most `most`. Hardware's anisotropic filter would do, but software devices walk every texel of a footprint that
+// spans thousands of tiles. For those, who filter by hand, a probe also keeps to one mip where `isFast`.
+vec4 meanOverFootprint(sampler2DArray layers, float layer, vec2 uv, Footprint footprint, float perMetre, float side,
+                       float most, bool isFast)
+{
+    float longest = min(footprint.longest * perMetre, 1.0);
+    float width = max(min(max(footprint.shortest * perMetre, 1.0 / side), longest), longest / most);
+    float probes = clamp(ceil(longest / max(width, 1e-6)), 1.0, most);
+    float lod = log2(max(width * side, 1e-3));
+    lod = isFast ? floor(lod + 0.5) : lod;
+    vec2 stride = footprint.axis * (longest / probes);
+    vec2 at = uv - stride * (0.5 * (probes - 1.0));
+    vec4 sum = vec4(0.0);
+    for (float i = 0.0; i < probes; ++i)
+    {
+        sum += textureLod(layers, vec3(at, layer), lod);
+        at += stride;
+    }
+    return sum / probes;
+}
+
+vec2 sliceUv(swMeshSlice slice, vec2 place, float resolution)
+{
+    vec2 texel = vec2(swMeshTexel(place.x, slice.originX, slice.texelX, slice.scale),
+                      swMeshTexel(place.y, slice.originZ, slice.texelZ, slice.scale));
+    return (texel + 0.5) / resolution;
+}
+
+// The two slices to read, and how much each counts.
+struct SlicePair
+{
+    uint first, second;
+    float firstWeight, secondWeight;
+};
+
+SlicePair slicePairAt(SurfaceGrid grid, float level)
+{
+    float last = float(grid.ringCount - 1);
+    float whole = floor(min(level, last));
+    float next = clamp(level - whole, 0.0, 1.0);
+    SlicePair pair;
+    pair.first = uint(whole);
+    pair.second = min(pair.first + 1, grid.ringCount - 1);
+    pair.firstWeight = (1.0 - next) * meshSlice(pair.first).weight;
+    pair.secondWeight = pair.first + 1 < grid.ringCount ? next * meshSlice(pair.second).weight : 0.0;
+    return pair;
+}
+
+// How much of a band with this shortest wave the pair holds.
+float carriedBy(SurfaceGrid grid, SlicePair pair, float wavelength)
+{
+    float cut = grid.finestWavelength * 0.999;
+    return (wavelength >= cut * meshSlice(pair.first).scale ? pair.firstWeight : 0.0) +
+           (wavelength >= cut * meshSlice(pair.second).scale ? pair.secondWeight : 0.0);
+}
+
+void addBands(inout Slopes slopes, SurfaceGrid grid, SlicePair pair, vec2 rest, Footprint footprint,
+              sampler2DArray detail, bool isFast)
+{
+    float side = float(textureSize(detail, 0).x);
+    for (uint i = 0; i < grid.bandCount; ++i)
+    {
+        swDetailParams band = detailBand(i);
+        float missing = 1.0 - carriedBy(grid, pair, band.minWavelength);
+        if (missing <= 0.0)
+        {
+            continue;
+        }
+        vec2 moments = vec2(band.slopeVarianceX, band.slopeVarianceZ);
+        // Of waves hardly longer than a pixel only the mean counts: a tile is 16 of its longest waves wide, and what is
+        // left of its pattern would show how it repeats.
+        float merged = smoothstep(0.2, 0.7, footprint.shortest / band.maxWavelength);
+        if (merged >= 1.0)
+        {
+            slopes.variance += missing * moments;
+            continue;
+        }
+        vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
+        vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side, isFast ? 2.0 : 8.0, isFast);
+        vec2 mean = (1.0 - merged) * m.xy;
+        slopes.mean += missing * mean;
+        slopes.variance += missing * max(mix(m.zw, moments, merged) - mean * mean, vec2(0.0));
+    }
+}
+
+// The first free wave that is shorter than this.
+uint firstShorter(SurfaceGrid grid, float wavelength)
+{
+    uint low = 0, high = grid.waveCount;
+    while (low < high)
+    {
+        uint middle = (low + high) / 2;
+        bool isLong = detailWave(middle).wavelength >= wavelength;
+        low = isLong ? middle + 1 : low;
+        high = isLong ? high : middle;
+    }
+    return low;
+}
+
+// What a pixel leaves of a wave's slope: a Gaussian over the footprint, of 0.4 of its width along either axis.
+float leftOverFootprint(vec2 k, Footprint footprint)
+{
+    float along = 0.4 * footprint.longest * dot(k, footprint.axis);
+    float across = 0.4 * footprint.shortest * (k.y * footprint.axis.x - k.x * footprint.axis.y);
+    return exp(-0.5 * (along * along + across * across));
+}
+
+// Each free wave that the slices leave out, with its own slope as far as the pixel resolves it. All that are shorter
+// than a pixel are roughness at once.
+void addFreeWaves(inout Slopes slopes, SurfaceGrid grid, SlicePair pair, vec2 rest, Footprint footprint)
+{
+    float cut = grid.finestWavelength * 0.999;
+    bool isWhole = pair.firstWeight + pair.secondWeight > 0.999;
+    float longest = cut * meshSlice(pair.secondWeight > 0.0 ? pair.second : pair.first).scale;
+    float shortest = min(footprint.shortest, cut * meshSlice(pair.first).scale);
+    for (uint i = isWhole ? firstShorter(grid, longest) : 0; i < grid.waveCount; ++i)
+    {
+        swDetailWave wave = detailWave(i);
+        if (wave.wavelength < shortest)
+        {
+            slopes.variance += vec2(wave.restX, wave.restZ);
+            return;
+        }
+        vec2 k = vec2(wave.kx, wave.kz);
+        float missing = 1.0 - carriedBy(grid, pair, wave.wavelength);
+        float left = leftOverFootprint(k, footprint);
+        vec2 steepness = wave.amplitude * k;
+        slopes.mean -= (missing * left * sin(dot(k, rest) + wave.phase)) * steepness;
+        slopes.variance += (0.5 * missing * (1.0 - left * left)) * steepness * steepness;
+    }
+}
+
+// The slice to read, and a fraction of the next: by distance, as the mesh has it, or coarser where a pixel covers more.
+float sliceLevelAt(SurfaceGrid grid, float byDistance, Footprint footprint)
+{
+    // A pixel may cover as much as the shortest wave's quarter, a texel.
+    float byFootprint = log2(max(3.0 * footprint.longest / grid.finestWavelength, 1e-6));
+    return clamp(max(byDistance, byFootprint), 0.0, float(grid.ringCount));
+}
+
+// A layer of the slices at a place of the mesh; what the pair does not hold is `beyond`.
+vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 place, vec4 beyond)
+{
+    float resolution = float(grid.resolution);
+    vec4 sum = (1.0 - pair.firstWeight - pair.secondWeight) * beyond;
+    vec2 uv = sliceUv(meshSlice(pair.first), place, resolution);
+    sum += pair.firstWeight * textureLod(layer, vec3(uv, float(pair.first)), 0.0);
+    if (pair.secondWeight > 0.0)
+    {
+        uv = sliceUv(meshSlice(pair.second), place, resolution);
+        sum += pair.secondWeight * textureLod(layer, vec3(uv, float(pair.second)), 0.0);
+    }
+    return sum;
+}
+
+// `place` is in finest steps from the mesh's anchor, `rest` the same in metres.
+Slopes slopesAt(SurfaceGrid grid, SlicePair pair, vec2 place, vec2 rest, Footprint footprint,
+                sampler2DArray derivatives, sampler2DArray detail, bool isFast)
+{
+    vec4 d = sampleSlices(derivatives, grid, pair, place, vec4(0.0, 0.0, 1.0, 0.0));
+    Slopes slopes;
+    slopes.jacobian = d.z;
+    // A fold would be vertical; its place is under foam, and steeper than this no water stands.
+    slopes.mean = d.xy / max(d.z, 0.25);
+    slopes.mean *= min(1.0, 1.4 * inversesqrt(max(dot(slopes.mean, slopes.mean), 1e-8)));
+    slopes.variance = vec2(grid.rippleVariance);
+    addBands(slopes, grid, pair, rest, footprint, detail, isFast);
+    addFreeWaves(slopes, grid, pair, rest, footprint);
+    return slopes;
+}
+
+// Smooth amount of foam, [0, 1]; `atRest` is that beyond the slices.
+float foamAmountAt(SurfaceGrid grid, SlicePair pair, vec2 place, sampler2DArray foam, float atRest)
+{
+    return clamp(sampleSlices(foam, grid, pair, place, vec4(atRest)).r, 0.0, 1.0);
+}
+#endif

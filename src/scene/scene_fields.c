@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+
+#include "scene/scene_fields.h"
+
+#include "core/base/field.h"
+#include "scene/yaml_read.h"
+#include "seaway/math.h"
+
+#define DEGREES(degrees) ((degrees) * (SW_PI / 180.0))
+
+// Beyond any sea, yet far from where doubles lose millimetres.
+#define FAR 1e9
+
+// ---- the file ----
+
+#define SW_DEF swScene
+static const swField sceneFields[] = {
+    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_NUMBER(time, "s", SW_WITHIN(-SW_YAML_LARGEST_TIME, SW_YAML_LARGEST_TIME), 0.0, .key = "time_s", .label = "time",
+              .tip = "Of the world when the scene begins", SW_KNOB(0.0, 3600.0)),
+    SW_NUMBER(exposureEv, "EV", SW_WITHIN(-20.0, 20.0), 0.0, .key = "exposure_ev", .label = "exposure",
+              .tip = "Stops beside the automatic exposure", SW_KNOB(-6.0, 6.0)),
+};
+#undef SW_DEF
+
+static const swFields scene = SW_PART_FIELDS(swScene, "scene", "scene", sceneFields);
+
+const swFields* swGetSceneFields(void)
+{
+    return &scene;
+}
+
+#define SW_DEF swSceneView
+static const swField viewFields[] = {
+    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_NUMBERS(position, double, "m", SW_WITHIN(-FAR, FAR), SW_EACH(0.0, 20.0, 0.0), .key = "position_m",
+               .label = "position", .tip = "x, height above the sea level, z", SW_KNOB(-1000.0, 1000.0)),
+    SW_NUMBER(heading, "deg", SW_WITHIN(DEGREES(-360.0), DEGREES(360.0)), 0.0, .key = "heading_deg", .label = "heading",
+              .tip = "Clockwise from north", .form = SW_FORM_DEGREES, SW_KNOB(0.0, 360.0)),
+    SW_NUMBER(pitch, "deg", SW_WITHIN(DEGREES(-90.0), DEGREES(90.0)), 0.0, .key = "pitch_deg", .label = "pitch",
+              .tip = "Up is positive", .form = SW_FORM_DEGREES, SW_KNOB(-90.0, 90.0)),
+    SW_NUMBER(roll, "deg", SW_WITHIN(DEGREES(-180.0), DEGREES(180.0)), 0.0, .key = "roll_deg", .label = "roll",
+              .form = SW_FORM_DEGREES, SW_KNOB(-180.0, 180.0)),
+    SW_NUMBER(verticalFov, "deg", SW_WITHIN(DEGREES(1.0), DEGREES(150.0)), DEGREES(50.0), .key = "fov_deg",
+              .label = "field of view", .tip = "Vertical", .form = SW_FORM_DEGREES, SW_KNOB(5.0, 120.0)),
+    SW_SWITCH(hasSun, false, .key = NULL, .label = "own sun", .tip = "Instead of the scene's"),
+    SW_NUMBER(sunAzimuth, "deg", SW_WITHIN(DEGREES(-360.0), DEGREES(360.0)), 0.0, .key = "sun_azimuth_deg",
+              .label = "sun from", .tip = "Clockwise from north", .form = SW_FORM_DEGREES, SW_KNOB(0.0, 360.0)),
+    SW_NUMBER(sunElevation, "deg", SW_WITHIN(DEGREES(-90.0), DEGREES(90.0)), 0.0, .key = "sun_elevation_deg",
+              .label = "sun above", .form = SW_FORM_DEGREES, SW_KNOB(-10.0, 90.0)),
+};
+#undef SW_DEF
+
+static const swFields view = SW_PART_FIELDS(swSceneView, "views", "view", viewFields);
+
+const swFields* swGetSceneViewFields(void)
+{
+    return &view;
+}
+
+// ---- waves ----
+
+static const char* const startWords[] = {"default", "swell", "pierson_moskowitz", "jonswap", NULL};
+static const char* const directionWords[] = {"from", "to", NULL};
+
+#define SW_DEF swWavesText
+static const swField wavesFields[] = {
+    SW_NUMBER(beaufort, "", SW_WITHIN(0.0, 12.0), 0.0, .key = "beaufort", .label = "Beaufort",
+              .tip = "The sea of that number, which may lie between two"),
+    SW_NUMBER(seaState, "", SW_WITHIN(0.0, 9.0), 0.0, .key = "sea_state", .label = "sea state",
+              .tip = "The sea of that state (Douglas's), which may lie between two"),
+    SW_NUMBER(durationHours, "h", SW_WITHIN(0.1, 1000.0), 0.0, .key = "duration_h", .label = "duration",
+              .tip = "For how long the wind has blown"),
+    SW_NUMBER(spread, "deg", SW_WITHIN(DEGREES(6.0), DEGREES(80.0)), 0.157, .key = "spread_deg", .label = "spread",
+              .tip = "Standard deviation of the directions", .form = SW_FORM_DEGREES),
+    SW_NUMBER(def.spectrum.direction, "deg", SW_WITHIN(DEGREES(-360.0), DEGREES(360.0)), 0.0, .key = "turn_deg",
+              .label = "turned by", .tip = "Turns the measured sea clockwise", .form = SW_FORM_DEGREES),
+    SW_CHOICE(octaves.start, startWords, startWords, 0, .key = "octaves_from", .label = "octaves from",
+              .tip = "What the equaliser starts from; the last two take the wind"),
+};
+#undef SW_DEF
+
+static const swFields waves = SW_PART_FIELDS(swWavesText, "waves", "waves", wavesFields);
+
+const swFields* swGetWavesTextFields(void)
+{
+    return &waves;
+}
+
+#define SW_DEF swMeasuredText
+static const swField measuredFields[] = {
+    SW_TEXT(file, .key = "file", .label = "file", .tip = "Relative to the scene file"),
+    SW_TEXT(location, .key = "location", .label = "place", .tip = "Its name, or its number from 1 on"),
+    SW_NUMBER(latitude, "deg", SW_WITHIN(-90.0, 90.0), 0.0, .key = "latitude", .label = "latitude"),
+    SW_NUMBER(longitude, "deg", SW_WITHIN(-180.0, 360.0), 0.0, .key = "longitude", .label = "longitude"),
+    SW_CHOICE(directions, directionWords, directionWords, 0, .key = "directions", .label = "directions",
+              .tip = "What those in a netCDF file mean: where waves come from, or where they go"),
+    SW_TEXT(at, .key = "at", .label = "at", .tip = "Time of the wanted record, UTC"),
+    SW_TEXT(from, .key = "from", .section = "replay", .label = "from", .tip = "UTC time whose sea stands at time_s"),
+    SW_NUMBER(replayTime, "s", SW_WITHIN(-SW_YAML_LARGEST_TIME, SW_YAML_LARGEST_TIME), 0.0, .key = "time_s",
+              .section = "replay", .label = "time", .tip = "Of the world"),
+    SW_NUMBER(replaySpeed, "", SW_WITHIN(-1e6, 1e6), 1.0, .key = "speed", .section = "replay", .label = "speed",
+              .tip = "Seconds of records in a second of the world"),
+};
+#undef SW_DEF
+
+static const swFields measured = SW_PART_FIELDS(swMeasuredText, "waves", "measured sea", measuredFields);
+
+const swFields* swGetMeasuredTextFields(void)
+{
+    return &measured;
+}
+
+#define SW_DEF swOctaveText
+static const swField octaveFields[] = {
+    SW_NUMBER(wavelength, "m", SW_WITHIN(0.0625, 512.0), 0.0625, .key = "wavelength_m", .label = "shortest wave"),
+};
+#undef SW_DEF
+
+static const swFields octave = SW_PART_FIELDS(swOctaveText, "octaves", "octave", octaveFields);
+
+const swFields* swGetOctaveTextFields(void)
+{
+    return &octave;
+}
+
+const char* swGetWavesWord(int kind)
+{
+    static const char* const others[] = {"wind_sea", "swell", "beaufort", "sea_state", "components"};
+    const swField* field = swFields_Find(swGetSpectrumFields(), "kind");
+    return kind < 0 || kind >= SW_WAVES_KIND_COUNT ? NULL
+           : kind < SW_SPECTRUM_KIND_COUNT         ? field->words[kind]
+                                                   : others[kind - SW_SPECTRUM_KIND_COUNT];
+}

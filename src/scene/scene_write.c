@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+// A scene that is changed, and written.
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/field.h"
+#include "core/base/misuse.h"
+#include "scene/scene_components.h"
+#include "scene/scene_source.h"
+#include "scene/yaml_merge.h"
+
+#define MAX_SCENE_SIZE ((size_t)1 << 20)
+
+swSceneView swDefaultSceneView(void)
+{
+    swSceneView view;
+    swFillDef(swGetSceneViewFields(), &view);
+    return view;
+}
+
+swResult swCreateScene(const swHost* host, swScene** scene)
+{
+    SW_REQUIRE_PLACE(host, scene, "swCreateScene()");
+    *scene = swMakeScene(host, "a new scene", "");
+    return *scene != NULL ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
+}
+
+// ---- waves and views ----
+
+// The def with waves of its own.
+static swResult takeDef(swScene* scene, swSceneWaves* waves, const swWaveSystemDef* def)
+{
+    size_t count = def->components != NULL && def->componentCount > 0 ? (size_t)def->componentCount : 0;
+    swWaveComponent* copy = swAllocate(&scene->host, count * sizeof(swWaveComponent));
+    if (count > 0 && copy == NULL)
+    {
+        return swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for %zu waves of a scene.", count);
+    }
+    if (count > 0)
+    {
+        memcpy(copy, def->components, count * sizeof(swWaveComponent));
+    }
+    swFreeComponents(&scene->host, waves);
+    waves->components = copy;
+    waves->componentCount = (int)count;
+    waves->def = *def;
+    waves->def.components = copy;
+    waves->def.componentCount = (int)count;
+    if (waves->measured != NULL)
+    {
+        waves->def.spectrum.table = &waves->table;
+    }
+    return SW_SUCCESS;
+}
+
+static swResult checkDef(const swScene* scene, const swWaveSystemDef* def, bool mayBeTable)
+{
+    swResult result = swCheckDef(&scene->host, swGetWaveSystemFields(), def);
+    if (result == SW_SUCCESS && def->spectrum.kind == SW_SPECTRUM_TABLE && !mayBeTable)
+    {
+        return swFail(&scene->host, SW_ERROR_INVALID,
+                      "A table cannot be added to a scene; name the file that holds it in the scene file.");
+    }
+    return result;
+}
+
+swResult swScene_AddWaves(swScene* scene, const swWaveSystemDef* def)
+{
+    SW_REQUIRE(scene != NULL && def != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swScene_AddWaves() needs a scene and a def");
+    swResult result = checkDef(scene, def, false);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (scene->wavesCount == SW_MAX_WAVE_SYSTEMS)
+    {
+        return swFail(&scene->host, SW_ERROR_LIMIT, "A scene has at most %d wave systems; remove one first.",
+                      SW_MAX_WAVE_SYSTEMS);
+    }
+    swSceneWaves* waves = &scene->waves[scene->wavesCount];
+    memset(waves, 0, sizeof(*waves));
+    result = takeDef(scene, waves, def);
+    scene->wavesCount += result == SW_SUCCESS;
+    return result;
+}
+
+swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDef* def)
+{
+    SW_REQUIRE(scene != NULL && def != NULL && index >= 0 && index < scene->wavesCount, SW_ERROR_INVALID,
+               scene != NULL ? &scene->host : NULL, "swScene_SetWaves() needs a scene, a def and an index that it has");
+    swSceneWaves* waves = &scene->waves[index];
+    swResult result = checkDef(scene, def, waves->measured != NULL);
+    return result == SW_SUCCESS ? takeDef(scene, waves, def) : result;
+}
+
+void swScene_RemoveWaves(swScene* scene, int index)
+{
+    SW_REQUIRE_VOID(scene != NULL && index >= 0 && index < scene->wavesCount, scene != NULL ? &scene->host : NULL,
+                    "swScene_RemoveWaves() needs a scene and an index that it has");
+    swDestroyMeasuredSea(scene->waves[index].measured);
+    swFreeComponents(&scene->host, &scene->waves[index]);
+    scene->wavesCount -= 1;
+    memmove(&scene->waves[index], &scene->waves[index + 1], (size_t)(scene->wavesCount - index) * sizeof(swSceneWaves));
+    for (int i = index; i < scene->wavesCount; ++i)
+    {
+        swSceneWaves* waves = &scene->waves[i];
+        waves->def.spectrum.table = waves->measured != NULL ? &waves->table : waves->def.spectrum.table;
+    }
+    memset(&scene->waves[scene->wavesCount], 0, sizeof(swSceneWaves));
+}
+
+swResult swScene_AddView(swScene* scene, const swSceneView* view)
+{
+    SW_REQUIRE(scene != NULL && view != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swScene_AddView() needs a scene and a view");
+    if (scene->viewCount == SW_MAX_SCENE_VIEWS)
+    {
+        return swFail(&scene->host, SW_ERROR_LIMIT, "A scene has at most %d views; remove one first.",
+                      SW_MAX_SCENE_VIEWS);
+    }
+    if (view->name[0] == '\0' || memchr(view->name, '\0', sizeof(view->name)) == NULL ||
+        swScene_FindView(scene, view->name) != NULL)
+    {
+        return swFail(&scene->host, SW_ERROR_INVALID, "A view '%.63s' needs a name that no other has.", view->name);
+    }
+    swResult result = swCheckDef(&scene->host, swGetSceneViewFields(), view);
+    if (result == SW_SUCCESS)
+    {
+        scene->views[scene->viewCount] = *view;
+        scene->views[scene->viewCount++].item = 0;
+    }
+    return result;
+}
+
+void swScene_RemoveView(swScene* scene, int index)
+{
+    SW_REQUIRE_VOID(scene != NULL && index >= 0 && index < scene->viewCount, scene != NULL ? &scene->host : NULL,
+                    "swScene_RemoveView() needs a scene and an index that it has");
+    scene->viewCount -= 1;
+    memmove(&scene->views[index], &scene->views[index + 1], (size_t)(scene->viewCount - index) * sizeof(swSceneView));
+}
+
+// ---- writing ----
+
+// Every value is one that can be read.
+static swResult checkScene(const swScene* scene)
+{
+    swResult result = swCheckDef(&scene->host, swGetSceneFields(), scene);
+    for (int i = 0; i < SW_SCENE_PART_COUNT && result == SW_SUCCESS; ++i)
+    {
+        swScenePart part = swGetScenePart(i);
+        result = swCheckDef(&scene->host, part.fields, (const char*)scene + part.offset);
+    }
+    for (int i = 0; i < scene->wavesCount && result == SW_SUCCESS; ++i)
+    {
+        result = swCheckDef(&scene->host, swGetWaveSystemFields(), &scene->waves[i].def);
+    }
+    for (int i = 0; i < scene->viewCount && result == SW_SUCCESS; ++i)
+    {
+        result = swCheckDef(&scene->host, swGetSceneViewFields(), &scene->views[i]);
+    }
+    return result;
+}
+
+// Read what was made, and see that it says what was wanted. What it was read into is given back.
+static swResult readBack(const swScene* scene, const swTree* wanted, const char* text, size_t size, swScene** read)
+{
+    const char* name = scene->source->name;
+    if (size > MAX_SCENE_SIZE)
+    {
+        return swFail(&scene->host, SW_ERROR_FORMAT, "%s: the scene would have %zu bytes; at most %zu are read.", name,
+                      size, MAX_SCENE_SIZE);
+    }
+    *read = NULL;
+    swResult result = swReadSceneKeys(&scene->host, text, size, name, read);
+    const char* key = "";
+    if (result == SW_SUCCESS && !swAreTreesEqual(wanted, 0, &(*read)->source->tree, 0))
+    {
+        key = swFindTreeDifference(wanted, 0, &(*read)->source->tree, 0);
+        swDestroyScene(*read);
+        *read = NULL;
+        result = SW_ERROR_FORMAT;
+    }
+    return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
+               ? result
+               : swFail(&scene->host, SW_ERROR_FORMAT,
+                        "%s: the changed scene would be read as another one%s%s%s, so nothing was written; change the "
+                        "file by hand.",
+                        name, key[0] != '\0' ? " at the key '" : "", key, key[0] != '\0' ? "'" : "");
+}
+
+// The text, and the scene that is read from it. Both are of the host's memory.
+static swResult printScene(const swScene* scene, char** text, size_t* size, swScene** read)
+{
+    const swSceneSource* source = scene->source;
+    swResult result = checkScene(scene);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swTree wanted = swMakeSceneTree(scene, false);
+    swTree empty = swBeginTree(&scene->host, SW_TREE_MAPPING);
+    result = swMergeYaml(&scene->host, source->text != NULL ? source->text : "", source->size, source->name,
+                         source->text != NULL ? &source->tree : &empty, &wanted, text, size);
+    if (result == SW_SUCCESS)
+    {
+        result = readBack(scene, &wanted, *text, *size, read);
+        if (result != SW_SUCCESS)
+        {
+            swFree(&scene->host, *text, *size + 1);
+        }
+    }
+    swFreeTree(&empty);
+    swFreeTree(&wanted);
+    return result;
+}
+
+swResult swPrintScene(const swScene* scene, char* text, size_t* size)
+{
+    SW_REQUIRE(scene != NULL && size != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swPrintScene() needs a scene and a place for the size");
+    size_t room = *size, needed = 0;
+    char* made = NULL;
+    swScene* read = NULL;
+    swResult result = printScene(scene, &made, &needed, &read);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    *size = needed;
+    if (text != NULL && room >= needed)
+    {
+        memcpy(text, made, needed);
+    }
+    swDestroyScene(read);
+    swFree(&scene->host, made, needed + 1);
+    return text != NULL && room < needed ? SW_ERROR_LIMIT : SW_SUCCESS;
+}
+
+// The file must still be the one that was read: whoever changed it since would lose that.
+static swResult checkFile(const swScene* scene, const char* path)
+{
+    const swSceneSource* source = scene->source;
+    if (!source->isFile || strcmp(path, source->name) != 0 || !swHasFile(path))
+    {
+        return SW_SUCCESS;
+    }
+    swFileText text;
+    swResult result = swReadText(&scene->host, path, MAX_SCENE_SIZE, &text);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    bool isSame = text.size == source->size && (text.size == 0 || memcmp(text.data, source->text, text.size) == 0);
+    bool isPacked = text.isPacked;
+    swFreeText(&scene->host, &text);
+    if (isPacked)
+    {
+        return swFail(&scene->host, SW_ERROR_FILE, "%s is packed by gzip; unpack it to write it.", path);
+    }
+    return isSame
+               ? SW_SUCCESS
+               : swFail(&scene->host, SW_ERROR_FILE,
+                        "%s has changed since it was read, so it was not written; read it again, or write to another "
+                        "file.",
+                        path);
+}
+
+// From now on the scene is the one that was read from the text.
+static void goOn(swScene* scene, swScene* read, const char* path)
+{
+    swSceneSource* old = scene->source;
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        scene->waves[i].item = i + 1;
+        read->source->records[i] = scene->waves[i].record;
+        read->source->replays[i] = scene->waves[i].replay;
+    }
+    for (int i = 0; i < scene->viewCount; ++i)
+    {
+        scene->views[i].item = i + 1;
+    }
+    memcpy(read->source->folder, old->folder, sizeof(old->folder));
+    snprintf(read->source->name, sizeof(read->source->name), "%s", path);
+    read->source->isFile = true;
+    scene->source = read->source;
+    scene->source->tree.host = &scene->host;
+    read->source = old;
+    old->tree.host = &read->host;
+}
+
+swResult swWriteScene(swScene* scene, const char* path)
+{
+    SW_REQUIRE(scene != NULL && path != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swWriteScene() needs a scene and a path");
+    char* text = NULL;
+    size_t size = 0;
+    swScene* read = NULL;
+    swResult result = checkFile(scene, path);
+    result = result == SW_SUCCESS ? printScene(scene, &text, &size, &read) : result;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    result = swWriteText(&scene->host, path, text, size);
+    if (result == SW_SUCCESS)
+    {
+        goOn(scene, read, path);
+    }
+    swDestroyScene(read);
+    swFree(&scene->host, text, size + 1);
+    return result;
+}
