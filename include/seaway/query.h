@@ -59,10 +59,10 @@ typedef struct swQueryDef
     double time;
 
     /// A later moment of the same world, or NULL. From the moment's time to this one's the surface then runs linearly
-    /// from the one to the other, at twice the cost of a moment's own time: for shots, and for what happens between two
-    /// steps. Waves of angular frequency w are off by at most (w dt)^2 / 8 of their height: of steps of 1/60 s by 0.05
-    /// % for waves of 4 m and 3.4 % for ripples of 6 cm. Times that are not between the two are summed as without it.
-    /// Default NULL.
+    /// from the one to the other, at three to four times the cost of a moment's own time: for shots, and for what
+    /// happens between two steps. Waves of angular frequency w are off by at most (w dt)^2 / 8 of their height: of
+    /// steps of 1/60 s by 0.05 % for waves of 4 m and 3.4 % for ripples of 6 cm. Times that are not between the two are
+    /// summed as without it. Default NULL.
     const swMoment* after;
 
     /// Of swMoment_QueryVolume(). Default SW_STRETCHING_WHEELER.
