@@ -19,6 +19,7 @@ typedef enum swIsa
     SW_ISA_SSE2,
     SW_ISA_AVX2,
     SW_ISA_NEON,
+    SW_ISA_AVX512,
     SW_ISA_COUNT
 } swIsa;
 

@@ -3,7 +3,7 @@
 #include "core/sim/foam.h"
 #include "core/world/world.h"
 
-const char* const swIsaWords[SW_ISA_COUNT + 1] = {"best", "scalar", "sse2", "avx2", "neon", NULL};
+const char* const swIsaWords[SW_ISA_COUNT + 1] = {"best", "scalar", "sse2", "avx2", "neon", "avx512", NULL};
 
 #define SW_DEF swWorldDef
 static const swField worldFields[] = {
