@@ -572,8 +572,8 @@ static bool hasGaps(const swYamlEdits* edits, const yaml_node_t* node)
     return false;
 }
 
-// Behind the colon of the key whose value the collection is.
-static size_t findValuePlace(const swYamlEdits* edits, const yaml_node_t* collection)
+// The mapping whose value a collection is, and the key; NULL of what is no value.
+static const yaml_node_t* findParent(const swYamlEdits* edits, const yaml_node_t* collection, const yaml_node_t** key)
 {
     yaml_document_t* document = &edits->yaml->document;
     for (const yaml_node_t* node = document->nodes.start; node < document->nodes.top; ++node)
@@ -582,13 +582,38 @@ static size_t findValuePlace(const swYamlEdits* edits, const yaml_node_t* collec
         {
             if (getNode(edits, getChild(node, i)) == collection)
             {
-                size_t at = findByte(edits, getNode(edits, node->data.mapping.pairs.start[i].key)->end_mark);
-                const char* colon = memchr(edits->text + at, ':', edits->size - at);
-                return colon != NULL ? (size_t)(colon - edits->text) + 1 : at;
+                *key = getNode(edits, node->data.mapping.pairs.start[i].key);
+                return node;
             }
         }
     }
-    return edits->size;
+    return NULL;
+}
+
+// Behind the colon of a key.
+static size_t findValuePlace(const swYamlEdits* edits, const yaml_node_t* key)
+{
+    size_t at = findByte(edits, key->end_mark);
+    const char* colon = memchr(edits->text + at, ':', edits->size - at);
+    return colon != NULL ? (size_t)(colon - edits->text) + 1 : at;
+}
+
+// "waves: []" becomes a list of lines. False if it stands in brackets itself.
+static bool expandEmptyList(swYamlEdits* edits, const yaml_node_t* node, const swYamlAdded* added, int addedCount)
+{
+    const yaml_node_t* key = NULL;
+    const yaml_node_t* parent = node->type == YAML_SEQUENCE_NODE ? findParent(edits, node, &key) : NULL;
+    size_t end = findEnd(edits, node);
+    if (parent == NULL || isInBrackets(parent) || findBegin(edits, node) != findByte(edits, node->start_mark))
+    {
+        return false;
+    }
+    for (int i = 0; i < addedCount; ++i)
+    {
+        addLines(edits, findNextLine(edits, end), key->start_mark.column + edits->layout.step, false, node, &added[i]);
+    }
+    addEdit(edits, findValuePlace(edits, key), end, edits->added.chars.count);
+    return true;
 }
 
 static void arrangeLines(swYamlEdits* edits, const yaml_node_t* node, const bool* isKept, const swYamlAdded* added,
@@ -628,7 +653,9 @@ static void arrangeLines(swYamlEdits* edits, const yaml_node_t* node, const bool
     }
     if (left == 0) // the key stays, with an empty list
     {
-        size_t from = edits->added.chars.count, at = findValuePlace(edits, node);
+        const yaml_node_t* key = NULL;
+        size_t from = edits->added.chars.count;
+        size_t at = findParent(edits, node, &key) != NULL ? findValuePlace(edits, key) : edits->size;
         swAddText(&edits->added, isList ? " []" : " {}", 3);
         addEdit(edits, at, at, from);
     }
@@ -644,6 +671,10 @@ void swArrangeYaml(swYamlEdits* edits, int collection, const bool* isKept, const
         isChanged = isChanged || !isKept[i];
     }
     if (!isChanged || refuseShared(edits, collection))
+    {
+        return;
+    }
+    if (isInBrackets(node) && count == 0 && expandEmptyList(edits, node, added, addedCount))
     {
         return;
     }
