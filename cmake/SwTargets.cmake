@@ -23,19 +23,22 @@ endfunction()
 
 find_program(SW_GLSLC glslc)
 
-# SPIR-V of shaders/<dir>/<name>.<stage> as C initializers in <folder>/<name>.<stage>.inc, once optimised, which is what
-# is embedded, and once with its names, <name>.<stage>.named.
+# SPIR-V of shaders/<dir>/<name>.<stage>, or of a path, as C initializers in <folder>/<name>.<stage>.inc, once
+# optimised, which is what is embedded, and once with its names, <name>.<stage>.named. Includes are looked for in
+# SW_SHADER_FOLDERS too.
 function(sw_compile_shader folder shader)
     if(NOT SW_GLSLC)
         message(FATAL_ERROR "glslc was not found: run scripts/setup, or install Debian's package glslc")
     endif()
     get_filename_component(name ${shader} NAME)
     set(output ${folder}/${name}.inc)
-    set(glslc ${SW_GLSLC} --target-env=vulkan1.3 -mfmt=c -I ${PROJECT_SOURCE_DIR}/shaders)
+    get_filename_component(source ${shader} ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR}/shaders)
+    list(TRANSFORM SW_SHADER_FOLDERS PREPEND -I OUTPUT_VARIABLE folders)
+    set(glslc ${SW_GLSLC} --target-env=vulkan1.3 -mfmt=c -I ${PROJECT_SOURCE_DIR}/shaders ${folders})
     add_custom_command(OUTPUT ${output} ${folder}/${name}.named
-        COMMAND ${glslc} -O -MD -MF ${output}.d -MT ${output} -o ${output} ${PROJECT_SOURCE_DIR}/shaders/${shader}
-        COMMAND ${glslc} -O0 -o ${folder}/${name}.named ${PROJECT_SOURCE_DIR}/shaders/${shader}
-        DEPENDS ${PROJECT_SOURCE_DIR}/shaders/${shader}
+        COMMAND ${glslc} -O -MD -MF ${output}.d -MT ${output} -o ${output} ${source}
+        COMMAND ${glslc} -O0 -o ${folder}/${name}.named ${source}
+        DEPENDS ${source}
         DEPFILE ${output}.d
         COMMENT "GLSL ${shader}" VERBATIM)
 endfunction()

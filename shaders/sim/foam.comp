@@ -3,10 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Foam of every slice of a view after this frame, from the foam of the frame before, wherever its texels were then. The
-// formulas and the search for the past are those of shared/foam.h; the folding J comes in full precision from the
-// displacement's fourth component.
+// formulas are those of shared/foam.h, the search for the past that of lib/past.glsl; the folding J comes in full
+// precision from the displacement's fourth component.
 
 #include "lib/blocks.glsl"
+#include "lib/past.glsl"
 #include "shared/foam.h"
 #include "shared/waves.h"
 
@@ -27,34 +28,6 @@ layout(push_constant) uniform Push
 {
     int resolution;
 };
-
-// Where a texel lies in a source: the texel at or below it, the way to the next, and whether the source holds it.
-struct Tap
-{
-    ivec2 texel;
-    vec2 along;
-    bool isHeld;
-};
-
-Tap findTap(swPastSource source, ivec2 at)
-{
-    Tap tap;
-    tap.texel.x = swLayerTap(source.shift, source.baseX, source.restX, at.x);
-    tap.texel.y = swLayerTap(source.shift, source.baseZ, source.restZ, at.y);
-    tap.along.x = swLayerTapFraction(source.shift, source.restX, at.x);
-    tap.along.y = swLayerTapFraction(source.shift, source.restZ, at.y);
-    ivec2 last = ivec2(resolution - (tap.along.x > 0.0 ? 2 : 1), resolution - (tap.along.y > 0.0 ? 2 : 1));
-    tap.isHeld = all(greaterThanEqual(tap.texel, ivec2(0))) && all(lessThanEqual(tap.texel, last));
-    return tap;
-}
-
-// Linear between four texels, whose corner may be exact on either axis.
-float blend(float a, float b, float c, float d, vec2 along)
-{
-    a += (b - a) * along.x;
-    c += (d - c) * along.x;
-    return a + (c - a) * along.y;
-}
 
 float foamAt(int slice, int x, int z)
 {
@@ -77,10 +50,10 @@ bool readPrevious(ivec3 at, out float foam)
         {
             return false;
         }
-        Tap tap = findTap(source, at.xy);
+        PastTap tap = findTap(source, at.xy, resolution);
         if (tap.isHeld)
         {
-            ivec2 next = tap.texel + ivec2(greaterThan(tap.along, vec2(0.0)));
+            ivec2 next = nextTexel(tap);
             foam = blend(foamAt(source.slice, tap.texel.x, tap.texel.y), foamAt(source.slice, next.x, tap.texel.y),
                          foamAt(source.slice, tap.texel.x, next.y), foamAt(source.slice, next.x, next.y), tap.along);
             return true;
@@ -97,12 +70,12 @@ float readJacobian(ivec3 at)
     {
         return jacobianAt(at.z, at.x, at.y);
     }
-    Tap tap = findTap(source, at.xy);
+    PastTap tap = findTap(source, at.xy, resolution);
     if (!tap.isHeld)
     {
         return 1.0;
     }
-    ivec2 next = tap.texel + ivec2(greaterThan(tap.along, vec2(0.0)));
+    ivec2 next = nextTexel(tap);
     return blend(jacobianAt(source.slice, tap.texel.x, tap.texel.y), jacobianAt(source.slice, next.x, tap.texel.y),
                  jacobianAt(source.slice, tap.texel.x, next.y), jacobianAt(source.slice, next.x, next.y), tap.along);
 }

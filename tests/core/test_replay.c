@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "support/counting_host.h"
+#include "support/saved.h"
 #include <seaway/seaway.h>
 
 enum
@@ -235,12 +236,113 @@ static void AdvancingBetweenRecordsAllocatesNothingAndFailuresChangeNothing(void
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
 
+// ---- moments ----
+
+static bool IsSameWater(const swMoment* a, const swMoment* b)
+{
+    bool isSame = true;
+    for (int i = 0; i < 30; ++i)
+    {
+        isSame = isSame && swMoment_GetHeight(a, 7.0 * i, 3.0 * i) == swMoment_GetHeight(b, 7.0 * i, 3.0 * i);
+    }
+    return isSame;
+}
+
+static void AMomentKnowsThePresentPairOfRecordsAndSaysSo(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    const double speeds[] = {1.0, -1.0, 60.0};
+    for (int k = 0; k < 3; ++k)
+    {
+        double speed = speeds[k];
+        Played played = Play(&host, speed);
+        Played other = Play(&host, speed);
+        double hour = 3600.0 / speed;
+        GoTo(&played, 1.25 * hour);
+        swMomentDef def = swDefaultMomentDef();
+        swMoment* moment;
+        assert_int_equal(swCreateMoment(played.world, &def, &moment), SW_SUCCESS);
+        const double parts[] = {1.0, 1.1, 1.75, 1.99999};
+        for (int i = 0; i < 4; ++i)
+        {
+            assert_int_equal(swMoment_Set(moment, played.world, parts[i] * hour), SW_SUCCESS);
+            GoTo(&other, parts[i] * hour);
+            assert_false(swMoment_IsHeld(moment));
+            assert_true(IsSameWater(moment, swWorld_GetMoment(other.world)) || i == 0); // a record may be no mix at all
+        }
+        // Beyond the pair: the nearer record, and it says so.
+        assert_int_equal(swMoment_Set(moment, played.world, 2.5 * hour), SW_SUCCESS);
+        assert_true(swMoment_IsHeld(moment));
+        assert_int_equal(swMoment_Set(moment, played.world, 0.5 * hour), SW_SUCCESS);
+        assert_true(swMoment_IsHeld(moment));
+        // After the last record the sea stays as it is, for good.
+        GoTo(&played, 3.5 * hour);
+        GoTo(&other, 9.0 * hour);
+        assert_int_equal(swMoment_Set(moment, played.world, 9.0 * hour), SW_SUCCESS);
+        assert_false(swMoment_IsHeld(moment));
+        assert_true(IsSameWater(moment, swWorld_GetMoment(other.world)));
+        swDestroyMoment(moment);
+        Stop(&played);
+        Stop(&other);
+    }
+}
+
+// A world that was saved does not know the records of its replay until that is taken up again.
+static void AReplayThatWasSavedIsHeldUntilItIsTakenUp(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    Played played = Play(&host, 1.0);
+    GoTo(&played, 4000.0);
+    Saved saved = Save(played.world);
+    swRestoreDef restoreDef = swDefaultRestoreDef();
+    swWorld* world;
+    assert_int_equal(swRestoreWorld(&host, saved.data, saved.size, &restoreDef, &world), SW_SUCCESS);
+    swMomentDef def = swDefaultMomentDef();
+    def.time = 4000.0;
+    swMoment* moment;
+    assert_int_equal(swCreateMoment(world, &def, &moment), SW_SUCCESS);
+    assert_false(swMoment_IsHeld(moment));
+    assert_true(IsSameWater(moment, swWorld_GetMoment(played.world)));
+    assert_int_equal(swMoment_Set(moment, world, 5000.0), SW_SUCCESS);
+    assert_true(swMoment_IsHeld(moment));
+    swDestroyMoment(moment);
+    swDestroyWorld(world);
+    free(saved.data);
+    Stop(&played);
+}
+
+// What a replay leaves behind changes as any sea does.
+static void ASeaThatWasReplayedMayBeSetToAnother(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    Played played = Play(&host, 1.0);
+    GoTo(&played, 1800.0);
+    swWaveSystemId id = swSeaReplay_GetSystem(played.replay);
+    swDestroySeaReplay(played.replay);
+    played.replay = NULL;
+    swWaveSystemDef def = swWaveSystem_Get(played.world, id);
+    def.chop = 0.5f; // the same phases: a mix
+    assert_int_equal(swWaveSystem_Set(played.world, id, &def, 10.0), SW_SUCCESS);
+    for (int i = 0; i < 30; ++i)
+    {
+        assert_int_equal(swWorld_Step(played.world, 0.5), SW_SUCCESS);
+    }
+    assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(played.world), 1.0, 2.0)));
+    Stop(&played);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(EnergyRunsFromRecordToRecord),
         cmocka_unit_test(TheSeaDependsOnTheTimeAlone),
         cmocka_unit_test(NothingJumpsAtARecord),
+        cmocka_unit_test(AMomentKnowsThePresentPairOfRecordsAndSaysSo),
+        cmocka_unit_test(AReplayThatWasSavedIsHeldUntilItIsTakenUp),
+        cmocka_unit_test(ASeaThatWasReplayedMayBeSetToAnother),
         cmocka_unit_test(AdvancingBetweenRecordsAllocatesNothingAndFailuresChangeNothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,7 +32,7 @@ typedef struct Fixture
     bool isTold; // messages that are no misuse go elsewhere
 
     swWorld* world;
-    const swMoment* moment;
+    swMoment* moment;
     swView* view;
     swWaveSystemId id, staleId;
     swTaskPool* taskPool;
@@ -194,7 +194,8 @@ static inline void MakeWorld(Fixture* f)
     f->wavesDef.tileWaves = 8;
     f->wavesDef.minWavelength = 4.0f;
     Need(swCreateWorld(&f->host, &worldDef, &f->world), "world");
-    f->moment = swWorld_GetMoment(f->world);
+    const swMomentDef momentDef = swDefaultMomentDef();
+    Need(swCreateMoment(f->world, &momentDef, &f->moment), "moment");
     Need(swCreateView(f->world, &viewDef, &f->view), "view");
     Need(swCreateWaveSystem(f->world, &f->wavesDef, &f->staleId), "waves");
     swDestroyWaveSystem(f->world, f->staleId);

@@ -56,6 +56,10 @@ static bool checkDef(const swMoment* moment, const char* call, const swQueryDef*
     {
         return refuse(moment, call, "the def's time is NaN or beyond 2.7e11 s");
     }
+    if (def->after != NULL && !(def->after->frame->ticks > moment->frame->ticks))
+    {
+        return refuse(moment, call, "the def's later moment is not later");
+    }
     if (def->stretching != SW_STRETCHING_WHEELER && def->stretching != SW_STRETCHING_LINEAR)
     {
         return refuse(moment, call, "the def's stretching is none that there is");
@@ -79,6 +83,10 @@ static bool checkBatch(const swMoment* moment, const char* call, const swQueryDe
 static void beginQuery(const swMoment* moment, const swQueryDef* def, swQuery* query)
 {
     swBeginQuery(query, moment->frame, moment->kernels, def, *moment->origin);
+    if (def->after != NULL)
+    {
+        swBlendQuery(query, def->after->frame);
+    }
 }
 
 void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int count, const swPosXZ* points,

@@ -46,7 +46,8 @@ typedef struct swLayerInfo
     int rate;          // steps per second; 0: made in every frame
     int mostSteps;     // in one frame; more are taken as this many longer ones
     double longestGap; // s between two frames; what is longer is a jump, after which the layer starts anew
-    bool isExact;      // n steps of dt are one of n dt: the maker takes all at once and looks up the past by itself
+    bool isExact;      // n steps of dt are one of n dt, and one of no time changes nothing: the maker takes all at
+                       // once, and looks up the past by itself
     bool isSaved;
     float least, most; // what a saved texel may hold
 } swLayerInfo;

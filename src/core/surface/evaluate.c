@@ -39,6 +39,17 @@ static float findSideways(const swQuery* query)
     return sqrtf(square);
 }
 
+static void useFrame(swQuery* query, const swFrame* frame)
+{
+    query->waves = frame->waves;
+    query->waveCount = countLongWaves(frame, query->def->minWavelength);
+    query->tiles = frame->tiles;
+    query->tileTicks = frame->ticks;
+    // A world without queries has no texels: it answers sea level.
+    query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
+    query->sideways = findSideways(query);
+}
+
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin)
 {
@@ -50,12 +61,13 @@ void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* ker
     bool isNow = def->time == SW_QUERY_NOW;
     query->ticks = isNow ? frame->ticks : (int64_t)floor(def->time * SW_TICKS_PER_SECOND + 0.5);
     query->isNow = query->ticks == frame->ticks;
-    query->waves = frame->waves;
-    query->waveCount = countLongWaves(frame, def->minWavelength);
-    query->tiles = frame->tiles;
-    // A world without queries has no texels: it answers sea level.
-    query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
-    query->sideways = findSideways(query);
+    query->after = NULL;
+    useFrame(query, frame);
+}
+
+void swBlendQuery(swQuery* query, const swFrame* after)
+{
+    query->after = after;
 }
 
 // ---- what is asked for ----
@@ -217,7 +229,7 @@ static void evaluatePlain(const swQuery* query, int count, const swPosXZ* rest, 
     sumOneByOne(query, !query->isNow, count, rest, out);
 }
 
-void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+static void evaluateFrame(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     if (query->places != NULL)
     {
@@ -226,6 +238,78 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
     else
     {
         evaluatePlain(query, count, rest, out);
+    }
+}
+
+// ---- between two frames ----
+
+// Points of which both ends are held at once; it bounds the stack of a query.
+#define BETWEEN_BLOCK 16
+
+static void blendRows(float part, int count, const float* to, float* from)
+{
+    for (int i = 0; i < count && from != NULL; ++i)
+    {
+        from[i] += part * (to[i] - from[i]);
+    }
+}
+
+// Texels of both frames; waves that are summed are of the query's own time on both sides, so that only their amplitudes
+// are blended.
+static void evaluateBetween(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    float displacement[BETWEEN_BLOCK][4], gradients[BETWEEN_BLOCK][8];
+    float velocity[BETWEEN_BLOCK][4], acceleration[BETWEEN_BLOCK][4];
+    const swEvaluation end = {
+        .displacement = out->displacement != NULL ? displacement : NULL,
+        .gradients = out->gradients != NULL ? gradients : NULL,
+        .velocity = out->velocity != NULL ? velocity : NULL,
+        .acceleration = out->acceleration != NULL ? acceleration : NULL,
+        .shortest = out->shortest,
+        .longest = out->longest,
+    };
+    float part = (float)((double)(query->ticks - query->tileTicks) / (double)(query->after->ticks - query->tileTicks));
+    swQuery at = *query;
+    at.isNow = true;
+    evaluateFrame(&at, count, rest, out);
+    useFrame(&at, query->after);
+    evaluateFrame(&at, count, rest, &end);
+    blendRows(part, 4 * count, displacement[0], out->displacement != NULL ? out->displacement[0] : NULL);
+    blendRows(part, 8 * count, gradients[0], out->gradients != NULL ? out->gradients[0] : NULL);
+    blendRows(part, 4 * count, velocity[0], out->velocity != NULL ? out->velocity[0] : NULL);
+    blendRows(part, 4 * count, acceleration[0], out->acceleration != NULL ? out->acceleration[0] : NULL);
+}
+
+static bool isBetween(const swQuery* query)
+{
+    return query->after != NULL && query->ticks > query->tileTicks && query->ticks <= query->after->ticks;
+}
+
+static void evaluateParts(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    for (int i = 0; i < count; i += BETWEEN_BLOCK)
+    {
+        const swEvaluation part = {
+            .displacement = out->displacement != NULL ? out->displacement + i : NULL,
+            .gradients = out->gradients != NULL ? out->gradients + i : NULL,
+            .velocity = out->velocity != NULL ? out->velocity + i : NULL,
+            .acceleration = out->acceleration != NULL ? out->acceleration + i : NULL,
+            .shortest = out->shortest,
+            .longest = out->longest,
+        };
+        evaluateBetween(query, count - i < BETWEEN_BLOCK ? count - i : BETWEEN_BLOCK, rest + i, &part);
+    }
+}
+
+void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    if (isBetween(query))
+    {
+        evaluateParts(query, count, rest, out);
+    }
+    else
+    {
+        evaluateFrame(query, count, rest, out);
     }
     if (out->levels != NULL)
     {

@@ -27,7 +27,11 @@ typedef struct swQuery
     const swFreeWave* waves;
     int tileCount;
     const swTile* tiles; // of the frame; see swIsTileAsked()
+    int64_t tileTicks;   // of their texels
     float sideways;      // root mean square of the particles' horizontal displacement, m
+
+    // A later frame, or NULL: up to its time the surface runs linearly from the one's to the other's.
+    const swFrame* after;
 } swQuery;
 
 // Whether a tile of the query's has waves of at least the shortest length that was asked for.
@@ -38,6 +42,7 @@ static inline bool swIsTileAsked(const swQuery* query, const swTile* tile)
 
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin);
+void swBlendQuery(swQuery* query, const swFrame* after);
 
 // What is asked of a block of rest points (in the sea). What is not asked for is NULL; gradients come with
 // displacement, and so do levels.

@@ -23,7 +23,8 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
         .views = world->viewFrames,
         .zones = world->zoneFrames,
     };
-    world->moment = (swMoment){&world->host, kernels, &world->frame, &world->origin};
+    world->moment =
+        (swMoment){.host = &world->host, .kernels = kernels, .frame = &world->frame, .origin = &world->origin};
     *worldOut = world;
     return SW_SUCCESS;
 }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "core/lod/scroll.h"
+
 static const VkFormat formats[] = {
     [SW_TEXEL_R32F] = VK_FORMAT_R32_SFLOAT,
     [SW_TEXEL_RGBA32F] = VK_FORMAT_R32G32B32A32_SFLOAT,
@@ -195,6 +197,17 @@ bool swCopyGpuViews(swGpu* gpu, VkCommandBuffer commands, swGpuView* views)
         }
     }
     return hasCopies;
+}
+
+void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSource* sources)
+{
+    const swStackFrame* stack = &view->frame->stack;
+    const swGpuLayer* past = &view->layers[layer];
+    int count = past->due.isReset ? 0 : stack->sliceCount;
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        swFindPastSources(&stack->slices[i], stack->resolution, count, past->mark.at.slices, sources + i * stride);
+    }
 }
 
 static void commitView(uint64_t frameIndex, swGpuView* view)

@@ -74,6 +74,10 @@ void swDestroyGpuViews(swGpu* gpu, swGpuView* views);
 // Bytes of device memory.
 size_t swGetGpuViewMemory(const swGpuView* views);
 
+// Where the texels of each slice were in the image that swGetLayerImage() gives: SW_PAST_SOURCES entries a slice, each
+// slice's first one `stride` behind that of the slice before.
+void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSource* sources);
+
 // Layers that the core has made: all that may fail, then the copies.
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view);
 void swCopyCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view);

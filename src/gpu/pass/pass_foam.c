@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One dispatch a view for all its slices; a view whose foam stays as it is has none.
 
-#include "core/lod/scroll.h"
 #include "foam_shader.h"
 #include "gpu/pass/passes.h"
 
@@ -30,11 +29,10 @@ static swResult uploadView(swGpu* gpu, const swFrame* frame, const swGpuView* gp
     float seconds = (float)foam->due.steps / (float)SW_FOAM_RATE;
     swFoamSliceParams params[SW_MAX_SLICES] = {0};
     swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES + 1] = {0};
+    swFillPastSources(gpuView, SW_LAYER_FOAM, SW_PAST_SOURCES + 1, sources[0]);
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         params[i] = swGetFoamParams(frame, stack, i, seconds, foam->due.isReset);
-        swFindPastSources(&stack->slices[i], stack->resolution, foam->due.isReset ? 0 : stack->sliceCount,
-                          foam->mark.at.slices, sources[i]);
         sources[i][SW_PAST_SOURCES] = swGetFoamBirth(stack, i).fold;
     }
     swResult result = swUploadData(gpu, params, sizeof(params), &view->params);
