@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A made-up look on both halves: wetness agrees at every texel while slices scroll, the scale changes, and frames have any
-// length.
+// A made-up look on both halves: wetness agrees at every texel while slices scroll, the scale changes, and frames have
+// any length.
 
 #include "parity/parity.h"
 

@@ -46,9 +46,9 @@ float readPrevious(ivec3 at)
         if (tap.isHeld)
         {
             ivec2 next = nextTexel(tap);
-            return blend(wetnessAt(source.slice, tap.texel.x, tap.texel.y), wetnessAt(source.slice, next.x, tap.texel.y),
-                         wetnessAt(source.slice, tap.texel.x, next.y), wetnessAt(source.slice, next.x, next.y),
-                         tap.along);
+            return blend(wetnessAt(source.slice, tap.texel.x, tap.texel.y),
+                         wetnessAt(source.slice, next.x, tap.texel.y), wetnessAt(source.slice, tap.texel.x, next.y),
+                         wetnessAt(source.slice, next.x, next.y), tap.along);
         }
     }
     return 0.0;
