@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include <seaway/seaway.h>
+#include <seaway/stage.h>
 
 #include "gpu/pass/passes.h"
 #include "gpu/record/record.h"
@@ -34,7 +35,8 @@ typedef struct Options
 typedef struct Bench
 {
     Options options;
-    swGpu* gpu;
+    swStage* stage;
+    swGpu* gpu; // of the stage
     swWorld* world;
     swView* view;
     swGpuWorld* gpuWorld;
@@ -42,12 +44,9 @@ typedef struct Bench
     swPos* places;
     swRay* rays;
     swGpuQuery* query; // while queries are measured
-    uint64_t frameIndex;
-    VkCommandPool pool;
-    VkCommandBuffer commands[SLOTS];
-    VkFence fences[SLOTS];
+    uint64_t stepCount;
     VkQueryPool queries; // two a slot
-    bool isSubmitted[SLOTS];
+    bool hasTimes[SLOTS];
 } Bench;
 
 // Times of one thing over the frames, microseconds.
@@ -116,27 +115,9 @@ static void AddValue(Series* series, int capacity, double value)
 
 // Set-up -------------------------------------------------------------------------------------------------------------
 
-static void CreateCommands(Bench* bench)
+static void CreateTimestamps(Bench* bench)
 {
     swGpu* gpu = bench->gpu;
-    const VkCommandPoolCreateInfo poolInfo = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
-        .queueFamilyIndex = gpu->queueFamily,
-    };
-    CheckVk(gpu->vk.CreateCommandPool(gpu->device, &poolInfo, NULL, &bench->pool), "no command pool");
-    const VkCommandBufferAllocateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-        .commandPool = bench->pool,
-        .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
-        .commandBufferCount = SLOTS,
-    };
-    CheckVk(gpu->vk.AllocateCommandBuffers(gpu->device, &info, bench->commands), "no command buffers");
-    for (int i = 0; i < SLOTS; ++i)
-    {
-        const VkFenceCreateInfo fence = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-        CheckVk(gpu->vk.CreateFence(gpu->device, &fence, NULL, &bench->fences[i]), "no fence");
-    }
     const VkQueryPoolCreateInfo queries = {
         .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
         .queryType = VK_QUERY_TYPE_TIMESTAMP,
@@ -153,7 +134,8 @@ static void CreateBench(Bench* bench)
     gpuDef.choice = bench->options.choice;
     gpuDef.deviceIndex = bench->options.deviceIndex;
     gpuDef.framesInFlight = SLOTS;
-    Check(swCreateGpu(&host, &gpuDef, &bench->gpu), "no device");
+    Check(swCreateStage(&host, &gpuDef, &bench->stage), "no device");
+    bench->gpu = swStage_GetGpu(bench->stage);
     swWorldDef worldDef = swDefaultWorldDef();
     worldDef.enableQueries = false;
     Check(swCreateWorld(&host, &worldDef, &bench->world), "no world");
@@ -163,80 +145,68 @@ static void CreateBench(Bench* bench)
     swWaveSystemId id;
     Check(swCreateWaveSystem(bench->world, &sea, &id), "no waves");
     Check(swCreateGpuWorld(bench->gpu, bench->world, &bench->gpuWorld), "no GPU world");
-    CreateCommands(bench);
+    CreateTimestamps(bench);
 }
 
 static void DestroyBench(Bench* bench)
 {
     swGpu* gpu = bench->gpu;
-    gpu->vk.DeviceWaitIdle(gpu->device);
-    for (int i = 0; i < SLOTS; ++i)
-    {
-        gpu->vk.DestroyFence(gpu->device, bench->fences[i], NULL);
-    }
+    Check(swStage_Wait(bench->stage), "waiting failed");
     gpu->vk.DestroyQueryPool(gpu->device, bench->queries, NULL);
-    gpu->vk.DestroyCommandPool(gpu->device, bench->pool, NULL);
     swDestroyGpuWorld(bench->gpuWorld);
-    swDestroyGpu(gpu);
+    swDestroyStage(bench->stage);
     swDestroyView(bench->view);
     swDestroyWorld(bench->world);
 }
 
 // Frames -------------------------------------------------------------------------------------------------------------
 
-// Waits until the slot's last frame is done and adds its time, from first to last timestamp.
-static void CollectSlot(Bench* bench, int slot, Series* frame)
+// The time of a slot's last frame, which is done, from first to last timestamp.
+static void ReadTimes(Bench* bench, uint32_t slot, Series* frames)
 {
     swGpu* gpu = bench->gpu;
-    if (!bench->isSubmitted[slot])
-    {
-        return;
-    }
-    CheckVk(gpu->vk.WaitForFences(gpu->device, 1, &bench->fences[slot], VK_TRUE, UINT64_MAX), "waiting failed");
-    CheckVk(gpu->vk.ResetFences(gpu->device, 1, &bench->fences[slot]), "resetting failed");
     uint64_t times[2];
-    CheckVk(gpu->vk.GetQueryPoolResults(gpu->device, bench->queries, 2 * (uint32_t)slot, 2, sizeof(times), times,
+    CheckVk(gpu->vk.GetQueryPoolResults(gpu->device, bench->queries, 2 * slot, 2, sizeof(times), times,
                                         sizeof(uint64_t), VK_QUERY_RESULT_64_BIT),
             "no timestamps");
     double period = (double)gpu->properties.limits.timestampPeriod * 1e-3;
-    if (frame != NULL)
+    AddValue(frames, bench->options.frames, (double)(times[1] - times[0]) * period);
+}
+
+// Waits for a slot; `frames` gets the time of the frame that was in it.
+static swStageFrame BeginFrame(Bench* bench, Series* frames)
+{
+    swGpu* gpu = bench->gpu;
+    swStageFrame frame;
+    Check(swStage_BeginFrame(bench->stage, &frame), "no command buffer");
+    uint32_t slot = (uint32_t)(frame.index % SLOTS);
+    if (bench->hasTimes[slot] && frames != NULL)
     {
-        AddValue(frame, bench->options.frames, (double)(times[1] - times[0]) * period);
+        ReadTimes(bench, slot, frames);
     }
-    bench->isSubmitted[slot] = false;
+    bench->hasTimes[slot] = false;
+    gpu->vk.CmdResetQueryPool(frame.commands, bench->queries, 2 * slot, 2);
+    gpu->vk.CmdWriteTimestamp2(frame.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, bench->queries, 2 * slot);
+    return frame;
 }
 
-static VkCommandBuffer BeginSlot(Bench* bench, int slot)
+static void SubmitFrame(Bench* bench, const swStageFrame* frame)
 {
     swGpu* gpu = bench->gpu;
-    const VkCommandBufferBeginInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-        .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT,
-    };
-    VkCommandBuffer commands = bench->commands[slot];
-    CheckVk(gpu->vk.BeginCommandBuffer(commands, &info), "no command buffer");
-    gpu->vk.CmdResetQueryPool(commands, bench->queries, 2 * (uint32_t)slot, 2);
-    gpu->vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, bench->queries, 2 * (uint32_t)slot);
-    return commands;
+    uint32_t slot = (uint32_t)(frame->index % SLOTS);
+    gpu->vk.CmdWriteTimestamp2(frame->commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, bench->queries, 2 * slot + 1);
+    Check(swStage_SubmitFrame(bench->stage, frame, NULL), "submitting failed");
+    bench->hasTimes[slot] = true;
 }
 
-static void SubmitSlot(Bench* bench, int slot)
+// Submit, wait, and take the time.
+static void RunFrame(Bench* bench, const swStageFrame* frame, Series* times)
 {
-    swGpu* gpu = bench->gpu;
-    VkCommandBuffer commands = bench->commands[slot];
-    gpu->vk.CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, bench->queries, 2 * (uint32_t)slot + 1);
-    CheckVk(gpu->vk.EndCommandBuffer(commands), "ending a command buffer failed");
-    const VkCommandBufferSubmitInfo buffer = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-        .commandBuffer = commands,
-    };
-    const VkSubmitInfo2 submit = {
-        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-        .commandBufferInfoCount = 1,
-        .pCommandBufferInfos = &buffer,
-    };
-    CheckVk(gpu->vk.QueueSubmit2(gpu->queue, 1, &submit, bench->fences[slot]), "submitting failed");
-    bench->isSubmitted[slot] = true;
+    uint32_t slot = (uint32_t)(frame->index % SLOTS);
+    SubmitFrame(bench, frame);
+    Check(swStage_Wait(bench->stage), "waiting failed");
+    ReadTimes(bench, slot, times);
+    bench->hasTimes[slot] = false;
 }
 
 static void AddPassTimes(Bench* bench, Series* passes)
@@ -276,7 +246,7 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
     {
         if (bench->view != NULL) // 10 m/s, so that foam scrolls
         {
-            double x = (double)bench->frameIndex / 6.0;
+            double x = (double)bench->stepCount / 6.0;
             swView_SetViewpoint(bench->view, (swPos){x, 2.0, 0.3 * x});
         }
         Check(swWorld_Step(bench->world, 1.0 / 60.0), "a step failed");
@@ -284,22 +254,18 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
         {
             SetQueryPoints(bench);
         }
-        int slot = (int)(bench->frameIndex % SLOTS);
         bool isCounted = i >= warmUp;
-        CollectSlot(bench, slot, isCounted ? frame : NULL);
-        VkCommandBuffer commands = BeginSlot(bench, slot);
-        Check(swGpuWorld_Record(bench->gpuWorld, commands, bench->frameIndex), "recording failed");
-        SubmitSlot(bench, slot);
+        swStageFrame recorded = BeginFrame(bench, isCounted ? frame : NULL);
+        Check(swGpuWorld_Record(bench->gpuWorld, recorded.commands, recorded.index), "recording failed");
+        SubmitFrame(bench, &recorded);
         if (passes != NULL && isCounted)
         {
             AddPassTimes(bench, passes);
         }
-        bench->frameIndex += 1;
+        bench->stepCount += 1;
     }
-    for (int slot = 0; slot < SLOTS; ++slot)
-    {
-        CollectSlot(bench, slot, NULL);
-    }
+    Check(swStage_Wait(bench->stage), "waiting failed");
+    memset(bench->hasTimes, 0, sizeof(bench->hasTimes));
 }
 
 // What the device can do ---------------------------------------------------------------------------------------------
@@ -327,11 +293,10 @@ static double MeasureBandwidth(Bench* bench)
     Series times = {0};
     for (int i = 0; i < 10; ++i)
     {
-        VkCommandBuffer commands = BeginSlot(bench, 0);
-        swBindTouch(gpu, commands, &pipeline, &bindings);
-        gpu->vk.CmdDispatch(commands, columns, rows, 1);
-        SubmitSlot(bench, 0);
-        CollectSlot(bench, 0, &times);
+        swStageFrame frame = BeginFrame(bench, NULL);
+        swBindTouch(gpu, frame.commands, &pipeline, &bindings);
+        gpu->vk.CmdDispatch(frame.commands, columns, rows, 1);
+        RunFrame(bench, &frame, &times);
     }
     Median(&times);
     double best = times.values[0];
@@ -352,15 +317,14 @@ static double MeasureBarrier(Bench* bench)
     Series times = {0};
     for (int i = 0; i < 20; ++i)
     {
-        VkCommandBuffer commands = BeginSlot(bench, 0);
-        swBindTouch(gpu, commands, &pipeline, &bindings);
+        swStageFrame frame = BeginFrame(bench, NULL);
+        swBindTouch(gpu, frame.commands, &pipeline, &bindings);
         for (int link = 0; link < CHAIN; ++link)
         {
-            gpu->vk.CmdDispatch(commands, 16, 1, 1);
-            swComputeBarrier(gpu, commands);
+            gpu->vk.CmdDispatch(frame.commands, 16, 1, 1);
+            swComputeBarrier(gpu, frame.commands);
         }
-        SubmitSlot(bench, 0);
-        CollectSlot(bench, 0, &times);
+        RunFrame(bench, &frame, &times);
     }
     double median = Median(&times);
     free(times.values);
@@ -669,18 +633,11 @@ static int ParseNumber(const char* text, const char* option)
 
 static void ParseDevice(const char* text, Options* options)
 {
-    const char* const names[] = {"auto", "gpu", "software"};
-    const swDeviceChoice choices[] = {SW_DEVICE_AUTO, SW_DEVICE_GPU, SW_DEVICE_SOFTWARE};
-    for (int i = 0; i < 3; ++i)
+    if (text == NULL || !swParseStageDevice(text, &options->choice, &options->deviceIndex))
     {
-        if (text != NULL && strcmp(text, names[i]) == 0)
-        {
-            options->choice = choices[i];
-            return;
-        }
+        fprintf(stderr, "seaway-bench-gpu: --device wants auto, gpu, software or a number\n");
+        exit(2);
     }
-    options->choice = SW_DEVICE_INDEX;
-    options->deviceIndex = ParseNumber(text, "--device");
 }
 
 static Options ParseOptions(int argc, char** argv)

@@ -30,8 +30,8 @@ typedef struct App
 
     struct GLFWwindow* window;
     bool hasUi;
-    swGpu* gpu;
-    Graphics graphics;
+    swStage* stage;
+    swGpu* gpu; // of the stage
     Screen screen;
     Targets targets;
     UiDrawer drawer;
@@ -68,7 +68,7 @@ typedef struct App
     char capturePath[4096];
     char note[600];
     double noteUntil;
-    uint64_t frameIndex;
+    uint64_t frameIndex; // frames shown so far
 } App;
 
 // A line over the picture for a few seconds.

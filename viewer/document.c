@@ -120,7 +120,7 @@ static void ReloadSea(App* app)
     fresh.transition = app->sea.transition;
     swWorld_SetTime(fresh.world, app->clock.time);
     swWorld_SetOrigin(fresh.world, swWorld_GetOrigin(app->sea.world));
-    app->graphics.vk.DeviceWaitIdle(app->graphics.device);
+    swStage_Wait(app->stage);
     CloseSea(&app->sea);
     app->sea = fresh;
     app->jumpExposure = true;

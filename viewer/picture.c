@@ -3,12 +3,6 @@
 
 #include <math.h>
 
-static ImageDef DescribeTarget(VkExtent2D extent, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect)
-{
-    return (ImageDef){
-        .format = format, .usage = usage, .aspect = aspect, .width = extent.width, .height = extent.height};
-}
-
 VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware)
 {
     double pixels = (double)window.width * (double)window.height;
@@ -21,177 +15,86 @@ VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware)
     return (VkExtent2D){(uint32_t)ceil(scale * window.width), (uint32_t)ceil(scale * window.height)};
 }
 
-bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent, VkExtent2D drawn)
+bool OpenTargets(Targets* targets, swStage* stage, VkExtent2D extent, VkExtent2D drawn)
 {
-    swPictureDef formats = swDefaultPictureDef();
-    ImageDef hdr =
-        DescribeTarget(drawn, formats.colorFormat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-                       VK_IMAGE_ASPECT_COLOR_BIT);
-    ImageDef depth = DescribeTarget(drawn, formats.depthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
-                                    VK_IMAGE_ASPECT_DEPTH_BIT);
-    ImageDef picture =
-        DescribeTarget(extent, PICTURE_FORMAT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
-                       VK_IMAGE_ASPECT_COLOR_BIT);
-    picture.otherFormat = formats.outputFormat;
-    return CreateImage(graphics, &hdr, &targets->hdr) && CreateImage(graphics, &depth, &targets->depth) &&
-           CreateImage(graphics, &picture, &targets->picture);
+    return swStage_CreateTargets(stage, extent.width, extent.height, drawn.width, drawn.height, &targets->stage) ==
+           SW_SUCCESS;
 }
 
-void CloseTargets(Targets* targets, const Graphics* graphics)
+void CloseTargets(Targets* targets, swStage* stage)
 {
-    DestroyImage(graphics, &targets->hdr);
-    DestroyImage(graphics, &targets->depth);
-    DestroyImage(graphics, &targets->picture);
-    DestroyBuffer(graphics, &targets->readback);
+    swStage_DestroyTargets(stage, &targets->stage);
+    swStage_DestroyBuffer(stage, &targets->readback);
 }
 
-static void BeginDrawing(const PictureDef* def, VkCommandBuffer commands, const Image* target,
-                         const VkRenderingAttachmentInfo* color, const VkRenderingAttachmentInfo* depth)
+static bool DrawPanel(const PictureDef* def)
 {
-    const VulkanTable* vk = &def->graphics->vk;
-    VkExtent2D extent = {target->width, target->height};
-    VkRenderingInfo info = {
-        .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-        .renderArea = {{0, 0}, extent},
-        .layerCount = 1,
-        .colorAttachmentCount = 1,
-        .pColorAttachments = color,
-        .pDepthAttachment = depth,
-    };
-    VkViewport viewport = {0.0f, 0.0f, (float)extent.width, (float)extent.height, 0.0f, 1.0f};
-    VkRect2D scissor = {{0, 0}, extent};
-    vk->CmdBeginRendering(commands, &info);
-    vk->CmdSetViewport(commands, 0, 1, &viewport);
-    vk->CmdSetScissor(commands, 0, 1, &scissor);
-}
-
-static VkRenderingAttachmentInfo DescribeAttachment(VkImageView view, VkImageLayout layout, VkAttachmentLoadOp load,
-                                                    VkAttachmentStoreOp store)
-{
-    return (VkRenderingAttachmentInfo){
-        .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-        .imageView = view,
-        .imageLayout = layout,
-        .loadOp = load,
-        .storeOp = store,
-    };
-}
-
-static void DrawSea(const PictureDef* def, VkCommandBuffer commands)
-{
-    const Graphics* graphics = def->graphics;
-    const Image* hdr = &def->targets->hdr;
-    const Image* depth = &def->targets->depth;
-    UseImage(graphics, commands, hdr->image, hdr->aspect, USE_DISCARD, USE_COLOR_TARGET);
-    UseImage(graphics, commands, depth->image, depth->aspect, USE_DISCARD, USE_DEPTH_TARGET);
-    VkRenderingAttachmentInfo color = DescribeAttachment(hdr->view, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                                         VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_STORE);
-    VkRenderingAttachmentInfo far = DescribeAttachment(depth->view, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                                       VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_STORE_OP_DONT_CARE);
-    BeginDrawing(def, commands, hdr, &color, &far);
-    swPicture_DrawSurface(def->sea->picture, commands);
-    swPicture_DrawSky(def->sea->picture, commands);
-    graphics->vk.CmdEndRendering(commands);
-    UseImage(graphics, commands, hdr->image, hdr->aspect, USE_COLOR_TARGET, USE_SAMPLED);
-}
-
-static void Tonemap(const PictureDef* def, VkCommandBuffer commands)
-{
-    const Graphics* graphics = def->graphics;
-    const Image* picture = &def->targets->picture;
-    swPicture_Expose(def->sea->picture, commands, def->targets->hdr.view, def->dt, def->jumpExposure);
-    UseImage(graphics, commands, picture->image, picture->aspect, USE_DISCARD, USE_COLOR_TARGET);
-    VkRenderingAttachmentInfo color = DescribeAttachment(picture->otherView, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                                         VK_ATTACHMENT_LOAD_OP_DONT_CARE, VK_ATTACHMENT_STORE_OP_STORE);
-    BeginDrawing(def, commands, picture, &color, NULL);
-    swPicture_Tonemap(def->sea->picture, commands, def->targets->hdr.view);
-    graphics->vk.CmdEndRendering(commands);
-}
-
-static bool DrawPanel(const PictureDef* def, VkCommandBuffer commands)
-{
-    const Graphics* graphics = def->graphics;
-    const Image* picture = &def->targets->picture;
+    VkCommandBuffer commands = def->frame.commands;
+    const swStageImage* picture = &def->targets->stage.output;
     VkExtent2D extent = {picture->width, picture->height};
-    UseImage(graphics, commands, picture->image, picture->aspect, USE_COLOR_TARGET, USE_COLOR_TARGET);
-    VkRenderingAttachmentInfo color = DescribeAttachment(picture->view, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                                         VK_ATTACHMENT_LOAD_OP_LOAD, VK_ATTACHMENT_STORE_OP_STORE);
-    BeginDrawing(def, commands, picture, &color, NULL);
-    bool isDrawn = DrawUi(def->drawer, commands, (int)(def->frameIndex % FRAMES_IN_FLIGHT), def->mesh, extent);
-    graphics->vk.CmdEndRendering(commands);
+    swStage_UseImage(def->stage, commands, picture, SW_STAGE_USE_COLOR_TARGET, SW_STAGE_USE_COLOR_TARGET);
+    swStage_BeginDrawing(def->stage, commands, picture, picture->view, true, NULL);
+    bool isDrawn = DrawUi(def->drawer, commands, (int)(def->frame.index % FRAMES_IN_FLIGHT), def->mesh, extent);
+    swStage_EndDrawing(def->stage, commands);
     return isDrawn;
 }
 
 // Copy the picture as it is now to the host, for a screenshot.
-static bool Capture(const PictureDef* def, VkCommandBuffer commands)
+static bool Capture(const PictureDef* def)
 {
-    const Graphics* graphics = def->graphics;
-    const Image* picture = &def->targets->picture;
-    Buffer* readback = &def->targets->readback;
+    const swStageImage* picture = &def->targets->stage.output;
+    swStageBuffer* readback = &def->targets->readback;
     VkDeviceSize size = (VkDeviceSize)picture->width * picture->height * 4;
-    if (readback->size != size && !CreateBuffer(graphics, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, readback))
+    if (readback->size != size &&
+        swStage_CreateBuffer(def->stage, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, readback) != SW_SUCCESS)
     {
         return false;
     }
-    VkBufferImageCopy region = {
-        .imageSubresource = {picture->aspect, 0, 0, 1},
-        .imageExtent = {picture->width, picture->height, 1},
-    };
-    UseImage(graphics, commands, picture->image, picture->aspect, USE_COLOR_TARGET, USE_COPY_FROM);
-    graphics->vk.CmdCopyImageToBuffer(commands, picture->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, readback->buffer,
-                                      1, &region);
-    UseImage(graphics, commands, picture->image, picture->aspect, USE_COPY_FROM, USE_COLOR_TARGET);
-    VkMemoryBarrier2 toHost = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-        .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-        .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT,
-    };
-    VkDependencyInfo dependency = {
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &toHost};
-    graphics->vk.CmdPipelineBarrier2(commands, &dependency);
+    swStage_CopyToHost(def->stage, def->frame.commands, picture, SW_STAGE_USE_COLOR_TARGET, readback);
     return true;
 }
 
-// The image itself is UNORM, like the window's, so the blit moves encoded bytes and only reorders components.
-static void CopyToWindow(const PictureDef* def, VkCommandBuffer commands)
+// The first view is UNORM, like the window's images, so the blit moves encoded bytes and only reorders components.
+static void CopyToWindow(const PictureDef* def)
 {
-    const Graphics* graphics = def->graphics;
-    const Image* picture = &def->targets->picture;
-    VkImage window = def->screen->images[def->screen->imageIndex];
+    VkCommandBuffer commands = def->frame.commands;
+    const swStageImage* picture = &def->targets->stage.output;
     VkExtent2D extent = def->screen->extent;
+    const swStageImage window = {.image = def->screen->images[def->screen->imageIndex],
+                                 .aspect = VK_IMAGE_ASPECT_COLOR_BIT,
+                                 .width = extent.width,
+                                 .height = extent.height};
     VkImageBlit region = {
         .srcSubresource = {picture->aspect, 0, 0, 1},
         .srcOffsets = {{0, 0, 0}, {(int32_t)picture->width, (int32_t)picture->height, 1}},
         .dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
         .dstOffsets = {{0, 0, 0}, {(int32_t)extent.width, (int32_t)extent.height, 1}},
     };
-    ImageUse acquired = {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_NONE};
-    UseImage(graphics, commands, picture->image, picture->aspect, USE_COLOR_TARGET, USE_COPY_FROM);
-    UseImage(graphics, commands, window, VK_IMAGE_ASPECT_COLOR_BIT, acquired, USE_COPY_TO);
-    graphics->vk.CmdBlitImage(commands, picture->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, window,
-                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, VK_FILTER_NEAREST);
-    UseImage(graphics, commands, window, VK_IMAGE_ASPECT_COLOR_BIT, USE_COPY_TO, USE_PRESENT);
+    swStage_UseImage(def->stage, commands, picture, SW_STAGE_USE_COLOR_TARGET, SW_STAGE_USE_COPY_FROM);
+    swStage_UseImage(def->stage, commands, &window, SW_STAGE_USE_ACQUIRED, SW_STAGE_USE_COPY_TO);
+    def->screen->vk->CmdBlitImage(commands, picture->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, window.image,
+                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, VK_FILTER_NEAREST);
+    swStage_UseImage(def->stage, commands, &window, SW_STAGE_USE_COPY_TO, SW_STAGE_USE_PRESENT);
 }
 
-bool RecordPicture(const PictureDef* def, VkCommandBuffer commands)
+bool RecordPicture(const PictureDef* def)
 {
-    if (swGpuWorld_Record(def->sea->gpuWorld, commands, def->frameIndex) != SW_SUCCESS ||
-        swPicture_Prepare(def->sea->picture, commands, &def->shot, def->frameIndex) != SW_SUCCESS)
+    VkCommandBuffer commands = def->frame.commands;
+    swPicture* picture = def->sea->picture;
+    if (swGpuWorld_Record(def->sea->gpuWorld, commands, def->frame.index) != SW_SUCCESS ||
+        swPicture_Prepare(picture, commands, &def->shot, def->frame.index) != SW_SUCCESS)
     {
         return false;
     }
-    DrawSea(def, commands);
-    Tonemap(def, commands);
-    if (def->capture == CAPTURE_SEA && !Capture(def, commands))
+    swStage_DrawPicture(def->stage, commands, picture, &def->targets->stage, def->dt, def->jumpExposure);
+    if (def->capture == CAPTURE_SEA && !Capture(def))
     {
         return false;
     }
-    if (!DrawPanel(def, commands) || (def->capture == CAPTURE_WINDOW && !Capture(def, commands)))
+    if (!DrawPanel(def) || (def->capture == CAPTURE_WINDOW && !Capture(def)))
     {
         return false;
     }
-    CopyToWindow(def, commands);
+    CopyToWindow(def);
     return true;
 }

@@ -8,16 +8,13 @@
 #include "sea.h"
 #include "ui_draw.h"
 
-// The picture holds sRGB bytes in a UNORM image: the panel blends them as they are, tone mapping encodes through a
-// second view in the picture's output format.
+// Of the first view of the stage's output: the panel blends sRGB bytes as they are.
 #define PICTURE_FORMAT VK_FORMAT_R8G8B8A8_UNORM
 
 typedef struct Targets
 {
-    Image hdr; // and depth: the sea and the sky, of DrawnExtent()
-    Image depth;
-    Image picture;   // of the window's extent
-    Buffer readback; // RGBA bytes; empty until a screenshot is taken
+    swStageTargets stage;   // the sea of DrawnExtent(), the picture of the window's extent
+    swStageBuffer readback; // RGBA bytes; empty until a screenshot is taken
 } Targets;
 
 // Pixels that a software device draws of the sea before tone mapping stretches them over the window: what two cores do
@@ -28,10 +25,10 @@ typedef struct Targets
 VkExtent2D DrawnExtent(VkExtent2D window, bool isSoftware);
 
 // `extent` is the window's, `drawn` that of the sea.
-bool OpenTargets(Targets* targets, const Graphics* graphics, VkExtent2D extent, VkExtent2D drawn);
+bool OpenTargets(Targets* targets, swStage* stage, VkExtent2D extent, VkExtent2D drawn);
 
 // The device must be idle.
-void CloseTargets(Targets* targets, const Graphics* graphics);
+void CloseTargets(Targets* targets, swStage* stage);
 
 typedef enum CaptureStage
 {
@@ -42,18 +39,18 @@ typedef enum CaptureStage
 
 typedef struct PictureDef
 {
-    const Graphics* graphics;
+    swStage* stage;
     const Screen* screen;
     Targets* targets;
     Sea* sea;
     UiDrawer* drawer;
     const UiMesh* mesh;
     swShot shot;
-    uint64_t frameIndex;
+    swStageFrame frame;
     float dt;          // s since the last frame, for exposure
     bool jumpExposure; // the first frame, or a new place
     CaptureStage capture;
 } PictureDef;
 
 // Record one frame, from the sea's waves to the window's image.
-bool RecordPicture(const PictureDef* def, VkCommandBuffer commands);
+bool RecordPicture(const PictureDef* def);

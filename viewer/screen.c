@@ -6,17 +6,47 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+static const char* GetResultText(VkResult result)
+{
+    switch (result)
+    {
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+        return "out of memory";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+        return "out of device memory";
+    case VK_ERROR_DEVICE_LOST:
+        return "the device was lost";
+    case VK_ERROR_SURFACE_LOST_KHR:
+        return "the window's surface was lost";
+    case VK_ERROR_NATIVE_WINDOW_IN_USE_KHR:
+        return "the window is in use by another program";
+    case VK_ERROR_INITIALIZATION_FAILED:
+        return "initialization failed";
+    default:
+        return "an error of Vulkan";
+    }
+}
+
+bool CheckVulkan(VkResult result, const char* what)
+{
+    if (result >= 0)
+    {
+        return true;
+    }
+    fprintf(stderr, "seaway: the viewer could not %s: %s (VkResult %d)\n", what, GetResultText(result), (int)result);
+    return false;
+}
+
 static bool CreateSurface(Screen* screen)
 {
-    const Graphics* graphics = screen->graphics;
-    VkResult result = glfwCreateWindowSurface(graphics->instance, screen->window, NULL, &screen->surface);
+    VkResult result = glfwCreateWindowSurface(screen->instance, screen->window, NULL, &screen->surface);
     if (!CheckVulkan(result, "draw to the window"))
     {
         return false;
     }
     VkBool32 canPresent = VK_FALSE;
-    graphics->vk.GetPhysicalDeviceSurfaceSupportKHR(graphics->physicalDevice, graphics->queueFamily, screen->surface,
-                                                    &canPresent);
+    screen->vk->GetPhysicalDeviceSurfaceSupportKHR(
+        screen->physicalDevice, swGpu_GetQueueFamily(swStage_GetGpu(screen->stage)), screen->surface, &canPresent);
     if (!canPresent)
     {
         fprintf(stderr, "seaway: this device cannot show pictures in this window; try another with --device\n");
@@ -29,8 +59,7 @@ static bool ChooseFormat(const Screen* screen, VkSurfaceFormatKHR* chosen)
 {
     VkSurfaceFormatKHR formats[64];
     uint32_t count = 64;
-    screen->graphics->vk.GetPhysicalDeviceSurfaceFormatsKHR(screen->graphics->physicalDevice, screen->surface, &count,
-                                                            formats);
+    screen->vk->GetPhysicalDeviceSurfaceFormatsKHR(screen->physicalDevice, screen->surface, &count, formats);
     const VkFormat wanted[] = {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_A8B8G8R8_UNORM_PACK32,
                                VK_FORMAT_A2B10G10R10_UNORM_PACK32, VK_FORMAT_A2R10G10B10_UNORM_PACK32};
     for (size_t w = 0; w < sizeof(wanted) / sizeof(wanted[0]); w++)
@@ -53,8 +82,7 @@ static VkPresentModeKHR ChoosePresentMode(const Screen* screen)
 {
     VkPresentModeKHR modes[16];
     uint32_t count = 16;
-    screen->graphics->vk.GetPhysicalDeviceSurfacePresentModesKHR(screen->graphics->physicalDevice, screen->surface,
-                                                                 &count, modes);
+    screen->vk->GetPhysicalDeviceSurfacePresentModesKHR(screen->physicalDevice, screen->surface, &count, modes);
     VkPresentModeKHR chosen = VK_PRESENT_MODE_FIFO_KHR;
     for (uint32_t i = 0; i < count && !screen->enableVsync; i++)
     {
@@ -90,15 +118,14 @@ static VkExtent2D ChooseExtent(const Screen* screen, const VkSurfaceCapabilities
 
 static void DestroySwapchain(Screen* screen)
 {
-    const Graphics* graphics = screen->graphics;
     for (uint32_t i = 0; i < MAX_SWAPCHAIN_IMAGES; i++)
     {
-        graphics->vk.DestroySemaphore(graphics->device, screen->isDrawn[i], NULL);
+        screen->vk->DestroySemaphore(screen->device, screen->isDrawn[i], NULL);
         screen->isDrawn[i] = VK_NULL_HANDLE;
     }
     if (screen->swapchain != VK_NULL_HANDLE)
     {
-        graphics->vk.DestroySwapchainKHR(graphics->device, screen->swapchain, NULL);
+        screen->vk->DestroySwapchainKHR(screen->device, screen->swapchain, NULL);
         screen->swapchain = VK_NULL_HANDLE;
     }
     screen->imageCount = 0;
@@ -106,9 +133,8 @@ static void DestroySwapchain(Screen* screen)
 
 static bool ListImages(Screen* screen)
 {
-    const Graphics* graphics = screen->graphics;
     uint32_t count = 0;
-    graphics->vk.GetSwapchainImagesKHR(graphics->device, screen->swapchain, &count, NULL);
+    screen->vk->GetSwapchainImagesKHR(screen->device, screen->swapchain, &count, NULL);
     if (count > MAX_SWAPCHAIN_IMAGES)
     {
         fprintf(stderr, "seaway: the swapchain has %u images, more than the %d that the viewer handles\n", count,
@@ -116,11 +142,11 @@ static bool ListImages(Screen* screen)
         return false;
     }
     screen->imageCount = count;
-    VkResult result = graphics->vk.GetSwapchainImagesKHR(graphics->device, screen->swapchain, &count, screen->images);
+    VkResult result = screen->vk->GetSwapchainImagesKHR(screen->device, screen->swapchain, &count, screen->images);
     VkSemaphoreCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     for (uint32_t i = 0; i < count && result == VK_SUCCESS; i++)
     {
-        result = graphics->vk.CreateSemaphore(graphics->device, &info, NULL, &screen->isDrawn[i]);
+        result = screen->vk->CreateSemaphore(screen->device, &info, NULL, &screen->isDrawn[i]);
     }
     return CheckVulkan(result, "list the swapchain's images");
 }
@@ -146,7 +172,7 @@ static VkResult CreateSwapchain(Screen* screen, const VkSurfaceCapabilitiesKHR* 
         .oldSwapchain = old,
     };
     VkSwapchainKHR swapchain = VK_NULL_HANDLE;
-    VkResult result = screen->graphics->vk.CreateSwapchainKHR(screen->graphics->device, &info, NULL, &swapchain);
+    VkResult result = screen->vk->CreateSwapchainKHR(screen->device, &info, NULL, &swapchain);
     DestroySwapchain(screen);
     screen->swapchain = swapchain;
     return result;
@@ -155,24 +181,23 @@ static VkResult CreateSwapchain(Screen* screen, const VkSurfaceCapabilitiesKHR* 
 // Make the swapchain anew for the window as it is now. The surface itself is renewed if it was lost.
 static ScreenStatus RenewSwapchain(Screen* screen)
 {
-    const Graphics* graphics = screen->graphics;
-    if (!CheckVulkan(graphics->vk.DeviceWaitIdle(graphics->device), "wait for the device"))
+    if (!CheckVulkan(screen->vk->DeviceWaitIdle(screen->device), "wait for the device"))
     {
         return SCREEN_FAILED;
     }
     VkSurfaceCapabilitiesKHR can;
     VkResult result =
-        graphics->vk.GetPhysicalDeviceSurfaceCapabilitiesKHR(graphics->physicalDevice, screen->surface, &can);
+        screen->vk->GetPhysicalDeviceSurfaceCapabilitiesKHR(screen->physicalDevice, screen->surface, &can);
     if (result == VK_ERROR_SURFACE_LOST_KHR)
     {
         DestroySwapchain(screen);
-        graphics->vk.DestroySurfaceKHR(graphics->instance, screen->surface, NULL);
+        screen->vk->DestroySurfaceKHR(screen->instance, screen->surface, NULL);
         screen->surface = VK_NULL_HANDLE;
         if (!CreateSurface(screen))
         {
             return SCREEN_FAILED;
         }
-        result = graphics->vk.GetPhysicalDeviceSurfaceCapabilitiesKHR(graphics->physicalDevice, screen->surface, &can);
+        result = screen->vk->GetPhysicalDeviceSurfaceCapabilitiesKHR(screen->physicalDevice, screen->surface, &can);
     }
     if (!CheckVulkan(result, "ask the window's surface"))
     {
@@ -198,58 +223,47 @@ static ScreenStatus RenewSwapchain(Screen* screen)
     return SCREEN_CHANGED;
 }
 
-static bool CreateFrames(Screen* screen)
+static bool CreateSemaphores(Screen* screen)
 {
-    const Graphics* graphics = screen->graphics;
-    VkCommandPoolCreateInfo poolInfo = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-        .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
-        .queueFamilyIndex = graphics->queueFamily,
-    };
-    VkFenceCreateInfo fenceInfo = {.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, .flags = VK_FENCE_CREATE_SIGNALED_BIT};
-    VkSemaphoreCreateInfo semaphoreInfo = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    VkSemaphoreCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     VkResult result = VK_SUCCESS;
     for (int i = 0; i < FRAMES_IN_FLIGHT && result == VK_SUCCESS; i++)
     {
-        FrameInFlight* frame = &screen->frames[i];
-        result = graphics->vk.CreateCommandPool(graphics->device, &poolInfo, NULL, &frame->pool);
-        VkCommandBufferAllocateInfo info = {
-            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-            .commandPool = frame->pool,
-            .commandBufferCount = 1,
-        };
-        result = result ? result : graphics->vk.AllocateCommandBuffers(graphics->device, &info, &frame->commands);
-        result = result ? result : graphics->vk.CreateFence(graphics->device, &fenceInfo, NULL, &frame->isDone);
-        result =
-            result ? result : graphics->vk.CreateSemaphore(graphics->device, &semaphoreInfo, NULL, &frame->isAcquired);
+        result = screen->vk->CreateSemaphore(screen->device, &info, NULL, &screen->isAcquired[i]);
     }
-    return CheckVulkan(result, "make command buffers");
+    return CheckVulkan(result, "make semaphores");
 }
 
-bool OpenScreen(Screen* screen, const Graphics* graphics, struct GLFWwindow* window, bool enableVsync)
+bool OpenScreen(Screen* screen, swStage* stage, struct GLFWwindow* window, bool enableVsync)
 {
-    *screen = (Screen){.graphics = graphics, .window = window, .enableVsync = enableVsync};
-    return CreateSurface(screen) && CreateFrames(screen) && RenewSwapchain(screen) != SCREEN_FAILED;
+    const swGpu* gpu = swStage_GetGpu(stage);
+    *screen = (Screen){
+        .stage = stage,
+        .vk = swStage_GetVk(stage),
+        .instance = swGpu_GetInstance(gpu),
+        .physicalDevice = swGpu_GetPhysicalDevice(gpu),
+        .device = swGpu_GetDevice(gpu),
+        .window = window,
+        .enableVsync = enableVsync,
+    };
+    return CreateSurface(screen) && CreateSemaphores(screen) && RenewSwapchain(screen) != SCREEN_FAILED;
 }
 
 void CloseScreen(Screen* screen)
 {
-    const Graphics* graphics = screen->graphics;
-    if (graphics == NULL)
+    if (screen->stage == NULL)
     {
         return;
     }
-    graphics->vk.DeviceWaitIdle(graphics->device);
+    screen->vk->DeviceWaitIdle(screen->device);
     for (int i = 0; i < FRAMES_IN_FLIGHT; i++)
     {
-        graphics->vk.DestroySemaphore(graphics->device, screen->frames[i].isAcquired, NULL);
-        graphics->vk.DestroyFence(graphics->device, screen->frames[i].isDone, NULL);
-        graphics->vk.DestroyCommandPool(graphics->device, screen->frames[i].pool, NULL);
+        screen->vk->DestroySemaphore(screen->device, screen->isAcquired[i], NULL);
     }
     DestroySwapchain(screen);
     if (screen->surface != VK_NULL_HANDLE)
     {
-        graphics->vk.DestroySurfaceKHR(graphics->instance, screen->surface, NULL);
+        screen->vk->DestroySurfaceKHR(screen->instance, screen->surface, NULL);
     }
     *screen = (Screen){0};
 }
@@ -259,9 +273,8 @@ static bool IsScreenGone(VkResult result)
     return result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_ERROR_SURFACE_LOST_KHR;
 }
 
-ScreenStatus BeginScreenFrame(Screen* screen, uint64_t frameIndex, FrameInFlight** frame)
+ScreenStatus BeginScreenFrame(Screen* screen, swStageFrame* frame)
 {
-    const Graphics* graphics = screen->graphics;
     VkExtent2D size = GetWindowExtent(screen);
     if (size.width == 0 || size.height == 0)
     {
@@ -272,56 +285,29 @@ ScreenStatus BeginScreenFrame(Screen* screen, uint64_t frameIndex, FrameInFlight
     {
         return RenewSwapchain(screen);
     }
-    FrameInFlight* next = &screen->frames[frameIndex % FRAMES_IN_FLIGHT];
-    VkResult result = graphics->vk.WaitForFences(graphics->device, 1, &next->isDone, VK_TRUE, UINT64_MAX);
-    if (!CheckVulkan(result, "wait for a frame"))
+    if (swStage_BeginFrame(screen->stage, frame) != SW_SUCCESS)
     {
         return SCREEN_FAILED;
     }
-    result = graphics->vk.AcquireNextImageKHR(graphics->device, screen->swapchain, UINT64_MAX, next->isAcquired,
-                                              VK_NULL_HANDLE, &screen->imageIndex);
+    VkResult result = screen->vk->AcquireNextImageKHR(screen->device, screen->swapchain, UINT64_MAX,
+                                                      screen->isAcquired[frame->index % FRAMES_IN_FLIGHT],
+                                                      VK_NULL_HANDLE, &screen->imageIndex);
     if (IsScreenGone(result))
     {
+        swStage_DropFrame(screen->stage, frame);
         return RenewSwapchain(screen);
     }
-    graphics->vk.ResetCommandPool(graphics->device, next->pool, 0);
-    VkCommandBufferBeginInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                     .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    result = result < 0 ? result : graphics->vk.BeginCommandBuffer(next->commands, &info);
-    *frame = next;
     return CheckVulkan(result, "begin a frame") ? SCREEN_READY : SCREEN_FAILED;
 }
 
-static VkResult SubmitFrame(const Screen* screen, FrameInFlight* frame)
+ScreenStatus EndScreenFrame(Screen* screen, const swStageFrame* frame)
 {
-    const Graphics* graphics = screen->graphics;
-    VkSemaphoreSubmitInfo wait = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                  .semaphore = frame->isAcquired,
-                                  .stageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT};
-    VkSemaphoreSubmitInfo signal = {.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO,
-                                    .semaphore = screen->isDrawn[screen->imageIndex],
-                                    .stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT};
-    VkCommandBufferSubmitInfo commands = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
-                                          .commandBuffer = frame->commands};
-    VkSubmitInfo2 info = {
-        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-        .waitSemaphoreInfoCount = 1,
-        .pWaitSemaphoreInfos = &wait,
-        .commandBufferInfoCount = 1,
-        .pCommandBufferInfos = &commands,
-        .signalSemaphoreInfoCount = 1,
-        .pSignalSemaphoreInfos = &signal,
+    const swStageSync sync = {
+        .wait = screen->isAcquired[frame->index % FRAMES_IN_FLIGHT],
+        .waitStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+        .signal = screen->isDrawn[screen->imageIndex],
     };
-    VkResult result = graphics->vk.ResetFences(graphics->device, 1, &frame->isDone);
-    return result ? result : graphics->vk.QueueSubmit2(graphics->queue, 1, &info, frame->isDone);
-}
-
-ScreenStatus EndScreenFrame(Screen* screen, FrameInFlight* frame)
-{
-    const Graphics* graphics = screen->graphics;
-    VkResult result = graphics->vk.EndCommandBuffer(frame->commands);
-    result = result ? result : SubmitFrame(screen, frame);
-    if (!CheckVulkan(result, "submit a frame"))
+    if (swStage_SubmitFrame(screen->stage, frame, &sync) != SW_SUCCESS)
     {
         return SCREEN_FAILED;
     }
@@ -333,7 +319,7 @@ ScreenStatus EndScreenFrame(Screen* screen, FrameInFlight* frame)
         .pSwapchains = &screen->swapchain,
         .pImageIndices = &screen->imageIndex,
     };
-    result = graphics->vk.QueuePresentKHR(graphics->queue, &info);
+    VkResult result = screen->vk->QueuePresentKHR(swGpu_GetQueue(swStage_GetGpu(screen->stage)), &info);
     if (IsScreenGone(result) || result == VK_SUBOPTIMAL_KHR)
     {
         return RenewSwapchain(screen);

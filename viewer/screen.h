@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The window's side of Vulkan: surface, swapchain, frames in flight. The swapchain is UNORM and receives a picture that
-// is already encoded as sRGB, so one path serves every surface.
+// The window's side of Vulkan: surface and swapchain; the device and frames in flight are the stage's. The swapchain is
+// UNORM and receives a picture that is already encoded as sRGB, so one path serves every surface.
 
-#include "graphics.h"
+#include <stdbool.h>
+
+#include "seaway/stage.h"
 
 struct GLFWwindow;
 
 #define FRAMES_IN_FLIGHT 2
 #define MAX_SWAPCHAIN_IMAGES 8
 
-typedef struct FrameInFlight
-{
-    VkCommandPool pool;
-    VkCommandBuffer commands;
-    VkFence isDone;
-    VkSemaphore isAcquired;
-} FrameInFlight;
+// Whether a call succeeded; if not, a sentence says what the viewer was doing.
+bool CheckVulkan(VkResult result, const char* what);
 
 typedef struct Screen
 {
-    const Graphics* graphics;
+    swStage* stage;
+    const swStageVk* vk;
+    VkInstance instance;
+    VkPhysicalDevice physicalDevice;
+    VkDevice device;
     struct GLFWwindow* window;
     bool enableVsync;
 
@@ -33,7 +34,7 @@ typedef struct Screen
     VkImage images[MAX_SWAPCHAIN_IMAGES];
     VkSemaphore isDrawn[MAX_SWAPCHAIN_IMAGES]; // one per image: presenting may still wait on it when a frame is done
 
-    FrameInFlight frames[FRAMES_IN_FLIGHT];
+    VkSemaphore isAcquired[FRAMES_IN_FLIGHT];
     uint32_t imageIndex;
 } Screen;
 
@@ -45,11 +46,11 @@ typedef enum ScreenStatus
     SCREEN_FAILED
 } ScreenStatus;
 
-bool OpenScreen(Screen* screen, const Graphics* graphics, struct GLFWwindow* window, bool enableVsync);
+bool OpenScreen(Screen* screen, swStage* stage, struct GLFWwindow* window, bool enableVsync);
 void CloseScreen(Screen* screen);
 
-// Wait for the frame that used this slot and take the next image; `frame` is then ready to record.
-ScreenStatus BeginScreenFrame(Screen* screen, uint64_t frameIndex, FrameInFlight** frame);
+// Wait for a frame in flight and take the next image; `frame` is then ready to record.
+ScreenStatus BeginScreenFrame(Screen* screen, swStageFrame* frame);
 
 // Submit what was recorded and show the image.
-ScreenStatus EndScreenFrame(Screen* screen, FrameInFlight* frame);
+ScreenStatus EndScreenFrame(Screen* screen, const swStageFrame* frame);

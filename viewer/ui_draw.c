@@ -15,16 +15,15 @@ static const uint32_t fragmentCode[] =
 #include "ui.frag.inc"
     ;
 
-static VkResult CreateModule(const Graphics* graphics, const uint32_t* code, size_t size, VkShaderModule* module)
+static VkResult CreateModule(const UiDrawer* drawer, const uint32_t* code, size_t size, VkShaderModule* module)
 {
     VkShaderModuleCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = size, .pCode = code};
-    return graphics->vk.CreateShaderModule(graphics->device, &info, NULL, module);
+    return drawer->vk->CreateShaderModule(drawer->device, &info, NULL, module);
 }
 
 static VkResult CreateLayouts(UiDrawer* drawer)
 {
-    const Graphics* graphics = drawer->graphics;
     VkDescriptorSetLayoutBinding binding = {
         .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
         .descriptorCount = 1,
@@ -33,7 +32,7 @@ static VkResult CreateLayouts(UiDrawer* drawer)
     };
     VkDescriptorSetLayoutCreateInfo setInfo = {
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, .bindingCount = 1, .pBindings = &binding};
-    VkResult result = graphics->vk.CreateDescriptorSetLayout(graphics->device, &setInfo, NULL, &drawer->setLayout);
+    VkResult result = drawer->vk->CreateDescriptorSetLayout(drawer->device, &setInfo, NULL, &drawer->setLayout);
     if (result != VK_SUCCESS)
     {
         return result;
@@ -46,16 +45,15 @@ static VkResult CreateLayouts(UiDrawer* drawer)
         .pushConstantRangeCount = 1,
         .pPushConstantRanges = &range,
     };
-    return graphics->vk.CreatePipelineLayout(graphics->device, &info, NULL, &drawer->layout);
+    return drawer->vk->CreatePipelineLayout(drawer->device, &info, NULL, &drawer->layout);
 }
 
 static VkResult CreateSet(UiDrawer* drawer)
 {
-    const Graphics* graphics = drawer->graphics;
     VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1};
     VkDescriptorPoolCreateInfo poolInfo = {
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &size};
-    VkResult result = graphics->vk.CreateDescriptorPool(graphics->device, &poolInfo, NULL, &drawer->pool);
+    VkResult result = drawer->vk->CreateDescriptorPool(drawer->device, &poolInfo, NULL, &drawer->pool);
     if (result != VK_SUCCESS)
     {
         return result;
@@ -66,7 +64,7 @@ static VkResult CreateSet(UiDrawer* drawer)
         .descriptorSetCount = 1,
         .pSetLayouts = &drawer->setLayout,
     };
-    result = graphics->vk.AllocateDescriptorSets(graphics->device, &info, &drawer->set);
+    result = drawer->vk->AllocateDescriptorSets(drawer->device, &info, &drawer->set);
     if (result != VK_SUCCESS)
     {
         return result;
@@ -80,7 +78,7 @@ static VkResult CreateSet(UiDrawer* drawer)
         .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
         .pImageInfo = &image,
     };
-    graphics->vk.UpdateDescriptorSets(graphics->device, 1, &write, 0, NULL);
+    drawer->vk->UpdateDescriptorSets(drawer->device, 1, &write, 0, NULL);
     return VK_SUCCESS;
 }
 
@@ -164,84 +162,68 @@ static VkResult CreatePipeline(UiDrawer* drawer, VkFormat format, VkShaderModule
         .pDynamicState = &dynamic,
         .layout = drawer->layout,
     };
-    return drawer->graphics->vk.CreateGraphicsPipelines(drawer->graphics->device, VK_NULL_HANDLE, 1, &info, NULL,
-                                                        &drawer->pipeline);
+    return drawer->vk->CreateGraphicsPipelines(drawer->device, VK_NULL_HANDLE, 1, &info, NULL, &drawer->pipeline);
 }
 
 static VkResult CreateUiPipeline(UiDrawer* drawer, VkFormat format)
 {
-    const Graphics* graphics = drawer->graphics;
     VkShaderModule vertex = VK_NULL_HANDLE, fragment = VK_NULL_HANDLE;
-    VkResult result = CreateModule(graphics, vertexCode, sizeof(vertexCode), &vertex);
-    result = result ? result : CreateModule(graphics, fragmentCode, sizeof(fragmentCode), &fragment);
+    VkResult result = CreateModule(drawer, vertexCode, sizeof(vertexCode), &vertex);
+    result = result ? result : CreateModule(drawer, fragmentCode, sizeof(fragmentCode), &fragment);
     result = result ? result : CreatePipeline(drawer, format, vertex, fragment);
-    graphics->vk.DestroyShaderModule(graphics->device, vertex, NULL);
-    graphics->vk.DestroyShaderModule(graphics->device, fragment, NULL);
+    drawer->vk->DestroyShaderModule(drawer->device, vertex, NULL);
+    drawer->vk->DestroyShaderModule(drawer->device, fragment, NULL);
     return result;
 }
 
 static void RecordUpload(const UiDrawer* drawer, VkCommandBuffer commands, VkBuffer source)
 {
-    const Graphics* graphics = drawer->graphics;
-    const Image* atlas = &drawer->atlas;
+    const swStageImage* atlas = &drawer->atlas;
     VkBufferImageCopy region = {
         .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
         .imageExtent = {atlas->width, atlas->height, 1},
     };
-    UseImage(graphics, commands, atlas->image, atlas->aspect, USE_DISCARD, USE_COPY_TO);
-    graphics->vk.CmdCopyBufferToImage(commands, source, atlas->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    UseImage(graphics, commands, atlas->image, atlas->aspect, USE_COPY_TO, USE_SAMPLED);
+    swStage_UseImage(drawer->stage, commands, atlas, SW_STAGE_USE_DISCARD, SW_STAGE_USE_COPY_TO);
+    drawer->vk->CmdCopyBufferToImage(commands, source, atlas->image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    swStage_UseImage(drawer->stage, commands, atlas, SW_STAGE_USE_COPY_TO, SW_STAGE_USE_SAMPLED);
 }
 
-static VkResult SubmitUpload(const UiDrawer* drawer, VkBuffer source)
+static bool UploadAtlas(const UiDrawer* drawer, const uint8_t* pixels, VkDeviceSize size)
 {
-    const Graphics* graphics = drawer->graphics;
-    VkCommandPoolCreateInfo poolInfo = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                        .queueFamilyIndex = graphics->queueFamily};
-    VkCommandPool pool = VK_NULL_HANDLE;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    VkResult result = graphics->vk.CreateCommandPool(graphics->device, &poolInfo, NULL, &pool);
-    VkCommandBufferAllocateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = pool, .commandBufferCount = 1};
-    result = result ? result : graphics->vk.AllocateCommandBuffers(graphics->device, &info, &commands);
-    VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                      .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-    result = result ? result : graphics->vk.BeginCommandBuffer(commands, &begin);
-    if (result == VK_SUCCESS)
+    swStageBuffer staging;
+    if (swStage_CreateBuffer(drawer->stage, size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, &staging) != SW_SUCCESS)
     {
-        RecordUpload(drawer, commands, source);
-        result = graphics->vk.EndCommandBuffer(commands);
+        return false;
     }
-    VkCommandBufferSubmitInfo list = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO, .commandBuffer = commands};
-    VkSubmitInfo2 submit = {
-        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &list};
-    result = result ? result : graphics->vk.QueueSubmit2(graphics->queue, 1, &submit, VK_NULL_HANDLE);
-    result = result ? result : graphics->vk.QueueWaitIdle(graphics->queue);
-    graphics->vk.DestroyCommandPool(graphics->device, pool, NULL);
-    return result;
+    memcpy(staging.data, pixels, (size_t)size);
+    swStageFrame frame;
+    swResult result = swStage_BeginFrame(drawer->stage, &frame);
+    if (result == SW_SUCCESS)
+    {
+        RecordUpload(drawer, frame.commands, staging.buffer);
+        result = swStage_SubmitFrame(drawer->stage, &frame, NULL);
+    }
+    result = result == SW_SUCCESS ? swStage_Wait(drawer->stage) : result;
+    swStage_DestroyBuffer(drawer->stage, &staging);
+    return result == SW_SUCCESS;
 }
 
 static bool CreateAtlas(UiDrawer* drawer)
 {
     int width = 0, height = 0;
     const uint8_t* pixels = GetUiAtlas(&width, &height);
-    ImageDef def = {
+    swStageImageDef def = {
+        .name = "the panel's letters",
         .format = VK_FORMAT_R8_UNORM,
         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-        .aspect = VK_IMAGE_ASPECT_COLOR_BIT,
         .width = (uint32_t)width,
         .height = (uint32_t)height,
     };
     VkDeviceSize size = (VkDeviceSize)width * (VkDeviceSize)height;
-    Buffer staging;
-    if (!CreateImage(drawer->graphics, &def, &drawer->atlas) ||
-        !CreateBuffer(drawer->graphics, size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, &staging))
+    if (swStage_CreateImage(drawer->stage, &def, &drawer->atlas) != SW_SUCCESS || !UploadAtlas(drawer, pixels, size))
     {
         return false;
     }
-    memcpy(staging.data, pixels, (size_t)size);
-    VkResult result = SubmitUpload(drawer, staging.buffer);
-    DestroyBuffer(drawer->graphics, &staging);
     VkSamplerCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
         .magFilter = VK_FILTER_LINEAR,
@@ -249,14 +231,13 @@ static bool CreateAtlas(UiDrawer* drawer)
         .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
         .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
     };
-    const Graphics* graphics = drawer->graphics;
-    result = result ? result : graphics->vk.CreateSampler(graphics->device, &info, NULL, &drawer->sampler);
-    return CheckVulkan(result, "upload the panel's letters");
+    VkResult result = drawer->vk->CreateSampler(drawer->device, &info, NULL, &drawer->sampler);
+    return CheckVulkan(result, "sample the panel's letters");
 }
 
-bool OpenUiDrawer(UiDrawer* drawer, const Graphics* graphics, VkFormat format)
+bool OpenUiDrawer(UiDrawer* drawer, swStage* stage, VkFormat format)
 {
-    *drawer = (UiDrawer){.graphics = graphics};
+    *drawer = (UiDrawer){.stage = stage, .vk = swStage_GetVk(stage), .device = swGpu_GetDevice(swStage_GetGpu(stage))};
     if (!CreateAtlas(drawer))
     {
         return false;
@@ -269,34 +250,33 @@ bool OpenUiDrawer(UiDrawer* drawer, const Graphics* graphics, VkFormat format)
 
 void CloseUiDrawer(UiDrawer* drawer)
 {
-    const Graphics* graphics = drawer->graphics;
-    if (graphics == NULL)
+    if (drawer->stage == NULL)
     {
         return;
     }
     for (int i = 0; i < FRAMES_IN_FLIGHT; i++)
     {
-        DestroyBuffer(graphics, &drawer->vertices[i]);
-        DestroyBuffer(graphics, &drawer->indices[i]);
+        swStage_DestroyBuffer(drawer->stage, &drawer->vertices[i]);
+        swStage_DestroyBuffer(drawer->stage, &drawer->indices[i]);
     }
-    graphics->vk.DestroyPipeline(graphics->device, drawer->pipeline, NULL);
-    graphics->vk.DestroyPipelineLayout(graphics->device, drawer->layout, NULL);
-    graphics->vk.DestroyDescriptorPool(graphics->device, drawer->pool, NULL);
-    graphics->vk.DestroyDescriptorSetLayout(graphics->device, drawer->setLayout, NULL);
-    graphics->vk.DestroySampler(graphics->device, drawer->sampler, NULL);
-    DestroyImage(graphics, &drawer->atlas);
+    drawer->vk->DestroyPipeline(drawer->device, drawer->pipeline, NULL);
+    drawer->vk->DestroyPipelineLayout(drawer->device, drawer->layout, NULL);
+    drawer->vk->DestroyDescriptorPool(drawer->device, drawer->pool, NULL);
+    drawer->vk->DestroyDescriptorSetLayout(drawer->device, drawer->setLayout, NULL);
+    drawer->vk->DestroySampler(drawer->device, drawer->sampler, NULL);
+    swStage_DestroyImage(drawer->stage, &drawer->atlas);
     *drawer = (UiDrawer){0};
 }
 
 // Grow by half more than is needed, so that a panel that unfolds does not grow it every frame.
-static bool Reserve(const Graphics* graphics, Buffer* buffer, VkDeviceSize size, VkBufferUsageFlags usage)
+static bool Reserve(swStage* stage, swStageBuffer* buffer, VkDeviceSize size, VkBufferUsageFlags usage)
 {
     if (size <= buffer->size)
     {
         return true;
     }
-    DestroyBuffer(graphics, buffer);
-    return CreateBuffer(graphics, size + size / 2, usage, buffer);
+    swStage_DestroyBuffer(stage, buffer);
+    return swStage_CreateBuffer(stage, size + size / 2, usage, buffer) == SW_SUCCESS;
 }
 
 static void DrawCommand(const UiDrawer* drawer, VkCommandBuffer commands, const UiCommand* command, VkExtent2D extent)
@@ -310,34 +290,32 @@ static void DrawCommand(const UiDrawer* drawer, VkCommandBuffer commands, const 
         return;
     }
     VkRect2D scissor = {{(int32_t)left, (int32_t)top}, {(uint32_t)(right - left), (uint32_t)(bottom - top)}};
-    drawer->graphics->vk.CmdSetScissor(commands, 0, 1, &scissor);
-    drawer->graphics->vk.CmdDrawIndexed(commands, command->indexCount, 1, command->firstIndex, command->vertexOffset,
-                                        0);
+    drawer->vk->CmdSetScissor(commands, 0, 1, &scissor);
+    drawer->vk->CmdDrawIndexed(commands, command->indexCount, 1, command->firstIndex, command->vertexOffset, 0);
 }
 
 bool DrawUi(UiDrawer* drawer, VkCommandBuffer commands, int slot, const UiMesh* mesh, VkExtent2D extent)
 {
-    const Graphics* graphics = drawer->graphics;
-    Buffer* vertices = &drawer->vertices[slot];
-    Buffer* indices = &drawer->indices[slot];
+    swStageBuffer* vertices = &drawer->vertices[slot];
+    swStageBuffer* indices = &drawer->indices[slot];
     if (mesh->indexCount == 0 || mesh->width <= 0.0f || mesh->height <= 0.0f)
     {
         return true;
     }
-    if (!Reserve(graphics, vertices, mesh->vertexCount * sizeof(UiVertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT) ||
-        !Reserve(graphics, indices, mesh->indexCount * sizeof(uint16_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT))
+    if (!Reserve(drawer->stage, vertices, mesh->vertexCount * sizeof(UiVertex), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT) ||
+        !Reserve(drawer->stage, indices, mesh->indexCount * sizeof(uint16_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT))
     {
         return false;
     }
     CopyUiMesh(vertices->data, indices->data);
     VkDeviceSize offset = 0;
     float scale[2] = {2.0f / mesh->width, 2.0f / mesh->height};
-    graphics->vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, drawer->pipeline);
-    graphics->vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, drawer->layout, 0, 1, &drawer->set, 0,
-                                       NULL);
-    graphics->vk.CmdBindVertexBuffers(commands, 0, 1, &vertices->buffer, &offset);
-    graphics->vk.CmdBindIndexBuffer(commands, indices->buffer, 0, VK_INDEX_TYPE_UINT16);
-    graphics->vk.CmdPushConstants(commands, drawer->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(scale), scale);
+    drawer->vk->CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, drawer->pipeline);
+    drawer->vk->CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, drawer->layout, 0, 1, &drawer->set, 0,
+                                      NULL);
+    drawer->vk->CmdBindVertexBuffers(commands, 0, 1, &vertices->buffer, &offset);
+    drawer->vk->CmdBindIndexBuffer(commands, indices->buffer, 0, VK_INDEX_TYPE_UINT16);
+    drawer->vk->CmdPushConstants(commands, drawer->layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(scale), scale);
     for (int i = 0; i < mesh->commandCount; i++)
     {
         DrawCommand(drawer, commands, &mesh->commands[i], extent);

@@ -3,26 +3,27 @@
 
 // Draws the panel's mesh into a picture that holds sRGB bytes.
 
-#include "graphics.h"
 #include "screen.h"
 #include "ui.h"
 
 typedef struct UiDrawer
 {
-    const Graphics* graphics;
-    Image atlas;
+    swStage* stage;
+    const swStageVk* vk;
+    VkDevice device;
+    swStageImage atlas;
     VkSampler sampler;
     VkDescriptorSetLayout setLayout;
     VkDescriptorPool pool;
     VkDescriptorSet set;
     VkPipelineLayout layout;
     VkPipeline pipeline;
-    Buffer vertices[FRAMES_IN_FLIGHT];
-    Buffer indices[FRAMES_IN_FLIGHT];
+    swStageBuffer vertices[FRAMES_IN_FLIGHT];
+    swStageBuffer indices[FRAMES_IN_FLIGHT];
 } UiDrawer;
 
 // `format` is the target's, UNORM. Uploads the atlas and waits for it.
-bool OpenUiDrawer(UiDrawer* drawer, const Graphics* graphics, VkFormat format);
+bool OpenUiDrawer(UiDrawer* drawer, swStage* stage, VkFormat format);
 
 // The device must be idle.
 void CloseUiDrawer(UiDrawer* drawer);

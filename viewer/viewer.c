@@ -102,18 +102,18 @@ static bool OpenDevice(App* app)
     def.framesInFlight = FRAMES_IN_FLIGHT;
     def.presentable = true;
     def.instanceExtensions = glfwGetRequiredInstanceExtensions(&def.instanceExtensionCount);
-    if (swCreateGpu(&app->host, &def, &app->gpu) != SW_SUCCESS)
+    if (swCreateStage(&app->host, &def, &app->stage) != SW_SUCCESS)
     {
         return false; // the log has named each device and what it lacks
     }
-    return OpenGraphics(&app->graphics, app->gpu) &&
-           OpenScreen(&app->screen, &app->graphics, app->window, app->options.enableVsync);
+    app->gpu = swStage_GetGpu(app->stage);
+    return OpenScreen(&app->screen, app->stage, app->window, app->options.enableVsync);
 }
 
 static bool OpenPanel(App* app)
 {
     app->hasUi = OpenUi(app->window);
-    return app->hasUi && OpenUiDrawer(&app->drawer, &app->graphics, PICTURE_FORMAT);
+    return app->hasUi && OpenUiDrawer(&app->drawer, app->stage, PICTURE_FORMAT);
 }
 
 static void RecordFrameTime(FrameTimes* times, double seconds)
@@ -209,8 +209,8 @@ static void BuildPanel(App* app)
 
 static bool SaveCapture(App* app)
 {
-    app->graphics.vk.QueueWaitIdle(app->graphics.queue);
-    const Image* picture = &app->targets.picture;
+    swStage_Wait(app->stage);
+    const swStageImage* picture = &app->targets.stage.output;
     char reason[600];
     bool isWritten = WriteScreenshot(app->capturePath, app->targets.readback.data, picture->width, picture->height,
                                      reason, sizeof(reason));
@@ -232,11 +232,11 @@ static bool IsLastFrame(const App* app)
     return app->options.frameCount > 0 && app->frameIndex + 1 >= (uint64_t)app->options.frameCount;
 }
 
-static PictureDef DescribePicture(App* app, double passed)
+static PictureDef DescribePicture(App* app, const swStageFrame* frame, double passed)
 {
     const Sea* sea = &app->sea;
     return (PictureDef){
-        .graphics = &app->graphics,
+        .stage = app->stage,
         .screen = &app->screen,
         .targets = &app->targets,
         .sea = &app->sea,
@@ -245,14 +245,14 @@ static PictureDef DescribePicture(App* app, double passed)
         .shot =
             {
                 .view = sea->view,
-                .camera = MakePictureCamera(&app->camera, app->targets.hdr.width, app->targets.hdr.height),
+                .camera = MakePictureCamera(&app->camera, app->targets.stage.hdr.width, app->targets.stage.hdr.height),
                 .sky = sea->look.sky,
                 .water = sea->look.water,
                 .debug = app->debug,
                 .time = swWorld_GetTime(sea->world),
                 .exposureEv = sea->look.exposureEv,
             },
-        .frameIndex = app->frameIndex,
+        .frame = *frame,
         .dt = (float)passed,
         .jumpExposure = app->jumpExposure,
         .capture = app->capture,
@@ -260,7 +260,7 @@ static PictureDef DescribePicture(App* app, double passed)
 }
 
 // One frame into the image that was acquired.
-static bool MakeFrame(App* app, FrameInFlight* frame)
+static bool MakeFrame(App* app, const swStageFrame* frame)
 {
     double passed = TakeFrameTime(app);
     BuildPanel(app);
@@ -276,9 +276,9 @@ static bool MakeFrame(App* app, FrameInFlight* frame)
         snprintf(app->capturePath, sizeof(app->capturePath), "%s", app->options.screenshotPath);
         app->capture = CAPTURE_WINDOW;
     }
-    PictureDef picture = DescribePicture(app, passed);
+    PictureDef picture = DescribePicture(app, frame, passed);
     app->jumpExposure = app->frameIndex == 0;
-    if (!RecordPicture(&picture, frame->commands) || EndScreenFrame(&app->screen, frame) == SCREEN_FAILED)
+    if (!RecordPicture(&picture) || EndScreenFrame(&app->screen, frame) == SCREEN_FAILED)
     {
         return false;
     }
@@ -295,13 +295,16 @@ static bool MakeFrame(App* app, FrameInFlight* frame)
 static bool FitTargets(App* app)
 {
     VkExtent2D extent = app->screen.extent;
-    if (extent.width == app->targets.picture.width && extent.height == app->targets.picture.height)
+    if (extent.width == app->targets.stage.output.width && extent.height == app->targets.stage.output.height)
     {
         return true;
     }
-    app->graphics.vk.DeviceWaitIdle(app->graphics.device);
-    CloseTargets(&app->targets, &app->graphics);
-    return OpenTargets(&app->targets, &app->graphics, extent, DrawnExtent(extent, swGpu_IsSoftware(app->gpu)));
+    if (swStage_Wait(app->stage) != SW_SUCCESS)
+    {
+        return false;
+    }
+    CloseTargets(&app->targets, app->stage);
+    return OpenTargets(&app->targets, app->stage, extent, DrawnExtent(extent, swGpu_IsSoftware(app->gpu)));
 }
 
 static bool RunFrames(App* app)
@@ -315,11 +318,11 @@ static bool RunFrames(App* app)
             app->wantsReload = false;
             WishReload(app);
         }
-        FrameInFlight* frame = NULL;
-        switch (BeginScreenFrame(&app->screen, app->frameIndex, &frame))
+        swStageFrame frame;
+        switch (BeginScreenFrame(&app->screen, &frame))
         {
         case SCREEN_READY:
-            if (!FitTargets(app) || !MakeFrame(app, frame))
+            if (!FitTargets(app) || !MakeFrame(app, &frame))
             {
                 return false;
             }
@@ -355,19 +358,19 @@ static bool OpenApp(App* app)
 
 static void CloseApp(App* app)
 {
-    if (app->graphics.device != VK_NULL_HANDLE)
+    if (app->stage != NULL)
     {
-        app->graphics.vk.DeviceWaitIdle(app->graphics.device);
+        swStage_GetVk(app->stage)->DeviceWaitIdle(swGpu_GetDevice(app->gpu));
         CloseSea(&app->sea);
         CloseUiDrawer(&app->drawer);
-        CloseTargets(&app->targets, &app->graphics);
+        CloseTargets(&app->targets, app->stage);
         CloseScreen(&app->screen);
     }
     if (app->hasUi)
     {
         CloseUi();
     }
-    swDestroyGpu(app->gpu);
+    swDestroyStage(app->stage);
     if (app->window != NULL)
     {
         glfwDestroyWindow(app->window);
