@@ -299,7 +299,8 @@ static void addKnobs(swTree* tree, int parent, const swWavesWriter* writer)
     const swFields* fields = swGetWavesTextFields();
     if (writer->text.kind == SW_WAVES_WIND_SEA && writer->text.hasDuration)
     {
-        swSetTreeDefault(tree, swAddField(tree, parent, swFields_Find(fields, "durationHours"), &writer->text, NULL), false);
+        swSetTreeDefault(tree, swAddField(tree, parent, swFields_Find(fields, "durationHours"), &writer->text, NULL),
+                         false);
     }
     if (writer->text.kind == SW_WAVES_SWELL)
     {

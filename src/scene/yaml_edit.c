@@ -207,8 +207,9 @@ static void addInBrackets(swYamlEdits* edits, const yaml_node_t* node, const boo
         int behind = added->after >= 0 && first < count ? added->after : count - 1;
         at = swFindYamlEnd(&edits->places, swGetYamlNodeAt(&edits->places, swGetYamlChild(node, behind)));
     }
-    const Edit* last = (const Edit*)edits->edits.data + edits->edits.count - 1;
-    bool isFollowing = first == count && edits->edits.count > 0 && last->begin == at && last->end == at;
+    size_t editCount = edits->edits.count;
+    const Edit* last = editCount > 0 ? (const Edit*)edits->edits.data + editCount - 1 : NULL;
+    bool isFollowing = first == count && last != NULL && last->begin == at && last->end == at;
     swAddText(&edits->added, ", ", !isBefore && (first < count || isFollowing) ? 2 : 0);
     swAddTreeInLine(&edits->added, added->tree, added->node, isMapping);
     swAddText(&edits->added, ", ", isBefore ? 2 : 0);

@@ -221,15 +221,16 @@ bool swFindYamlDash(const swYamlPlaces* places, size_t item, size_t* dash)
                 ++next;
             }
             *dash = at;
-            return places->text[at] == '-' && (next == end || places->text[next] == '#' || swIsYamlBreak(places->text[next]));
+            return places->text[at] == '-' &&
+                   (next == end || places->text[next] == '#' || swIsYamlBreak(places->text[next]));
         }
         if (line <= skipMark(places->text, places->size))
         {
             return false;
         }
         end = line;
-        line = swFindYamlLine(places,
-                        line - (line >= 2 && places->text[line - 1] == '\n' && places->text[line - 2] == '\r' ? 2 : 1));
+        line = swFindYamlLine(
+            places, line - (line >= 2 && places->text[line - 1] == '\n' && places->text[line - 2] == '\r' ? 2 : 1));
     }
 }
 
@@ -281,8 +282,8 @@ bool swHasYamlGaps(const swYamlPlaces* places, const yaml_node_t* node)
         size_t line = swFindYamlLine(places, swFindYamlChildBegin(places, node, i));
         if (value->type != YAML_SCALAR_NODE && line >= 2)
         {
-            return swIsYamlBreak(places->text[line - 2]) &&
-                   (places->text[line - 2] == places->text[line - 1] || (line >= 3 && swIsYamlBreak(places->text[line - 3])));
+            return swIsYamlBreak(places->text[line - 2]) && (places->text[line - 2] == places->text[line - 1] ||
+                                                             (line >= 3 && swIsYamlBreak(places->text[line - 3])));
         }
     }
     return false;
