@@ -245,6 +245,67 @@ static void MeasureThreads(int most)
     free(answers);
 }
 
+// ---- moments ----
+
+static double MeasureHeights(const swMoment* moment, const swQueryDef* def, Answers* answers)
+{
+    double best = 1e9;
+    const swSurfaceSamples samples = {.height = answers->heights};
+    for (int i = 0; i < ROUNDS; ++i)
+    {
+        double start = Now();
+        swMoment_QuerySurface(moment, def, POINT_COUNT, answers->points, &samples, NULL);
+        double seconds = Now() - start;
+        best = seconds < best ? seconds : best;
+    }
+    return POINT_COUNT / best;
+}
+
+// What a moment of another time costs beside a step, and what it answers.
+static void MeasureMoments(Answers* answers)
+{
+    ScenarioDef scenarioDef = DefaultScenarioDef(SCENARIO_BREEZE);
+    Scenario scenario;
+    if (CreateScenario(&scenarioDef, &scenario) != SW_SUCCESS)
+    {
+        return;
+    }
+    swMomentDef def = swDefaultMomentDef();
+    swMoment *moment = NULL, *later = NULL;
+    Scatter(answers, 1000.0);
+    if (swCreateMoment(scenario.world, &def, &moment) == SW_SUCCESS &&
+        swCreateMoment(scenario.world, &def, &later) == SW_SUCCESS)
+    {
+        double step = 1e9, set = 1e9;
+        for (int i = 0; i < ROUNDS; ++i)
+        {
+            double start = Now();
+            swWorld_Step(scenario.world, 1.0 / 60.0);
+            double middle = Now();
+            swMoment_Set(moment, scenario.world, 100.0 + i);
+            double end = Now();
+            step = middle - start < step ? middle - start : step;
+            set = end - middle < set ? end - middle : set;
+        }
+        swQueryDef query = swDefaultQueryDef();
+        double own = MeasureHeights(swWorld_GetMoment(scenario.world), &query, answers);
+        double other = MeasureHeights(moment, &query, answers);
+        swMoment_Set(later, scenario.world, swMoment_GetTime(moment) + 1.0 / 60.0);
+        query.time = swMoment_GetTime(moment) + 1.0 / 120.0;
+        query.after = later;
+        double between = MeasureHeights(moment, &query, answers);
+        size_t bytes;
+        swMoment_GetMemory(moment, &bytes);
+        printf("{\"bench\": \"moments\", \"bytes\": %zu, \"step_ms\": %.3f, \"set_ms\": %.3f, "
+               "\"world_heights_per_s\": %.0f, \"moment_heights_per_s\": %.0f, \"between_heights_per_s\": %.0f}\n",
+               bytes, 1e3 * step, 1e3 * set, own, other, between);
+        fflush(stdout);
+    }
+    swDestroyMoment(moment);
+    swDestroyMoment(later);
+    DestroyScenario(&scenario);
+}
+
 // bench_queries [THREADS]
 int main(int argumentCount, char** arguments)
 {
@@ -271,6 +332,7 @@ int main(int argumentCount, char** arguments)
         Measure(&scenario, ScenarioName(def.kind), QUESTION_HEIGHTS, 50.0, answers); // a ship's own water
         DestroyScenario(&scenario);
     }
+    MeasureMoments(answers);
     free(answers);
     int threads = argumentCount > 1 ? atoi(arguments[1]) : 2;
     MeasureThreads(threads < 1 ? 1 : threads > MAX_THREADS ? MAX_THREADS : threads);

@@ -191,17 +191,35 @@ float sliceLevelAt(SurfaceGrid grid, float byDistance, Footprint footprint)
     return clamp(max(byDistance, byFootprint), 0.0, float(grid.ringCount));
 }
 
+// A slice of a layer, between texels. `byHand` where the device does not filter the layer's format.
+vec4 sampleSlice(sampler2DArray layer, vec2 uv, uint slice, bool byHand)
+{
+    if (!byHand)
+    {
+        return textureLod(layer, vec3(uv, float(slice)), 0.0);
+    }
+    vec2 most = vec2(textureSize(layer, 0).xy) - 1.0;
+    vec2 texel = clamp(uv * (most + 1.0) - 0.5, vec2(0.0), most);
+    vec2 low = floor(texel);
+    vec2 f = texel - low;
+    ivec3 t = ivec3(ivec2(low), int(slice));
+    ivec2 next = min(t.xy + 1, ivec2(most));
+    vec4 a = mix(texelFetch(layer, t, 0), texelFetch(layer, ivec3(next.x, t.y, t.z), 0), f.x);
+    vec4 b = mix(texelFetch(layer, ivec3(t.x, next.y, t.z), 0), texelFetch(layer, ivec3(next, t.z), 0), f.x);
+    return mix(a, b, f.y);
+}
+
 // A layer of the slices at a place of the mesh; what the pair does not hold is `beyond`.
-vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 place, vec4 beyond)
+vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 place, vec4 beyond, bool byHand)
 {
     float resolution = float(grid.resolution);
     vec4 sum = (1.0 - pair.firstWeight - pair.secondWeight) * beyond;
     vec2 uv = sliceUv(meshSlice(pair.first), place, resolution);
-    sum += pair.firstWeight * textureLod(layer, vec3(uv, float(pair.first)), 0.0);
+    sum += pair.firstWeight * sampleSlice(layer, uv, pair.first, byHand);
     if (pair.secondWeight > 0.0)
     {
         uv = sliceUv(meshSlice(pair.second), place, resolution);
-        sum += pair.secondWeight * textureLod(layer, vec3(uv, float(pair.second)), 0.0);
+        sum += pair.secondWeight * sampleSlice(layer, uv, pair.second, byHand);
     }
     return sum;
 }
@@ -210,7 +228,7 @@ vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 p
 Slopes slopesAt(SurfaceGrid grid, SlicePair pair, vec2 place, vec2 rest, Footprint footprint,
                 sampler2DArray derivatives, sampler2DArray detail, bool isFast)
 {
-    vec4 d = sampleSlices(derivatives, grid, pair, place, vec4(0.0, 0.0, 1.0, 0.0));
+    vec4 d = sampleSlices(derivatives, grid, pair, place, vec4(0.0, 0.0, 1.0, 0.0), false);
     Slopes slopes;
     slopes.jacobian = d.z;
     // A fold would be vertical; its place is under foam, and steeper than this no water stands.
@@ -222,9 +240,9 @@ Slopes slopesAt(SurfaceGrid grid, SlicePair pair, vec2 place, vec2 rest, Footpri
     return slopes;
 }
 
-// Smooth amount of foam, [0, 1]; `atRest` is that beyond the slices.
-float foamAmountAt(SurfaceGrid grid, SlicePair pair, vec2 place, sampler2DArray foam, float atRest)
+// Smooth amount of foam, [0, 1]; `atRest` is that beyond the slices. Many mobile devices do not filter its 32 bits.
+float foamAmountAt(SurfaceGrid grid, SlicePair pair, vec2 place, sampler2DArray foam, float atRest, bool byHand)
 {
-    return clamp(sampleSlices(foam, grid, pair, place, vec4(atRest)).r, 0.0, 1.0);
+    return clamp(sampleSlices(foam, grid, pair, place, vec4(atRest), byHand).r, 0.0, 1.0);
 }
 #endif

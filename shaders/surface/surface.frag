@@ -42,6 +42,8 @@ layout(std430, binding = 12) readonly buffer Waves
 
 // 1 on a device that is a CPU, where every texture sample counts.
 layout(constant_id = 0) const uint isSoftware = 0;
+// 1 on a device that does not filter 32-bit floats.
+layout(constant_id = 1) const uint filtersByHand = 0;
 
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
@@ -77,7 +79,7 @@ void main()
     Footprint footprint = footprintAt(view, range, picture.pixel, facing);
     SlicePair pair = slicePairAt(grid, sliceLevelAt(grid, float(ring) + blend, footprint));
     Slopes slopes = slopesAt(grid, pair, place, rest, footprint, derivatives, detail, isSoftware != 0);
-    float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest);
+    float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest, filtersByHand != 0);
     if (picture.debugMode != 0)
     {
         float deviations = height / max(picture.deviation, 0.01);

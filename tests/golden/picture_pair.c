@@ -7,6 +7,7 @@
 #include <seaway/seaway.h>
 #include <seaway/stage.h>
 
+#include "gpu/vk/vk_device.h"
 #include "support/cmocka_setup.h"
 #include "support/counting_host.h"
 
@@ -257,6 +258,36 @@ static void APictureOfOtherFormatsIsOfTheSameRenderer(void** state)
     CloseShow(&other);
 }
 
+// Foam of a device that does not filter 32-bit floats: by hand, and as smooth.
+static void FoamIsAsSmoothWithoutFiltersOfFloats(void** state)
+{
+    (void)state;
+    static uint8_t wanted[BYTES];
+    swShot shots[HALVES] = {MakeShot(LEFT, 0.7f), MakeShot(RIGHT, 0.7f)};
+    shots[LEFT].debug = SW_DEBUG_FOAM;
+    Show show = OpenShow(true, false);
+    Draw(&show, shots, 0.0f, true);
+    memcpy(wanted, s_set.bytes[LEFT].data, BYTES);
+    CloseShow(&show);
+    swGpu* gpu = swStage_GetGpu(s_set.stage);
+    assert_true(gpu->filtersFloats);
+    gpu->filtersFloats = false;
+    show = OpenShow(true, false);
+    Draw(&show, shots, 0.0f, true);
+    gpu->filtersFloats = true;
+    const uint8_t* got = s_set.bytes[LEFT].data;
+    int most = 0, foam = 0;
+    for (int i = 0; i < BYTES; ++i)
+    {
+        int difference = got[i] > wanted[i] ? got[i] - wanted[i] : wanted[i] - got[i];
+        most = difference > most ? difference : most;
+        foam += (i & 3) == 0 && wanted[i] > 8;
+    }
+    assert_true(foam > 50); // there is some
+    assert_true(most <= 1); // hardware has 8 bits between texels
+    CloseShow(&show);
+}
+
 static void WithoutMemoryThereIsNoRendererAndNoPicture(void** state)
 {
     (void)state;
@@ -334,6 +365,7 @@ int main(void)
         cmocka_unit_test(APictureGoesWhileItsFrameIsInFlight),
         cmocka_unit_test(PicturesFollowFramesThatAreThrownAway),
         cmocka_unit_test(APictureOfOtherFormatsIsOfTheSameRenderer),
+        cmocka_unit_test(FoamIsAsSmoothWithoutFiltersOfFloats),
         cmocka_unit_test(WithoutMemoryThereIsNoRendererAndNoPicture),
     };
     return cmocka_run_group_tests(tests, OpenSet, CloseSet);

@@ -10,6 +10,7 @@ swResult swCreateSurfacePipelines(swGpu* gpu, const swPictureDef* formats, swPip
 {
     const swSurfaceConstants constants = {
         .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
+        .filtersByHand = gpu->filtersFloats ? 0 : 1,
     };
     swGraphicsDef draw = {
         .vertex = &swSurfaceVertex,
