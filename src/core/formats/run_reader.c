@@ -21,7 +21,7 @@ static swResult finish(const swHost* host, swSeaReader* reader, swResult result)
 }
 
 swResult swRunReader(const swHost* host, const char* text, size_t size, const char* name, size_t readerSize,
-                        swReadSeaFcn read, swMeasuredSea** sea)
+                     swReadSeaFcn read, swMeasuredSea** sea)
 {
     *sea = NULL;
     swSeaReader* reader = swAllocateZero(host, readerSize);
