@@ -268,9 +268,10 @@ static void blendPart(const swQuery* to, float part, int count, const swPosXZ* r
     {
         from[i] += part * (rows[i] - from[i]);
     }
-    for (int i = 0; i < 8 * count && out->gradients != NULL; ++i)
+    float* slopes = out->gradients != NULL ? out->gradients[0] : NULL;
+    for (int i = 0; i < 8 * count && slopes != NULL; ++i)
     {
-        out->gradients[0][i] += part * (gradients[i] - out->gradients[0][i]);
+        slopes[i] += part * (gradients[i] - slopes[i]);
     }
 }
 
