@@ -93,7 +93,7 @@ typedef struct swWaveSystemDef
     /// Factor on displacement. Range [0, 10]. Default 1.
     float weight;
 
-    /// The waves repeat exactly after this time, s. Range [0, 2.7e11]. Default 0: never.
+    /// The waves repeat exactly after this time, s. Range [0, SW_LARGEST_TIME]. Default 0: never.
     float loopPeriod;
 
     /// Another seed is another sea of the same statistics. Default 1. Give each system of a world a seed of its own: of

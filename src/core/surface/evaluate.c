@@ -19,16 +19,20 @@ static int countLongWaves(const swFrame* frame, float minWavelength)
 }
 
 // Of a tile's waves all have the same chop but for the depth's part: its strain, over its slopes, is the square of it.
-static float findSideways(const swQuery* query)
+static void findSideways(swQuery* query)
 {
     float square = 0.0f;
+    float least = 0.01f * query->def->tolerance * query->def->tolerance;
+    query->longestFelt = 0.0f;
     for (int i = 0; i < query->tileCount; ++i)
     {
         const swTile* tile = &query->tiles[i];
         float slopes = tile->slopeVarianceX + tile->slopeVarianceZ;
         if (slopes > 0.0f && swIsTileAsked(query, tile))
         {
-            square += tile->variance * swGetStrainVariance(&tile->strain) / slopes;
+            float part = tile->variance * swGetStrainVariance(&tile->strain) / slopes;
+            square += part;
+            query->longestFelt = part >= least ? fmaxf(query->longestFelt, tile->maxWavelength) : query->longestFelt;
         }
     }
     for (int i = 0; i < query->waveCount; ++i)
@@ -36,7 +40,7 @@ static float findSideways(const swQuery* query)
         const swFreeWave* wave = &query->waves[i];
         square += 0.5f * wave->amplitude * wave->amplitude * (wave->dx * wave->dx + wave->dz * wave->dz);
     }
-    return sqrtf(square);
+    query->sideways = sqrtf(square);
 }
 
 static void useFrame(swQuery* query, const swFrame* frame)
@@ -47,7 +51,7 @@ static void useFrame(swQuery* query, const swFrame* frame)
     query->tileTicks = frame->ticks;
     // A world without queries has no texels: it answers sea level.
     query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
-    query->sideways = findSideways(query);
+    findSideways(query);
 }
 
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
