@@ -90,9 +90,8 @@ int main(void)
     swWaveSystemDef waves = swDefaultWaveSystemDef();
     swWaveSystemId id;
     Forecast forecast = {0};
-    if (swCreateWorld(&host, &worldDef, &world) != SW_SUCCESS ||
-        swCreateWaveSystem(world, &waves, &id) != SW_SUCCESS || swWorld_Step(world, 100.0) != SW_SUCCESS ||
-        !BeginForecast(world, &forecast))
+    if (swCreateWorld(&host, &worldDef, &world) != SW_SUCCESS || swCreateWaveSystem(world, &waves, &id) != SW_SUCCESS ||
+        swWorld_Step(world, 100.0) != SW_SUCCESS || !BeginForecast(world, &forecast))
     {
         return 1; // the host's log has said why
     }

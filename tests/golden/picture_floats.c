@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Many mobile GPUs cannot filter 32-bit floats. A device that says so is taken all the same, and its pictures differ
-// from those of one that can only by how filtering hardware rounds. The device here can; its loader says that it cannot.
+// from those of one that can only by how filtering hardware rounds. The device here can; its loader says that it
+// cannot.
 
 #include <dlfcn.h>
 #include <math.h>

@@ -46,8 +46,7 @@ typedef struct Host
 static Host MakeHost(swGpu* gpu)
 {
     Host host = {.gpu = gpu};
-    host.bindSets =
-        (PFN_vkCmdBindDescriptorSets)gpu->vk.GetDeviceProcAddr(gpu->device, "vkCmdBindDescriptorSets");
+    host.bindSets = (PFN_vkCmdBindDescriptorSets)gpu->vk.GetDeviceProcAddr(gpu->device, "vkCmdBindDescriptorSets");
     VkDescriptorSetLayoutBinding bindings[2] = {0};
     for (uint32_t i = 0; i < 2; ++i)
     {
@@ -56,11 +55,10 @@ static Host MakeHost(swGpu* gpu)
                                                      .descriptorCount = 1,
                                                      .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
     }
-    const VkDescriptorSetLayoutCreateInfo setInfo = {
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-        .bindingCount = 2,
-        .pBindings = bindings};
+    const VkDescriptorSetLayoutCreateInfo setInfo = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                                     .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
+                                                     .bindingCount = 2,
+                                                     .pBindings = bindings};
     assert_int_equal(gpu->vk.CreateDescriptorSetLayout(gpu->device, &setInfo, NULL, &host.ownLayout), VK_SUCCESS);
     VkDescriptorSetLayout sets[2] = {host.ownLayout, VK_NULL_HANDLE};
     assert_int_equal(swGpu_GetLayersLayout(gpu, &sets[1]), SW_SUCCESS);
@@ -81,8 +79,8 @@ static Host MakeHost(swGpu* gpu)
                                                         .module = module,
                                                         .pName = "main"},
                                               .layout = host.layout};
-    assert_int_equal(
-        gpu->vk.CreateComputePipelines(gpu->device, VK_NULL_HANDLE, 1, &info, NULL, &host.pipeline), VK_SUCCESS);
+    assert_int_equal(gpu->vk.CreateComputePipelines(gpu->device, VK_NULL_HANDLE, 1, &info, NULL, &host.pipeline),
+                     VK_SUCCESS);
     gpu->vk.DestroyShaderModule(gpu->device, module, NULL);
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     assert_int_equal(swCreateBuffer(gpu, MOST * sizeof(Place), storage, SW_MEMORY_UPLOAD, "places", &host.places),
@@ -163,9 +161,9 @@ static void ALayerIsWhatTheCoreHas(void** state)
         for (int i = 0; i < 100; ++i, ++count)
         {
             int column = (i * 37) % RESOLUTION, row = (i * 11 + slice) % RESOLUTION;
-            places[count] = (Place){(float)((double)(info.firstX + column) * info.texel - viewpoint.x),
-                                    (float)((double)(info.firstZ + row) * info.texel - viewpoint.z), (float)slice,
-                                    0.0f};
+            places[count] =
+                (Place){(float)((double)(info.firstX + column) * info.texel - viewpoint.x),
+                        (float)((double)(info.firstZ + row) * info.texel - viewpoint.z), (float)slice, 0.0f};
         }
     }
     const Answer* answers = Ask(&host, &parity, viewpoint, count, places);

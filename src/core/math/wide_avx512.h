@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The wide float of AVX-512: eight lanes as AVX2 has them, because that is how wide panels of transforms are, in twice as
-// many registers. Rows of four texels take one register instead of two. Fused multiply-adds stay unused.
+// The wide float of AVX-512: eight lanes as AVX2 has them, because that is how wide panels of transforms are, in twice
+// as many registers. Rows of four texels take one register instead of two. Fused multiply-adds stay unused.
 
 #include "core/math/wide_avx2.h"
 
