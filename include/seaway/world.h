@@ -67,7 +67,7 @@ typedef struct swWorldDef
     /// Default 7.4e-5, clean water; 0 for none.
     float surfaceTension;
 
-    /// Height of the resting water plane, m. Default 0.
+    /// Height of the resting water plane, m. Range [-1e6, 1e6]. Default 0.
     double seaLevel;
 
     /// Default true. False skips the surface on the CPU, for a host that only draws: queries then answer sea level.

@@ -148,7 +148,9 @@ double swField_Show(const swField* field, double value)
         return value;
     }
     double degrees = value / DEGREE - (field->form == SW_FORM_BEARING ? 90.0 : 0.0);
-    return fabs(degrees) <= FULL_TURN ? degrees : fmod(degrees, FULL_TURN);
+    // A turn that was rounded to a float stays a turn.
+    bool isTurn = fabs(fabs(degrees) - FULL_TURN) < 1e-4;
+    return isTurn ? copysign(FULL_TURN, degrees) : fabs(degrees) < FULL_TURN ? degrees : fmod(degrees, FULL_TURN);
 }
 
 double swField_Read(const swField* field, double shown)
