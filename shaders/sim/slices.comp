@@ -463,7 +463,7 @@ void main()
                 uint top = rowsZ[b][run].x;
                 uint rowCount = rowsZ[b][run].y;
                 // Texel 0's window begins at row 0, texel t's at row t + 1 at the latest: see isSparse in
-                // upload_frame.c.
+                // pass_slices.c.
                 LOAD_ROW(0)
                 LOAD_ROW(1)
                 LOAD_ROW(2)
