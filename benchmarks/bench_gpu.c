@@ -564,7 +564,7 @@ static void PrintTable(const Bench* bench, Report* report)
         sum += time;
     }
     printf("%-16s %10.2f\n\n", "sum", sum);
-    printf("frame without a view (rows, columns, detail; 5 barriers): %.2f us\n", report->waves);
+    printf("frame without a view (rows, columns, detail; 4 barriers): %.2f us\n", report->waves);
     printf("whole frame (5 passes, 5 barriers, no timestamps inside):  %.2f us\n", report->frame);
     if (bench->options.queryPoints > 0)
     {
@@ -586,7 +586,7 @@ static void PrintJson(const Bench* bench, Report* report)
     const swFrame* frame = swGetWorldFrame(bench->world);
     printf("{\"device\": \"%s\", \"tiles\": %d, \"tile_resolution\": %d, \"slices\": %d, \"slice_resolution\": %d, "
            "\"frames\": %d,\n \"memory_gb_per_s\": %.1f, \"barrier_us\": %.3f, \"waves_frame_us\": %.3f, "
-           "\"waves_frame_barriers\": 5, \"frame_us\": %.3f, \"frame_barriers\": 5,\n \"passes\": [",
+           "\"waves_frame_barriers\": 4, \"frame_us\": %.3f, \"frame_barriers\": 5,\n \"passes\": [",
            swGpu_GetDeviceName(bench->gpu), frame->tileCount, bench->options.tileResolution, bench->options.slices,
            bench->options.resolution, bench->options.frames, report->bandwidth * 1e-3, report->barrier, report->waves,
            report->frame);

@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "scenarios/scenario.h"
@@ -23,6 +24,7 @@ typedef struct Answers
     float heights[POINT_COUNT];
     float residuals[POINT_COUNT];
     swVec3 normals[POINT_COUNT];
+    swSurfaceHint hints[POINT_COUNT];
 } Answers;
 
 typedef enum Question
@@ -31,7 +33,12 @@ typedef enum Question
     QUESTION_HEIGHTS_AND_NORMALS,
     QUESTION_PARTICLES,
     QUESTION_PARTICLES_AND_NORMALS,
-    QUESTION_HEIGHTS_4M,   // waves of 4 m and more
+    QUESTION_HEIGHTS_4M, // waves of 4 m and more
+    QUESTION_WARM,       // the same points in each step of 1/60 s, with hints
+    QUESTION_WARM_4M,
+    QUESTION_WARM_NORMALS,
+    QUESTION_MAP,          // heights of a grid of half a metre
+    QUESTION_LATTICE,      // particles and normals of such a grid
     QUESTION_MOTION,       // velocities from texels
     QUESTION_ANOTHER_TIME, // wave by wave
     QUESTION_BELOW,        // velocity and pressure 5 m below still water
@@ -97,6 +104,27 @@ static void AskRays(const swWorld* world, const swQueryDef* def, int count, cons
     swMoment_CastRays(swWorld_GetMoment(world), def, count, rays, hits, NULL);
 }
 
+static void AskMap(const swWorld* world, const swQueryDef* def, Answers* answers, swQueryStats* stats)
+{
+    const swHeightMapDef map = {.spacing = 0.5, .width = 128, .height = POINT_COUNT / 128};
+    swMoment_QueryHeightMap(swWorld_GetMoment(world), def, &map, answers->heights, stats);
+}
+
+static void AskLattice(const swWorld* world, const swQueryDef* def, Answers* answers)
+{
+    for (int i = 0; i < POINT_COUNT; ++i)
+    {
+        answers->points[i] = (swPosXZ){0.5 * (i % 128), 0.5 * (i / 128)};
+    }
+    const swSurfaceSamples samples = {.height = answers->heights, .normal = answers->normals};
+    swMoment_QueryParticles(swWorld_GetMoment(world), def, POINT_COUNT, answers->points, &samples, NULL, NULL);
+}
+
+static bool IsWarm(Question question)
+{
+    return question == QUESTION_WARM || question == QUESTION_WARM_4M || question == QUESTION_WARM_NORMALS;
+}
+
 static void Ask(const swWorld* world, Question question, Answers* answers, swQueryStats* stats)
 {
     int count = CountPoints(question);
@@ -118,13 +146,21 @@ static void Ask(const swWorld* world, Question question, Answers* answers, swQue
     case QUESTION_RAYS:
         AskRays(world, &def, count, answers);
         return;
+    case QUESTION_MAP:
+        AskMap(world, &def, answers, stats);
+        return;
+    case QUESTION_LATTICE:
+        AskLattice(world, &def, answers);
+        return;
     case QUESTION_HEIGHTS_AND_NORMALS:
+    case QUESTION_WARM_NORMALS:
         samples.normal = answers->normals;
         break;
     case QUESTION_MOTION:
         samples.velocity = answers->normals;
         break;
     case QUESTION_HEIGHTS_4M:
+    case QUESTION_WARM_4M:
         def.minWavelength = 4.0f;
         break;
     case QUESTION_ANOTHER_TIME:
@@ -133,6 +169,7 @@ static void Ask(const swWorld* world, Question question, Answers* answers, swQue
     default:
         break;
     }
+    samples.hints = IsWarm(question) ? answers->hints : NULL;
     swMoment_QuerySurface(swWorld_GetMoment(world), &def, count, answers->points, &samples, stats);
 }
 
@@ -154,6 +191,11 @@ static void Measure(const Scenario* scenario, const char* name, Question questio
                                                       "particles",
                                                       "particles_and_normals",
                                                       "heights_4m",
+                                                      "heights_warm",
+                                                      "heights_warm_4m",
+                                                      "heights_warm_and_normals",
+                                                      "height_map",
+                                                      "particles_of_a_grid_and_normals",
                                                       "heights_and_velocities",
                                                       "heights_another_time",
                                                       "motion_5m_below",
@@ -161,8 +203,13 @@ static void Measure(const Scenario* scenario, const char* name, Question questio
     double seconds[ROUNDS];
     swQueryStats stats;
     Scatter(answers, side);
+    memset(answers->hints, 0, sizeof answers->hints);
     for (int i = 0; i < ROUNDS; ++i)
     {
+        if (IsWarm(question))
+        {
+            swWorld_Step(scenario->world, 1.0 / 60.0);
+        }
         double start = Now();
         Ask(scenario->world, question, answers, &stats);
         seconds[i] = Now() - start;
@@ -178,6 +225,28 @@ static void Measure(const Scenario* scenario, const char* name, Question questio
            points / seconds[ROUNDS / 2], points / seconds[0], (double)stats.iterationCount / points,
            (double)stats.convergedCount / points, (double)stats.worstResidual, bands * 16 * 16, bands * 120);
     fflush(stdout);
+}
+
+// Waves of one octave, 4 to 8 m: a patch of one tile, as many renderers have it.
+static void MeasurePatch(Answers* answers)
+{
+    ScenarioDef def = DefaultScenarioDef(SCENARIO_CALM);
+    Scenario patch;
+    swWaveSystemDef waves = swDefaultWaveSystemDef();
+    waves.minWavelength = 4.0f;
+    waves.maxWavelength = 8.0f;
+    if (CreateScenario(&def, &patch) != SW_SUCCESS)
+    {
+        return;
+    }
+    if (swCreateWaveSystem(patch.world, &waves, &patch.systems[0]) == SW_SUCCESS &&
+        swWorld_Step(patch.world, 1.0) == SW_SUCCESS)
+    {
+        patch.systemCount = 1;
+        Measure(&patch, "patch", QUESTION_HEIGHTS, 100.0, answers);
+        Measure(&patch, "patch", QUESTION_WARM, 100.0, answers);
+    }
+    DestroyScenario(&patch);
 }
 
 // The same heights asked by several threads at once, each with points of its own: no lock, no allocation between them.
@@ -245,6 +314,67 @@ static void MeasureThreads(int most)
     free(answers);
 }
 
+// ---- moments ----
+
+static double MeasureHeights(const swMoment* moment, const swQueryDef* def, Answers* answers)
+{
+    double best = 1e9;
+    const swSurfaceSamples samples = {.height = answers->heights};
+    for (int i = 0; i < ROUNDS; ++i)
+    {
+        double start = Now();
+        swMoment_QuerySurface(moment, def, POINT_COUNT, answers->points, &samples, NULL);
+        double seconds = Now() - start;
+        best = seconds < best ? seconds : best;
+    }
+    return POINT_COUNT / best;
+}
+
+// What a moment of another time costs beside a step, and what it answers.
+static void MeasureMoments(Answers* answers)
+{
+    ScenarioDef scenarioDef = DefaultScenarioDef(SCENARIO_BREEZE);
+    Scenario scenario;
+    if (CreateScenario(&scenarioDef, &scenario) != SW_SUCCESS)
+    {
+        return;
+    }
+    swMomentDef def = swDefaultMomentDef();
+    swMoment *moment = NULL, *later = NULL;
+    Scatter(answers, 1000.0);
+    if (swCreateMoment(scenario.world, &def, &moment) == SW_SUCCESS &&
+        swCreateMoment(scenario.world, &def, &later) == SW_SUCCESS)
+    {
+        double step = 1e9, set = 1e9;
+        for (int i = 0; i < ROUNDS; ++i)
+        {
+            double start = Now();
+            swWorld_Step(scenario.world, 1.0 / 60.0);
+            double middle = Now();
+            swMoment_Set(moment, scenario.world, 100.0 + i);
+            double end = Now();
+            step = middle - start < step ? middle - start : step;
+            set = end - middle < set ? end - middle : set;
+        }
+        swQueryDef query = swDefaultQueryDef();
+        double own = MeasureHeights(swWorld_GetMoment(scenario.world), &query, answers);
+        double other = MeasureHeights(moment, &query, answers);
+        swMoment_Set(later, scenario.world, swMoment_GetTime(moment) + 1.0 / 60.0);
+        query.time = swMoment_GetTime(moment) + 1.0 / 120.0;
+        query.after = later;
+        double between = MeasureHeights(moment, &query, answers);
+        size_t bytes;
+        swMoment_GetMemory(moment, &bytes);
+        printf("{\"bench\": \"moments\", \"bytes\": %zu, \"step_ms\": %.3f, \"set_ms\": %.3f, "
+               "\"world_heights_per_s\": %.0f, \"moment_heights_per_s\": %.0f, \"between_heights_per_s\": %.0f}\n",
+               bytes, 1e3 * step, 1e3 * set, own, other, between);
+        fflush(stdout);
+    }
+    swDestroyMoment(moment);
+    swDestroyMoment(later);
+    DestroyScenario(&scenario);
+}
+
 // bench_queries [THREADS]
 int main(int argumentCount, char** arguments)
 {
@@ -271,6 +401,8 @@ int main(int argumentCount, char** arguments)
         Measure(&scenario, ScenarioName(def.kind), QUESTION_HEIGHTS, 50.0, answers); // a ship's own water
         DestroyScenario(&scenario);
     }
+    MeasureMoments(answers);
+    MeasurePatch(answers);
     free(answers);
     int threads = argumentCount > 1 ? atoi(arguments[1]) : 2;
     MeasureThreads(threads < 1 ? 1 : threads > MAX_THREADS ? MAX_THREADS : threads);

@@ -67,7 +67,7 @@ static double CountSteps(double begin, double end, double step)
 
 static bool IsTime(double time)
 {
-    return fabs(time) <= LARGEST_TIME;
+    return fabs(time) <= SW_LARGEST_TIME;
 }
 
 // "T" or "A:B:STEP".
@@ -82,7 +82,7 @@ static bool ParseTimes(const char* text, TimeRange* range)
     }
     if (!IsTime(value[0]) || !IsTime(value[1]))
     {
-        Complain("query: --time %s goes beyond %.2g s, the largest time of a sea", text, LARGEST_TIME);
+        Complain("query: --time %s goes beyond %.2g s, the largest time of a sea", text, SW_LARGEST_TIME);
         return false;
     }
     if (count == 1)

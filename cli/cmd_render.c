@@ -303,10 +303,10 @@ static bool CheckTimes(const RenderOptions* options, double time)
 {
     double first = time - options->warmup - EARLY_WARMUP_STEP - WARMUP_STEP,
            last = time + options->frames / options->fps;
-    if (first < -LARGEST_TIME || last > LARGEST_TIME)
+    if (first < -SW_LARGEST_TIME || last > SW_LARGEST_TIME)
     {
         Complain("render: the time %.17g s with its warm-up and frames goes beyond %.2g s, the largest of a sea", time,
-                 LARGEST_TIME);
+                 SW_LARGEST_TIME);
         return false;
     }
     return true;
@@ -532,8 +532,8 @@ int RunRender(int argumentCount, char** arguments)
          .value = &render.time,
          .placeholder = "T",
          .help = "of the first frame, s (default: the scene's)",
-         .min = -LARGEST_TIME,
-         .max = LARGEST_TIME},
+         .min = -SW_LARGEST_TIME,
+         .max = SW_LARGEST_TIME},
         {.name = "frames",
          .kind = OPTION_INT,
          .value = &render.frames,

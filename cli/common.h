@@ -19,9 +19,6 @@
 // What --debug shows instead of the picture, by the names of swDebugMode_GetName().
 #define DEBUG_MODE_HELP "slices, wireframe, normals, height, jacobian, foam or roughness instead of the picture"
 
-// Of a sea, s: swWorld_SetTime() goes no farther. Unix times are well within, and exact to 0.3 microseconds.
-#define LARGEST_TIME 2.7e11
-
 // One sentence on stderr, with the program's name before it.
 void Complain(const char* format, ...) __attribute__((format(printf, 1, 2)));
 

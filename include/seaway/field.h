@@ -125,6 +125,11 @@ SW_API const swFields* swGetOctaveFields(void);
 SW_API const swFields* swGetWaveSystemFields(void);
 SW_API const swFields* swGetWaveComponentFields(void);
 SW_API const swFields* swGetViewFields(void);
+SW_API const swFields* swGetSeaFields(void);
+SW_API const swFields* swGetSeaReplayFields(void);
+SW_API const swFields* swGetQueryFields(void);
+SW_API const swFields* swGetRayFields(void);
+SW_API const swFields* swGetRestoreFields(void);
 /// @}
 
 /// The field of a member, or of a member's member as in "foam.windSpeed"; NULL if there is none.

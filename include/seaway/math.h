@@ -39,6 +39,9 @@ typedef struct swMat4
 
 #define SW_PI 3.14159265358979323846
 
+/// Farthest that a time of a world may be from 0, s: 8,500 years either way.
+#define SW_LARGEST_TIME 2.7e11
+
 /// Bearing (degrees clockwise from north) that waves come from, to the direction they go: radians in the x-z plane,
 /// measured from +x towards +z, so that the wave travels along (cos, sin) = (x, z).
 #define SW_DIRECTION_FROM_BEARING(fromDegrees) ((float)(((fromDegrees) + 90.0) * (SW_PI / 180.0)))

@@ -42,7 +42,7 @@ typedef enum swStretching
 /// Must be initialized with swDefaultQueryDef().
 typedef struct swQueryDef
 {
-    /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Default 0.
+    /// Ignore bands whose waves are all shorter than this, and free waves that are, m. Range [0, inf]. Default 0.
     float minWavelength;
 
     /// Stop the search for the water column once the horizontal error is below this, m. Range [1e-6, 1e9]. Default
@@ -52,17 +52,17 @@ typedef struct swQueryDef
     /// Range [1, 64]. Default 24.
     int maxIterations;
 
-    /// s, past or future. Default SW_QUERY_NOW. At another time than the moment's each wave is summed by itself: exact
-    /// where tiles are interpolated (0.5 % of a band's height), and some hundred times slower. Systems that are
-    /// changing keep the amplitudes that they have at the moment's time. Many points are better asked of a moment of
-    /// that time.
+    /// s, past or future. Range [-SW_LARGEST_TIME, SW_LARGEST_TIME], or SW_QUERY_NOW. Default SW_QUERY_NOW. At another
+    /// time than the moment's each wave is summed by itself: exact where tiles are interpolated (0.5 % of a band's
+    /// height), and some hundred times slower. Systems that are changing keep the amplitudes that they have at the
+    /// moment's time. Many points are better asked of a moment of that time.
     double time;
 
     /// A later moment of the same world, or NULL. From the moment's time to this one's the surface then runs linearly
-    /// from the one to the other, at twice the cost of a moment's own time: for shots, and for what happens between two
-    /// steps. Waves of angular frequency w are off by at most (w dt)^2 / 8 of their height: of steps of 1/60 s by 0.05
-    /// % for waves of 4 m and 3.4 % for ripples of 6 cm. Times that are not between the two are summed as without it.
-    /// Default NULL.
+    /// from the one to the other, at three to four times the cost of a moment's own time: for shots, and for what
+    /// happens between two steps. Waves of angular frequency w are off by at most (w dt)^2 / 8 of their height: of
+    /// steps of 1/60 s by 0.05 % for waves of 4 m and 3.4 % for ripples of 6 cm. Times that are not between the two are
+    /// summed as without it. Default NULL.
     const swMoment* after;
 
     /// Of swMoment_QueryVolume(). Default SW_STRETCHING_WHEELER.

@@ -15,14 +15,15 @@ typedef struct swSeaReplayDef
     /// The records. Must outlive the replay. Default NULL.
     const swMeasuredSea* sea;
 
-    /// Place whose records are played, see swMeasuredSea_GetLocation(). Default 0.
+    /// Place whose records are played, see swMeasuredSea_GetLocation(). Range [0, INT32_MAX]. Default 0.
     int location;
 
     /// Everything but the table: seed, tiles, chop, weight, depth, what tables turn by. Its method must be
     /// SW_WAVES_FFT. Default swDefaultWaveSystemDef().
     swWaveSystemDef waves;
 
-    /// The world's time at which the sea is that of `startSeconds`, s. Default 0.
+    /// The world's time at which the sea is that of `startSeconds`, s. Range [-SW_LARGEST_TIME, SW_LARGEST_TIME].
+    /// Default 0.
     double startTime;
 
     /// Seconds since 1970, UTC. Range [-1e15, 1e15]. Default NAN: the first record's.

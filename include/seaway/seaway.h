@@ -12,6 +12,7 @@
 #include "measured.h"
 #include "moment.h"
 #include "query.h"
+#include "raster.h"
 #include "replay.h"
 #include "save.h"
 #include "sea.h"

@@ -91,8 +91,10 @@ typedef struct swOctaves
     /// Factor on the waves' height. Range [0, 10]. Default 1.
     float multiplier;
 
-    /// Factors on every octave's chop, range [0, 4], and gravity scale, range [0, 25]. Default 1.
+    /// Factor on every octave's chop. Range [0, 4]. Default 1.
     float chop;
+
+    /// Factor on every octave's gravity scale. Range [0, 25]. Default 1.
     float gravityScale;
 
     /// Take away the waves that are too long for the wind: times exp(-5/4 (omega_p / omega)^4), with omega_p of the
@@ -167,7 +169,8 @@ typedef struct swSpectrumDef
     /// effect. Unused by tables.
     float peakPeriod;
 
-    /// Mean direction where waves go, radians from +x towards +z. Default 0 (eastward). Tables turn by it.
+    /// Mean direction where waves go, radians from +x towards +z. Range [-1000, 1000]. Default 0 (eastward). Tables
+    /// turn by it.
     float direction;
 
     /// Default SW_SPREADING_COSINE_2S. Unused by tables, as the next three.

@@ -15,10 +15,10 @@ typedef struct swViewDef
     /// Range [2, SW_MAX_SLICES]. Default 7.
     int sliceCount;
 
-    /// Texels along a slice's side. Multiple of 64 in [64, 1024]. Default 384.
+    /// Texels along a slice's side. A multiple of 64. Range [64, 1024]. Default 384.
     int resolution;
 
-    /// Texel width of the finest slice when the viewer is near the water, m. A power of two in [2^-6, 16].
+    /// Texel width of the finest slice when the viewer is near the water, m. A power of two. Range [2^-6, 16].
     /// Default 1/16.
     float finestTexel;
 

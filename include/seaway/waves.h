@@ -39,9 +39,9 @@ typedef enum swWaveMethod
 typedef struct swWaveComponent
 {
     float wavelength; ///< m. Range [0.0625, 4096]
-    float direction;  ///< where it goes, radians from +x towards +z
+    float direction;  ///< where it goes, radians from +x towards +z. Range [-1000, 1000]
     float amplitude;  ///< half its height, m. Range [0, 40]
-    float phase;      ///< at the sea's origin at time 0, radians
+    float phase;      ///< at the sea's origin at time 0, radians. Range [-1e6, 1e6]
 } swWaveComponent;
 
 /// Must be initialized with swDefaultWaveSystemDef().
@@ -53,7 +53,7 @@ typedef struct swWaveSystemDef
     /// Default SW_WAVES_FFT.
     swWaveMethod method;
 
-    /// FFT: samples along a tile's side. Power of two in [16, 512]. Default 128.
+    /// FFT: samples along a tile's side. A power of two. Range [16, 512]. Default 128.
     int resolution;
 
     /// FFT: waves of the band's shortest length along a tile's side. Range [4, resolution / 4]. Default 32. More waves
@@ -83,8 +83,11 @@ typedef struct swWaveSystemDef
     const swWaveComponent* components;
     int componentCount;
 
-    /// Wavelengths to make, m. Default 0.0625 to 4096. Waves outside carry no energy. Given components are all made.
+    /// Shortest wave to make, m; below maxWavelength. Range [0.0625, 4096]. Default 0.0625. Waves outside of the two
+    /// carry no energy. Given components are all made.
     float minWavelength;
+
+    /// Longest wave to make, m. Range [0.0625, 4096]. Default 4096.
     float maxWavelength;
 
     /// Horizontal displacement relative to that of a water particle in a wave of small height. Range [0, 2]. Default 1.
@@ -93,12 +96,12 @@ typedef struct swWaveSystemDef
     /// Factor on displacement. Range [0, 10]. Default 1.
     float weight;
 
-    /// The waves repeat exactly after this time, s. Range [0, 2.7e11]. Default 0: never.
+    /// The waves repeat exactly after this time, s. Range [0, SW_LARGEST_TIME]. Default 0: never.
     float loopPeriod;
 
-    /// Another seed is another sea of the same statistics. Default 1. Give each system of a world a seed of its own: of
-    /// FFT systems with one seed the waves that they have in common run in step, and their heights add up instead of
-    /// their energies. The log warns of it.
+    /// Another seed is another sea of the same statistics. Range [0, UINT32_MAX]. Default 1. Give each system of a
+    /// world a seed of its own: of FFT systems with one seed the waves that they have in common run in step, and their
+    /// heights add up instead of their energies. The log warns of it.
     uint32_t seed;
 
     /// Set by swDefaultWaveSystemDef().

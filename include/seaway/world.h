@@ -19,6 +19,7 @@ typedef enum swIsa
     SW_ISA_SSE2,
     SW_ISA_AVX2,
     SW_ISA_NEON,
+    SW_ISA_AVX512,
     SW_ISA_COUNT
 } swIsa;
 
@@ -66,7 +67,7 @@ typedef struct swWorldDef
     /// Default 7.4e-5, clean water; 0 for none.
     float surfaceTension;
 
-    /// Height of the resting water plane, m. Default 0.
+    /// Height of the resting water plane, m. Range [-1e6, 1e6]. Default 0.
     double seaLevel;
 
     /// Default true. False skips the surface on the CPU, for a host that only draws: queries then answer sea level.
@@ -96,14 +97,13 @@ SW_API swResult swCreateWorld(const swHost* host, const swWorldDef* def, swWorld
 SW_API void swDestroyWorld(swWorld* world);
 
 /// Advance by dt seconds (0 is allowed and makes the surface of the present time). Range [0, 3600], and not to a time
-/// beyond
-/// 2.7e11 s (8,700 years).
+/// beyond SW_LARGEST_TIME.
 /// A warm step allocates nothing and takes no lock.
 /// @return SW_ERROR_INVALID if dt is out of range, SW_ERROR_NO_MEMORY only on the first step after something was
 /// created
 SW_API swResult swWorld_Step(swWorld* world, double dt);
 
-/// Jump to a time, s, past or future, within 2.7e11 s of 0; the surface follows with the next step. Waves are a
+/// Jump to a time, s, past or future, within SW_LARGEST_TIME of 0; the surface follows with the next step. Waves are a
 /// function of time alone. Foam has a past: when a step comes out earlier than the last one, or more than a second
 /// later, it starts anew from the state that the present waves would sustain. For a still picture with trails, step
 /// through some seconds before it.

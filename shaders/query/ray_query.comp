@@ -56,7 +56,7 @@ layout(push_constant) uniform Push
     swRayParams params;
 };
 
-shared vec3 shares[3][THREADS];
+shared float shares[8][THREADS];
 shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -313,7 +313,7 @@ void main()
             share(addSearched(search, lane));
         }
         barrier();
-        bool isSearching = isMarching && advance(search, Sum(gather(0), gather(1), gather(2)));
+        bool isSearching = isMarching && advance(search, gatherSum());
         if (isMarching && (!isSearching || isNearEnough(ray, march, search)))
         {
             float from = march.at;

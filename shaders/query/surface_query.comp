@@ -8,10 +8,10 @@
 // Velocity and acceleration are looked up once, where the search ended, in texels of their own. A query that wants
 // neither has a pipeline without them.
 //
-// Measured on an H100, 100,000 points of a default sea: 190 us scattered over 10 km, 125 to 175 us on a grid of 0.5 m;
-// points take 2.6 evaluations after the first guess. Slower were: no first guess (40 more), lanes that take another
-// point as soon as theirs is done (7 more with two points a lane, 10 with four), tiles in a storage buffer (6 more),
-// all four weights along x in every lane (8 more), two tiles at a time (6 more), and workgroups of 128 (4 more).
+// Measured on an H100, 100,000 points of a default sea: 145 us scattered over 10 km, 110 us on a grid of 0.5 m; points
+// take 2.6 evaluations after the first guess, of which only the first looks up all tiles (surface_search.glsl): without
+// that it took 186 and 124 us. Slower were: no first guess, lanes that take another point as soon as theirs is done,
+// tiles in a storage buffer, all four weights along x in every lane, two tiles at a time, and workgroups of 64 and 128.
 
 #include "shared/query.h"
 
@@ -60,7 +60,7 @@ layout(push_constant) uniform Push
     swQueryParams params;
 };
 
-shared vec3 shares[3][THREADS];
+shared float shares[8][THREADS];
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -155,16 +155,16 @@ void storeBad(uint point, uint lane)
 void storeMotion(uint point, bool isBad, Search search, uint lane)
 {
     Motion motion = addMotion(search.cell, search.place + search.bestOffset, lane);
-    shares[0][gl_LocalInvocationIndex] = motion.velocity;
-    shares[1][gl_LocalInvocationIndex] = motion.acceleration;
+    shareVector(0, motion.velocity);
+    shareVector(3, motion.acceleration);
     barrier();
     if (point < params.source.count && lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
     {
-        velocities[point] = isBad ? vec4(noNumber()) : vec4(gather(0), 0.0);
+        velocities[point] = isBad ? vec4(noNumber()) : vec4(gatherVector(0), 0.0);
     }
     else if (point < params.source.count && lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
     {
-        accelerations[point] = isBad ? vec4(noNumber()) : vec4(gather(1), 0.0);
+        accelerations[point] = isBad ? vec4(noNumber()) : vec4(gatherVector(3), 0.0);
     }
 }
 
@@ -193,7 +193,7 @@ void main()
         barrier();
         if (isSearching)
         {
-            isSearching = advance(search, Sum(gather(0), gather(1), gather(2)));
+            isSearching = advance(search, gatherSum());
             if (!isSearching)
             {
                 store(point, search, lane);

@@ -9,21 +9,37 @@
 // The first evaluation adds up only waves that are long against the way that it goes: gradients of waves shorter than
 // that say nothing about where it leads.
 //
+// From then on steps shrink fast: decimetres, centimetres, millimetres. A tile whose waves are long against a step is
+// not looked up again but taken on from where it was, by its derivatives up to the second: the first evaluation leaves
+// those of the tiles that stay good over decimetres, the next adds those that stay good over centimetres. The host
+// counts both and says how far each carries (findSmoothTiles() in gpu_query_water.c); a step beyond that starts anew.
+//
 // SW_QUERY_LANES (4) lanes share a place. Each takes one column of a tile's window of 4 x 4 texels, so that the four
 // read 64 bytes side by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`, and
-// `shared vec3 shares[3][]` with an element for each thread.
+// `shared float shares[8][]` with an element for each thread.
 
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 
-// Displacement of a particle by its place at rest, and its derivatives along x and z. Of a lane: its share.
+// Displacement of a particle by its place at rest, and its derivatives along x and z; along z those of y and z alone,
+// since dDx/dz is dDz/dx. Of a lane: its share.
 struct Sum
 {
     vec3 value;
     vec3 alongX;
-    vec3 alongZ;
+    vec2 alongZ;
+};
+
+// A lane's share of the tiles that are taken on, around a rest point: their sum, and its second derivatives.
+struct Smooth
+{
+    uint tileCount; // the longest
+    vec2 offset;    // of the rest point from the place
+    Sum sum;
+    float xAlongZ; // which Sum leaves out
+    vec3 bendX, bendXZ, bendZ;
 };
 
 // ---- the surface at a rest point ----
@@ -75,18 +91,63 @@ vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
     return fma(vec3(weights.w), d, fma(vec3(weights.z), c, fma(vec3(weights.y), b, weights.x * a)));
 }
 
+float slopeAlongX(Column column, vec4 cubic)
+{
+    return fma(fma(3.0 * cubic.w, column.fractionX, 2.0 * cubic.z), column.fractionX, cubic.y);
+}
+
+vec2 weigh(vec4 weights, vec2 a, vec2 b, vec2 c, vec2 d)
+{
+    return fma(vec2(weights.w), d, fma(vec2(weights.z), c, fma(vec2(weights.y), b, weights.x * a)));
+}
+
 void addTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Sum sum)
 {
     Column column = findColumn(tile, cell, rest, lane);
     vec3 a = texelOf(column, 0, 0), b = texelOf(column, 0, 1), c = texelOf(column, 0, 2), d = texelOf(column, 0, 3);
     float valueX = weightAlongX(column, cubic);
-    float slopeX =
-        fma(fma(3.0 * cubic.w, column.fractionX, 2.0 * cubic.z), column.fractionX, cubic.y) * tile.texelsPerMetre;
+    float slopeX = slopeAlongX(column, cubic) * tile.texelsPerMetre;
     vec3 value = weigh(swSplineWeights(column.fractionZ), a, b, c, d);
-    vec3 slope = weigh(swSplineSlopes(column.fractionZ) * tile.texelsPerMetre, a, b, c, d);
+    vec2 slope = weigh(swSplineSlopes(column.fractionZ) * tile.texelsPerMetre, a.yz, b.yz, c.yz, d.yz);
     sum.value = fma(vec3(valueX), value, sum.value);
     sum.alongX = fma(vec3(slopeX), value, sum.alongX);
-    sum.alongZ = fma(vec3(valueX), slope, sum.alongZ);
+    sum.alongZ = fma(vec2(valueX), slope, sum.alongZ);
+}
+
+// The same with second derivatives.
+void addSmoothTile(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Smooth part)
+{
+    Column column = findColumn(tile, cell, rest, lane);
+    vec3 a = texelOf(column, 0, 0), b = texelOf(column, 0, 1), c = texelOf(column, 0, 2), d = texelOf(column, 0, 3);
+    float perMetre = tile.texelsPerMetre;
+    float t = column.fractionZ;
+    float valueX = weightAlongX(column, cubic);
+    float slopeX = slopeAlongX(column, cubic) * perMetre;
+    float bendX = fma(6.0 * cubic.w, column.fractionX, 2.0 * cubic.z) * (perMetre * perMetre);
+    vec3 value = weigh(swSplineWeights(t), a, b, c, d);
+    vec3 slope = weigh(swSplineSlopes(t) * perMetre, a, b, c, d);
+    vec3 bend = weigh(vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t) * (perMetre * perMetre), a, b, c, d);
+    part.sum.value = fma(vec3(valueX), value, part.sum.value);
+    part.sum.alongX = fma(vec3(slopeX), value, part.sum.alongX);
+    part.sum.alongZ = fma(vec2(valueX), slope.yz, part.sum.alongZ);
+    part.xAlongZ = fma(valueX, slope.x, part.xAlongZ);
+    part.bendX = fma(vec3(bendX), value, part.bendX);
+    part.bendXZ = fma(vec3(slopeX), slope, part.bendXZ);
+    part.bendZ = fma(vec3(valueX), bend, part.bendZ);
+}
+
+// Takes the tiles on to another rest point.
+void moveSmooth(inout Smooth part, vec2 offset)
+{
+    vec2 way = offset - part.offset;
+    vec3 turnX = part.bendX * way.x + part.bendXZ * way.y;
+    vec3 turnZ = part.bendXZ * way.x + part.bendZ * way.y;
+    vec3 alongZ = vec3(part.xAlongZ, part.sum.alongZ);
+    part.sum.value += (part.sum.alongX + 0.5 * turnX) * way.x + (alongZ + 0.5 * turnZ) * way.y;
+    part.sum.alongX += turnX;
+    part.sum.alongZ += turnZ.yz;
+    part.xAlongZ += turnZ.x;
+    part.offset = offset;
 }
 
 void addWave(swQueryWave wave, ivec2 cell, vec2 rest, inout Sum sum)
@@ -95,15 +156,14 @@ void addWave(swQueryWave wave, ivec2 cell, vec2 rest, inout Sum sum)
     vec3 slope = vec3(-wave.dx * unit.x, -unit.y, -wave.dz * unit.x) * 6.28318530718;
     sum.value += vec3(-wave.dx * unit.y, unit.x, -wave.dz * unit.y);
     sum.alongX += slope * wave.turnsX;
-    sum.alongZ += slope * wave.turnsZ;
+    sum.alongZ += slope.yz * wave.turnsZ;
 }
 
-// A lane's share of the first `tileCount` tiles and `waveCount` free waves.
-Sum addWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane)
+// Adds a lane's share of tiles and of the first `waveCount` free waves.
+void addWater(uint firstTile, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
 {
     vec4 cubic = splineCubic(lane);
-    Sum sum = Sum(vec3(0.0), vec3(0.0), vec3(0.0));
-    for (uint i = 0; i < tileCount; ++i)
+    for (uint i = firstTile; i < tileCount; ++i)
     {
         addTile(tiles[i], cell, rest, lane, cubic, sum);
     }
@@ -111,20 +171,37 @@ Sum addWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane)
     {
         addWave(waves[i], cell, rest, sum);
     }
-    return sum;
+}
+
+void shareVector(uint part, vec3 value)
+{
+    shares[part][gl_LocalInvocationIndex] = value.x;
+    shares[part + 1][gl_LocalInvocationIndex] = value.y;
+    shares[part + 2][gl_LocalInvocationIndex] = value.z;
+}
+
+float gather(uint part)
+{
+    uint first = gl_LocalInvocationIndex / SW_QUERY_LANES * SW_QUERY_LANES;
+    return shares[part][first] + shares[part][first + 1] + (shares[part][first + 2] + shares[part][first + 3]);
+}
+
+vec3 gatherVector(uint part)
+{
+    return vec3(gather(part), gather(part + 1), gather(part + 2));
 }
 
 void share(Sum sum)
 {
-    shares[0][gl_LocalInvocationIndex] = sum.value;
-    shares[1][gl_LocalInvocationIndex] = sum.alongX;
-    shares[2][gl_LocalInvocationIndex] = sum.alongZ;
+    shareVector(0, sum.value);
+    shareVector(3, sum.alongX);
+    shares[6][gl_LocalInvocationIndex] = sum.alongZ.x;
+    shares[7][gl_LocalInvocationIndex] = sum.alongZ.y;
 }
 
-vec3 gather(uint part)
+Sum gatherSum()
 {
-    uint first = gl_LocalInvocationIndex / SW_QUERY_LANES * SW_QUERY_LANES;
-    return shares[part][first] + shares[part][first + 1] + (shares[part][first + 2] + shares[part][first + 3]);
+    return Sum(gatherVector(0), gatherVector(3), vec2(gather(6), gather(7)));
 }
 
 // ---- the search ----
@@ -139,7 +216,10 @@ struct Search
     float bestSquare;
     vec2 bestOffset;
     Sum best;
+    Smooth part;
 };
+
+const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
 
 Search beginSearch(Place place)
 {
@@ -151,13 +231,14 @@ Search beginSearch(Place place)
     search.reach = 1.0;
     search.bestSquare = 3e38;
     search.bestOffset = vec2(0.0);
+    search.part.tileCount = 0;
     return search;
 }
 
 vec2 newtonStep(vec2 residual, Sum sum)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.z);
-    vec2 step = vec2((1.0 + sum.alongZ.z) * residual.x - sum.alongZ.x * residual.y,
+    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.y);
+    vec2 step = vec2((1.0 + sum.alongZ.y) * residual.x - sum.alongX.z * residual.y,
                      (1.0 + sum.alongX.x) * residual.y - sum.alongX.z * residual.x);
     float longest = 4.0 * length(residual) * abs(jacobian);
     float size = length(step);
@@ -170,13 +251,43 @@ bool isGuess(Search search)
            (params.water.longTileCount < params.water.tileCount || params.water.longWaveCount < params.water.waveCount);
 }
 
-// A lane's share of the surface at the tried offset.
-Sum addSearched(Search search, uint lane)
+// Takes the smooth tiles on to the tried offset, or begins with them anew, and adds those that are smooth enough over
+// the next step.
+void followSmooth(inout Search search, uint lane)
 {
-    bool isFirst = isGuess(search);
-    return addWater(isFirst ? params.water.longTileCount : params.water.tileCount,
-                    isFirst ? params.water.longWaveCount : params.water.waveCount, search.cell,
-                    search.place + search.offset, lane);
+    vec2 way = search.offset - search.part.offset;
+    uint had = search.part.tileCount;
+    float reach = had > params.water.farTileCount ? params.water.nearReach : params.water.farReach;
+    uint tileCount = params.water.nearTileCount;
+    if (had == 0 || dot(way, way) > reach * reach)
+    {
+        search.part = Smooth(0, search.offset, NO_WATER, 0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+        had = 0;
+        tileCount = params.water.farTileCount;
+    }
+    moveSmooth(search.part, search.offset);
+    vec4 cubic = splineCubic(lane);
+    for (uint i = had; i < tileCount; ++i)
+    {
+        addSmoothTile(tiles[i], search.cell, search.place + search.offset, lane, cubic, search.part);
+    }
+    search.part.tileCount = tileCount;
+}
+
+// A lane's share of the surface at the tried offset.
+Sum addSearched(inout Search search, uint lane)
+{
+    vec2 rest = search.place + search.offset;
+    Sum sum = NO_WATER;
+    if (isGuess(search))
+    {
+        addWater(0, params.water.longTileCount, params.water.longWaveCount, search.cell, rest, lane, sum);
+        return sum;
+    }
+    followSmooth(search, lane);
+    sum = search.part.sum;
+    addWater(search.part.tileCount, params.water.tileCount, params.water.waveCount, search.cell, rest, lane, sum);
+    return sum;
 }
 
 // Takes in the surface at the tried offset and chooses the next. False when done.
@@ -207,9 +318,9 @@ bool advance(inout Search search, Sum sum)
 // Normal and J of the surface, from a particle's derivatives. The underside of a fold is turned over.
 vec4 normalOf(Sum sum)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.z);
-    float x = swSurfaceNormalX(sum.alongX.z, sum.alongZ.z, sum.alongX.y, sum.alongZ.y);
-    float z = swSurfaceNormalZ(sum.alongX.x, sum.alongX.z, sum.alongX.y, sum.alongZ.y);
+    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.y);
+    float x = swSurfaceNormalX(sum.alongX.z, sum.alongZ.y, sum.alongX.y, sum.alongZ.x);
+    float z = swSurfaceNormalZ(sum.alongX.x, sum.alongX.z, sum.alongX.y, sum.alongZ.x);
     vec3 normal = vec3(-x, jacobian, -z);
     float size = length(normal);
     normal = size < 1e-20 ? vec3(0.0, 1.0, 0.0) : normal * ((jacobian < 0.0 ? -1.0 : 1.0) / size);

@@ -14,7 +14,7 @@
 // Lanes that share a point: one for each column of a spline's window.
 #define SW_QUERY_LANES 4
 // Points of a workgroup.
-#define SW_QUERY_POINTS 16
+#define SW_QUERY_POINTS 8
 
 // Bits of swQueryParams::outputs, the same as swGpuQueryOutput.
 #define SW_QUERY_WANTS_SIDEWAYS 1
@@ -41,8 +41,12 @@ SW_PARAMS(swQueryWater)
     sw_uint longWaveCount; // the same for free waves
     sw_uint maxIterations;
     float toleranceSquare; // m^2
+    // How many of the first tiles need not be looked up again after a step of at most so many metres: after the first
+    // evaluation, and after those that follow.
+    sw_uint farTileCount, nearTileCount;
+    float farReach, nearReach;
 };
-SW_PARAMS_SIZE(swQueryWater, 24);
+SW_PARAMS_SIZE(swQueryWater, 40);
 
 SW_PARAMS(swQueryParams)
 {
@@ -52,7 +56,7 @@ SW_PARAMS(swQueryParams)
     sw_uint velocityTexels; // from a tile's displacement to its velocity, in texels
     sw_uint accelerationTexels;
 };
-SW_PARAMS_SIZE(swQueryParams, 52);
+SW_PARAMS_SIZE(swQueryParams, 68);
 
 SW_PARAMS(swQueryPoint)
 {
@@ -158,7 +162,7 @@ SW_PARAMS(swRayParams)
     float tolerance;   // m
     sw_uint mostLooks; // of a ray
 };
-SW_PARAMS_SIZE(swRayParams, 64);
+SW_PARAMS_SIZE(swRayParams, 80);
 
 // A ray, or a sphere along one. Begins as swQueryPoint does.
 SW_PARAMS(swQueryRay)

@@ -2,7 +2,11 @@
 # What is read by way of a library: measured seas in files. AUTO takes a library if it is there.
 target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/file_text.c
-    ${CMAKE_CURRENT_LIST_DIR}/measured_file.c)
+    ${CMAKE_CURRENT_LIST_DIR}/measured_file.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_esri.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_file.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_grid.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_xyz.c)
 
 # sw_add_format(OPTION header library package DEFINE sources...)
 function(sw_add_format option header library package define)
@@ -36,7 +40,8 @@ sw_add_format(SW_BUILD_NETCDF netcdf.h netcdf libnetcdf-dev SW_HAS_NETCDF
     netcdf_places.c
     netcdf_sea.c
     netcdf_spectra.c
-    netcdf_time.c)
+    netcdf_time.c
+    raster_netcdf.c)
 set(SW_SCENE_PACKAGES)
 if(SW_HAS_JSON)
     list(APPEND SW_SCENE_PACKAGES jansson)

@@ -16,7 +16,7 @@
 #define SW_DEF swScene
 static const swField sceneFields[] = {
     SW_TEXT(name, .key = "name", .label = "name"),
-    SW_NUMBER(time, "s", SW_WITHIN(-SW_YAML_LARGEST_TIME, SW_YAML_LARGEST_TIME), 0.0, .key = "time_s", .label = "time",
+    SW_NUMBER(time, "s", SW_WITHIN(-SW_LARGEST_TIME, SW_LARGEST_TIME), 0.0, .key = "time_s", .label = "time",
               .tip = "Of the world when the scene begins", SW_KNOB(0.0, 3600.0)),
     SW_NUMBER(exposureEv, "EV", SW_WITHIN(-20.0, 20.0), 0.0, .key = "exposure_ev", .label = "exposure",
               .tip = "Stops beside the automatic exposure", SW_KNOB(-6.0, 6.0)),
@@ -97,8 +97,8 @@ static const swField measuredFields[] = {
               .tip = "What those in a netCDF file mean: where waves come from, or where they go"),
     SW_TEXT(at, .key = "at", .label = "at", .tip = "Time of the wanted record, UTC"),
     SW_TEXT(from, .key = "from", .section = "replay", .label = "from", .tip = "UTC time whose sea stands at time_s"),
-    SW_NUMBER(replayTime, "s", SW_WITHIN(-SW_YAML_LARGEST_TIME, SW_YAML_LARGEST_TIME), 0.0, .key = "time_s",
-              .section = "replay", .label = "time", .tip = "Of the world"),
+    SW_NUMBER(replayTime, "s", SW_WITHIN(-SW_LARGEST_TIME, SW_LARGEST_TIME), 0.0, .key = "time_s", .section = "replay",
+              .label = "time", .tip = "Of the world"),
     SW_NUMBER(replaySpeed, "", SW_WITHIN(-1e6, 1e6), 1.0, .key = "speed", .section = "replay", .label = "speed",
               .tip = "Seconds of records in a second of the world"),
 };

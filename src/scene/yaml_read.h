@@ -38,9 +38,6 @@ typedef struct swYaml
     int mistakeCount;
 } swYaml;
 
-// Of a world, s; see swWorld_SetTime().
-#define SW_YAML_LARGEST_TIME 2.7e11
-
 // A key of a mapping: a field of a def that begins at `offset` of the target, or what `read` makes of it.
 typedef struct swYamlKey swYamlKey;
 typedef swResult (*swReadYamlFcn)(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target);

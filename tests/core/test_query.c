@@ -278,6 +278,119 @@ static void TheBatchDoesNotMatter(void** state)
     DestroyScenario(&sea);
 }
 
+// ---- points that are asked about in each step ----
+
+enum
+{
+    WARM_STEPS = 12
+};
+
+// Answers of several steps, all hashed by the last; returns evaluations a point after the first three steps.
+static double AskOften(const swQueryDef* def, swSurfaceHint* hints, double speed, float* heights, float* worstResidual)
+{
+    Scenario sea = OpenSea(SCENARIO_BREEZE, 1.0f, 128);
+    static swPosXZ points[POINT_COUNT];
+    static float residuals[POINT_COUNT];
+    int evaluations = 0;
+    for (int step = 0; step < WARM_STEPS; ++step)
+    {
+        assert_int_equal(swWorld_Step(sea.world, 1.0 / 60.0), SW_SUCCESS);
+        ScatterPoints(points, POINT_COUNT, speed * step / 60.0, 0.0, 1000.0);
+        const swSurfaceSamples samples = {.height = heights, .residual = residuals, .hints = hints};
+        swQueryStats stats;
+        swMoment_QuerySurface(swWorld_GetMoment(sea.world), def, POINT_COUNT, points, &samples, &stats);
+        assert_int_equal(stats.convergedCount, POINT_COUNT);
+        *worstResidual = fmaxf(*worstResidual, stats.worstResidual);
+        evaluations += step >= 3 ? stats.iterationCount : 0;
+    }
+    DestroyScenario(&sea);
+    return evaluations / (double)(POINT_COUNT * (WARM_STEPS - 3));
+}
+
+static void HintsSaveEvaluationsAndNotAccuracy(void** state)
+{
+    (void)state;
+    static float cold[POINT_COUNT], warm[POINT_COUNT];
+    static swSurfaceHint hints[POINT_COUNT];
+    const double speeds[] = {0.0, 10.0};
+    for (int moving = 0; moving < 2; ++moving)
+    {
+        swQueryDef def = swDefaultQueryDef();
+        def.minWavelength = moving ? 4.0f : 0.0f; // a ship, which does not feel short waves
+        float coldWorst = 0.0f, warmWorst = 0.0f;
+        memset(hints, 0, sizeof hints);
+        double coldCount = AskOften(&def, NULL, speeds[moving], cold, &coldWorst);
+        double warmCount = AskOften(&def, hints, speeds[moving], warm, &warmWorst);
+        double worst = 0.0;
+        for (int i = 0; i < POINT_COUNT; ++i)
+        {
+            worst = fmax(worst, fabs((double)warm[i] - (double)cold[i]));
+        }
+        print_message("at %g m/s: %.2f evaluations a point, %.2f with hints; heights differ by %.2g m\n",
+                      speeds[moving], coldCount, warmCount, worst);
+        assert_true(warmCount < 1.6 && warmCount < 0.7 * coldCount);
+        assert_true(coldWorst <= def.tolerance && warmWorst <= def.tolerance);
+        assert_true(worst < 1e-3);
+    }
+}
+
+static void SameHintsGiveTheSameBits(void** state)
+{
+    (void)state;
+    static float first[POINT_COUNT], second[POINT_COUNT];
+    static swSurfaceHint hints[2][POINT_COUNT];
+    swQueryDef def = swDefaultQueryDef();
+    float worst = 0.0f;
+    AskOften(&def, hints[0], 3.0, first, &worst);
+    AskOften(&def, hints[1], 3.0, second, &worst);
+    assert_memory_equal(first, second, sizeof first);
+    for (int i = 0; i < POINT_COUNT; ++i)
+    {
+        assert_true(hints[0][i].offsetX == hints[1][i].offsetX && hints[0][i].bendZ == hints[1][i].bendZ);
+        assert_int_equal(hints[0][i].searchCount, 3);
+    }
+}
+
+// Hints of nothing, of other points, or not numbers at all: answers are as exact, and the hints become good ones.
+static void BadHintsDoNoHarm(void** state)
+{
+    (void)state;
+    Scenario sea = OpenSea(SCENARIO_GALE, 1.0f, 64);
+    static swPosXZ points[POINT_COUNT];
+    static float cold[POINT_COUNT], warm[POINT_COUNT];
+    static swSurfaceHint hints[POINT_COUNT];
+    ScatterPoints(points, POINT_COUNT, 0.0, 0.0, 1000.0);
+    double time = swWorld_GetTime(sea.world);
+    for (int i = 0; i < POINT_COUNT; ++i)
+    {
+        const swSurfaceHint bad[] = {
+            {.time = time, .offsetX = NAN, .searchCount = 3},
+            {.time = NAN, .offsetX = 1.0f, .searchCount = 3},
+            {.time = time, .offsetX = 2.0f, .offsetZ = -3.0f, .searchCount = 1},
+            {.time = time - 0.1, .rateX = INFINITY, .searchCount = 2},
+            {.time = time - 0.1, .bendZ = 1e30f, .lastStep = -0.1f, .searchCount = 3},
+            {.time = time - 0.1, .bendZ = 1.0f, .lastStep = NAN, .searchCount = 3},
+            {.time = time + 1e9, .offsetX = 5.0f, .searchCount = INT32_MAX},
+        };
+        hints[i] = bad[i % 7];
+    }
+    swQueryDef def = swDefaultQueryDef();
+    swQueryStats stats;
+    swSurfaceSamples samples = {.height = cold};
+    swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, NULL);
+    samples = (swSurfaceSamples){.height = warm, .hints = hints};
+    swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, &stats);
+    assert_int_equal(stats.convergedCount, POINT_COUNT);
+    for (int i = 0; i < POINT_COUNT; ++i)
+    {
+        assert_float_equal(warm[i], cold[i], 1e-3f);
+        assert_true(hints[i].time == time && isfinite(hints[i].offsetX) && isfinite(hints[i].rateX));
+    }
+    swMoment_QuerySurface(swWorld_GetMoment(sea.world), &def, POINT_COUNT, points, &samples, &stats);
+    assert_int_equal(stats.iterationCount, POINT_COUNT);
+    DestroyScenario(&sea);
+}
+
 typedef struct Reader
 {
     const swWorld* world;
@@ -450,6 +563,9 @@ int main(void)
         cmocka_unit_test(ASteepSeaConvergesOrSaysSo),
         cmocka_unit_test(ASeaThatNearlyFoldsConvergesEverywhere),
         cmocka_unit_test(TheBatchDoesNotMatter),
+        cmocka_unit_test(HintsSaveEvaluationsAndNotAccuracy),
+        cmocka_unit_test(SameHintsGiveTheSameBits),
+        cmocka_unit_test(BadHintsDoNoHarm),
         cmocka_unit_test(ManyThreadsReadAtOnce),
         cmocka_unit_test(TwoWorldsTakeTurns),
         cmocka_unit_test(AViewChangesNothing),

@@ -185,6 +185,8 @@ static void MakePoints(void)
     }
 }
 
+static const char* const timeNames[] = {"now", "at 5 s", "between"};
+
 static void NoQueryTakesMoreThanItsStack(void** state)
 {
     (void)state;
@@ -205,19 +207,28 @@ static void NoQueryTakesMoreThanItsStack(void** state)
     size_t most = 0;
     for (int isa = SW_ISA_SCALAR; isa < SW_ISA_COUNT; ++isa)
     {
-        for (int kind = 0; kind < 4; ++kind)
+        for (int kind = 0; kind < 6; ++kind)
         {
-            swWorld* world = OpenSea((swIsa)isa, kind < 2);
+            swWorld* world = OpenSea((swIsa)isa, kind < 3);
             swQueryDef def = swDefaultQueryDef();
-            def.time = kind % 2 == 0 ? SW_QUERY_NOW : 5.0;
+            def.time = kind % 3 == 0 ? SW_QUERY_NOW : kind % 3 == 1 ? 5.0 : 10.01;
+            swMomentDef laterDef = swDefaultMomentDef();
+            laterDef.time = 14.0;
+            swMoment* later = NULL;
+            if (world != NULL && kind % 3 == 2)
+            {
+                assert_int_equal(swCreateMoment(world, &laterDef, &later), SW_SUCCESS);
+            }
+            def.after = later;
             for (int i = 0; i < ASKS && world != NULL; ++i)
             {
                 fibre = (Fibre){.world = world, .def = &def, .ask = asks[i].ask};
                 size_t used = RunOnStack(memory + PAGE, size);
                 print_message("%-7s %-10s %-8s %-12s %6zu bytes\n", swIsa_GetName((swIsa)isa),
-                              kind < 2 ? "motion" : "no motion", kind % 2 == 0 ? "now" : "at 5 s", asks[i].name, used);
+                              kind < 3 ? "motion" : "no motion", timeNames[kind % 3], asks[i].name, used);
                 most = used > most ? used : most;
             }
+            swDestroyMoment(later);
             swDestroyWorld(world);
         }
     }

@@ -13,8 +13,6 @@
 #include "core/world/world.h"
 #include "seaway/seaway.h"
 
-#define LARGEST_TIME 274877906944.0
-
 // ---- a host that keeps the peak of its memory and its last sentence ----
 
 typedef struct Keeper
@@ -136,7 +134,7 @@ static void AChangeAtTheEndOfTimeIsSaved(void** state)
     (void)state;
     Keeper keeper;
     swHost host = MakeHost(&keeper);
-    const double ends[] = {LARGEST_TIME, -LARGEST_TIME};
+    const double ends[] = {SW_LARGEST_TIME, -SW_LARGEST_TIME};
     for (int end = 0; end < 2; ++end)
     {
         swWaveSystemDef def = MakeDef();
@@ -168,17 +166,17 @@ static void TimeJumpsFromEndToEnd(void** state)
     viewDef.resolution = 64;
     swView* view = NULL;
     assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
-    swWorld_SetTime(world, -LARGEST_TIME);
+    swWorld_SetTime(world, -SW_LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     swWaveSystem_FadeWeight(world, FIRST, 0.25f, 10.0);
     def.spectrum.windSpeed = 15.0f;
     assert_int_equal(swWaveSystem_Set(world, FIRST, &def, 10.0), SW_SUCCESS);
-    swWorld_SetTime(world, LARGEST_TIME);
+    swWorld_SetTime(world, SW_LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     assert_true(swWaveSystem_GetWeight(world, FIRST) == 1.0f); // what Set() asked for, long over
     assert_null(world->waves.systems[0].layers[0].set->mix);
     assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
-    swWorld_SetTime(world, -LARGEST_TIME);
+    swWorld_SetTime(world, -SW_LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
     assert_true(isfinite(swMoment_GetHeight(swWorld_GetMoment(world), 1.0, 2.0)));

@@ -12,6 +12,10 @@ int ListWideProbes(const WideProbe** probes)
     {
         probes[count++] = &wideProbeAvx2;
     }
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
+    {
+        probes[count++] = &wideProbeAvx512;
+    }
 #elif defined(__aarch64__)
     probes[count++] = &wideProbeNeon;
 #endif

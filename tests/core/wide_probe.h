@@ -10,7 +10,7 @@
 
 enum
 {
-    PROBE_OPERATIONS = 22,
+    PROBE_OPERATIONS = 26,
     PROBE_LANES = 8
 };
 
@@ -30,6 +30,7 @@ extern const WideProbe wideProbeScalar;
 #if defined(__x86_64__)
 extern const WideProbe wideProbeSse2;
 extern const WideProbe wideProbeAvx2;
+extern const WideProbe wideProbeAvx512;
 #elif defined(__aarch64__)
 extern const WideProbe wideProbeNeon;
 #endif

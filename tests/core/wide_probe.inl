@@ -52,6 +52,13 @@ static void RunOperations(const float* pa, const float* pb, const uint32_t* pm, 
         swStoreRows4(back + 4 * i, columns[1], columns[0], columns[3], columns[2]);
     }
     memcpy(out + PROBE_LANES * 21, back + 4, PROBE_LANES * sizeof(float));
+    // A row of four texels: scaled, added, and folded to two.
+    swRow row = swAddR(swScaleR(swLoadR(table), pa[1]), swLoadR(table + 4));
+    float texels[16];
+    swStoreR(texels, row);
+    memcpy(out + PROBE_LANES * 22, texels, sizeof texels);
+    swStoreQ(out + PROBE_LANES * 24, swFoldR(row, pb + 2));
+    swStorePairsQ(out + PROBE_LANES * 25, left, right);
 }
 
 static void SinCosTurns(const uint32_t* phases, int count, float* sines, float* cosines)

@@ -3,7 +3,7 @@
 // heights, velocities, the water below and other times, rays. Half way the world is saved, and another one, made of its
 // bytes, goes on. Two machines, compilers, instruction sets or thread counts agree exactly if their digests do.
 //
-//   sea_digest [--isa scalar|sse2|avx2|neon|best] [--threads N] [--minutes M]    print one digest
+//   sea_digest [--isa scalar|sse2|avx2|neon|avx512|best] [--threads N] [--minutes M]    print one digest
 //   sea_digest --compare [--minutes M]       all instruction sets of this machine with 1, 2 and 5 threads
 //   sea_digest --expect FILE                 digests of several seas, part by part, against those that are committed
 //   sea_digest --list                        the same digests, as FILE has them
@@ -513,7 +513,7 @@ static int Compare(double minutes)
 
 static bool FindIsa(const char* name, swIsa* isa)
 {
-    static const char* const names[SW_ISA_COUNT] = {"best", "scalar", "sse2", "avx2", "neon"};
+    static const char* const names[SW_ISA_COUNT] = {"best", "scalar", "sse2", "avx2", "neon", "avx512"};
     for (int i = 0; i < SW_ISA_COUNT; ++i)
     {
         if (strcmp(name, names[i]) == 0)

@@ -37,6 +37,11 @@ static float Radians(float degrees)
 
 Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation)
 {
+    return CreateCanvasBy(width, height, enableValidation, NULL);
+}
+
+Canvas* CreateCanvasBy(uint32_t width, uint32_t height, bool enableValidation, PFN_vkGetInstanceProcAddr loader)
+{
     Canvas* canvas = calloc(1, sizeof(*canvas));
     if (!canvas)
     {
@@ -46,6 +51,7 @@ Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation)
     canvas->width = width;
     canvas->height = height;
     swGpuDef def = swDefaultGpuDef();
+    def.getInstanceProcAddr = loader;
     def.enableValidation = enableValidation;
     def.layers = SW_LAYERS_CORE; // where a shot has them
     bool isReady = swCreateStage(&canvas->host, &def, &canvas->stage) == SW_SUCCESS &&
@@ -220,6 +226,11 @@ bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr)
     swStage_Wait(canvas->stage);
     DestroySea(&sea);
     return isGood;
+}
+
+const swGpu* GetCanvasGpu(const Canvas* canvas)
+{
+    return canvas->gpu;
 }
 
 const char* GetCanvasDevice(const Canvas* canvas)

@@ -4,6 +4,7 @@
 // A sea drawn without a window: everything that a picture needs, and the picture read back.
 
 #include <seaway/draw.h>
+#include <seaway/gpu.h>
 #include <seaway/seaway.h>
 
 // What is in front of the lens.
@@ -30,11 +31,14 @@ typedef struct Canvas Canvas;
 
 // NULL if there is no device; the log has said why.
 Canvas* CreateCanvas(uint32_t width, uint32_t height, bool enableValidation);
+// The same by another loader of Vulkan than the system's; NULL: the system's.
+Canvas* CreateCanvasBy(uint32_t width, uint32_t height, bool enableValidation, PFN_vkGetInstanceProcAddr loader);
 void DestroyCanvas(Canvas* canvas);
 
 // Draw; `pixels` (RGBA, sRGB) and `hdr` (RGBA, linear) have width * height * 4 elements; either may be NULL.
 bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr);
 
+const swGpu* GetCanvasGpu(const Canvas* canvas);
 const char* GetCanvasDevice(const Canvas* canvas);
 int GetCanvasValidationCount(const Canvas* canvas);
 void PrintCanvasTimes(const Canvas* canvas);

@@ -406,6 +406,30 @@ static void AWarmStepAllocatesNothing(void** state)
     swDestroyWorld(sea.world);
 }
 
+// A def is a part of the world's, and all that follows from tables follows for it.
+static void WetnessHasADefThatIsCheckedAndSaved(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swWorldDef def = swDefaultWorldDef();
+    assert_true(def.wetness.soak == 2.0f && def.wetness.dryRate == 0.5f);
+    swWorld* world = NULL;
+    def.wetness.dryRate = -1.0f;
+    assert_int_equal(swCreateWorld(&host, &def, &world), SW_ERROR_INVALID);
+    assert_int_equal(atomic_load(&memory.messages), 1);
+    def.wetness.dryRate = 0.125f;
+    assert_int_equal(swCreateWorld(&host, &def, &world), SW_SUCCESS);
+    Saved saved = Save(world);
+    swRestoreDef restoreDef = swDefaultRestoreDef();
+    swWorld* other = NULL;
+    assert_int_equal(swRestoreWorld(&host, saved.data, saved.size, &restoreDef, &other), SW_SUCCESS);
+    assert_true(other->def.wetness.dryRate == 0.125f);
+    free(saved.data);
+    swDestroyWorld(other);
+    swDestroyWorld(world);
+}
+
 // What is simulated must be saved, and only what has a past can step at a rate.
 static void EveryLineOfTheTableMakesSense(void** state)
 {
@@ -441,6 +465,7 @@ int main(void)
         cmocka_unit_test(TexelsThatCannotBeAreRefused),
         cmocka_unit_test(AnAllocationThatFailsIsSurvived),
         cmocka_unit_test(AWarmStepAllocatesNothing),
+        cmocka_unit_test(WetnessHasADefThatIsCheckedAndSaved),
         cmocka_unit_test(EveryLineOfTheTableMakesSense),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

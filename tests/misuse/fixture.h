@@ -47,6 +47,8 @@ typedef struct Fixture
     swVolumeSamples volume;
     swHeightMapDef map;
     swSeaPatches* seaPatches;
+    swRaster* raster;
+    swRasterDef rasterDef;
     swSeaBins bins;
     swSeaGauges gauges;
 #if MISUSE_GPU
@@ -92,6 +94,7 @@ typedef struct Fixture
 #define FIX_swSurfaceSamples (&f->samples)
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
+#define FIX_swRasterDef (&f->rasterDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
 #define FIX_swShot (&f->shot)
@@ -208,6 +211,11 @@ static inline void MakeWorld(Fixture* f)
     f->map = (swHeightMapDef){.spacing = 1.0, .width = 4, .height = 4};
     swMakeEqualBins(0.05, 0.3, 10, &f->bins);
     f->gauges = (swSeaGauges){.area = 100.0, .gaugeCount = 4, .duration = 10.0};
+    static const float cells[4] = {1.0f, 2.0f, 3.0f, 4.0f};
+    f->rasterDef = swDefaultRasterDef();
+    f->rasterDef.width = f->rasterDef.height = 2;
+    f->rasterDef.values = cells;
+    Need(swCreateRaster(&f->host, &f->rasterDef, &f->raster), "raster");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }

@@ -6,21 +6,11 @@
 #include "core/base/misuse.h"
 #include "core/frame/asked.h"
 #include "core/query/answers.h"
+#include "core/query/query_def.h"
 #include "core/query/query_surface.h"
 #include "core/query/raycast.h"
 #include "core/query/volume.h"
 #include "core/world/moment.h"
-
-swQueryDef swDefaultQueryDef(void)
-{
-    return (swQueryDef){
-        .tolerance = 0.0005f,
-        .maxIterations = 24,
-        .time = SW_QUERY_NOW,
-        .stretching = SW_STRETCHING_WHEELER,
-        .internalValue = SW_DEF_COOKIE,
-    };
-}
 
 static bool refuse(const swMoment* moment, const char* call, const char* why)
 {
@@ -29,42 +19,19 @@ static bool refuse(const swMoment* moment, const char* call, const char* why)
     return false;
 }
 
-// Comparisons are written so that NaN fails them.
 static bool checkDef(const swMoment* moment, const char* call, const swQueryDef* def)
 {
-    if (moment == NULL)
+    if (moment == NULL || def == NULL)
     {
-        return refuse(moment, call, "the moment is NULL");
+        return refuse(moment, call, moment == NULL ? "the moment is NULL" : "the def is NULL");
     }
-    if (def == NULL || def->internalValue != SW_DEF_COOKIE)
+    char why[320];
+    if (!swFields_Check(&swQueryFields, def, why, sizeof(why)))
     {
-        return refuse(moment, call, "the def is NULL or was not made by swDefaultQueryDef()");
+        return refuse(moment, call, why);
     }
-    if (!(def->minWavelength >= 0.0f))
-    {
-        return refuse(moment, call, "the def's minWavelength is below 0 or NaN");
-    }
-    if (!(def->tolerance >= 1e-6f && def->tolerance <= 1e9f))
-    {
-        return refuse(moment, call, "the def's tolerance is NaN or outside of 1e-6 to 1e9 m");
-    }
-    if (def->maxIterations < 1 || def->maxIterations > 64)
-    {
-        return refuse(moment, call, "the def's maxIterations is outside of 1 to 64");
-    }
-    if (!(def->time == SW_QUERY_NOW || fabs(def->time) <= SW_LARGEST_TIME))
-    {
-        return refuse(moment, call, "the def's time is NaN or beyond 2.7e11 s");
-    }
-    if (def->after != NULL && !(def->after->frame->ticks > moment->frame->ticks))
-    {
-        return refuse(moment, call, "the def's later moment is not later");
-    }
-    if (def->stretching != SW_STRETCHING_WHEELER && def->stretching != SW_STRETCHING_LINEAR)
-    {
-        return refuse(moment, call, "the def's stretching is none that there is");
-    }
-    return true;
+    bool isLater = def->after == NULL || def->after->frame->ticks > moment->frame->ticks;
+    return isLater || refuse(moment, call, "the def's later moment is not later");
 }
 
 static bool checkBatch(const swMoment* moment, const char* call, const swQueryDef* def, int count, bool hasArrays)
@@ -105,10 +72,7 @@ void swMoment_QuerySurface(const swMoment* moment, const swQueryDef* def, int co
 double swMoment_GetHeight(const swMoment* moment, double x, double z)
 {
     swQueryDef def = swDefaultQueryDef();
-    if (!checkDef(moment, "swMoment_GetHeight", &def))
-    {
-        return (double)NAN;
-    }
+    SW_REQUIRE(moment != NULL, (double)NAN, NULL, "swMoment_GetHeight() needs a moment");
     swQuery query;
     beginQuery(moment, &def, &query);
     return swFindHeight(&query, x, z);
@@ -185,11 +149,6 @@ swVec2 swMoment_GetStokesDrift(const swMoment* moment, double depthBelow)
     swQuery query;
     beginQuery(moment, &def, &query);
     return swFindStokesDrift(&query, depthBelow);
-}
-
-swRay swDefaultRay(swPos origin, swVec3 direction)
-{
-    return (swRay){.origin = origin, .direction = direction, .maxDistance = 1000.0f, .internalValue = SW_DEF_COOKIE};
 }
 
 void swMoment_CastRays(const swMoment* moment, const swQueryDef* def, int count, const swRay* rays, swRayHit* hits,

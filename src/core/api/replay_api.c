@@ -14,14 +14,34 @@ struct swSeaReplay
     swReplay replay;
 };
 
+#define SW_DEF swSeaReplayDef
+static const swField replayFields[] = {
+    SW_GIVEN(sea, .key = NULL, .label = "sea"),
+    SW_NUMBER(location, "", SW_WITHIN(0.0, INT32_MAX), 0.0, .key = NULL, .label = "place", .use = SW_USE_HERE),
+    SW_PART(waves, &swWaveSystemFields, .key = NULL, .label = "waves"),
+    SW_NUMBER(startTime, "s", SW_WITHIN(-SW_LARGEST_TIME, SW_LARGEST_TIME), 0.0, .key = "time_s", .label = "at",
+              .tip = "The world's time at which the sea is that of the first moment", SW_KNOB(-3600.0, 3600.0)),
+    SW_NUMBER(startSeconds, "s", SW_WITHIN(-1e15, 1e15), (double)NAN, .key = NULL, .label = "from",
+              .tip = "Seconds since 1970, UTC", SW_OR((double)NAN), SW_KNOB(0.0, 4e9)),
+    SW_NUMBER(speed, "", SW_WITHIN(-1e6, 1e6), 1.0, .key = "speed", .label = "speed",
+              .tip = "Seconds of records a second of the world", SW_KNOB(0.0, 3600.0)),
+    SW_GIVEN(system, .key = NULL, .label = "system"),
+};
+#undef SW_DEF
+
+static const swFields seaReplayFields = SW_FIELDS(swSeaReplayDef, "replay", "replay", replayFields, -1);
+
+const swFields* swGetSeaReplayFields(void)
+{
+    return &seaReplayFields;
+}
+
 swSeaReplayDef swDefaultSeaReplayDef(void)
 {
-    return (swSeaReplayDef){
-        .waves = swDefaultWaveSystemDef(),
-        .startSeconds = (double)NAN,
-        .speed = 1.0,
-        .internalValue = SW_DEF_COOKIE,
-    };
+    swSeaReplayDef def;
+    swFillDef(&seaReplayFields, &def);
+    def.waves = swDefaultWaveSystemDef();
+    return def;
 }
 
 // The first record and the last count for all times before and after.
@@ -73,18 +93,18 @@ static swResult failReplay(swWorld* world, const char* what)
 
 static swResult checkDef(swWorld* world, const swSeaReplayDef* def)
 {
-    if (def->sea == NULL || def->location < 0 || def->location >= swMeasuredSea_GetLocationCount(def->sea))
+    swResult result = swCheckDef(&world->host, &seaReplayFields, def);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (def->sea == NULL || def->location >= swMeasuredSea_GetLocationCount(def->sea))
     {
         return failReplay(world, def->sea == NULL ? "its sea is NULL" : "its sea has no such location");
     }
     if (def->waves.method != SW_WAVES_FFT)
     {
         return failReplay(world, "its waves must have the method SW_WAVES_FFT");
-    }
-    bool isStart = isnan(def->startSeconds) || fabs(def->startSeconds) <= 1e15;
-    if (!(fabs(def->startTime) <= SW_LARGEST_TIME && fabs(def->speed) <= 1e6 && isStart))
-    {
-        return failReplay(world, "its startTime, startSeconds or speed is out of range");
     }
     return SW_SUCCESS;
 }
@@ -109,8 +129,7 @@ swResult swCreateSeaReplay(swWorld* world, const swSeaReplayDef* def, swSeaRepla
     }
     SW_REQUIRE(world != NULL && replayOut != NULL, SW_ERROR_INVALID, swFindHost(world),
                "swCreateSeaReplay() needs a world and a place for the replay");
-    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE && def->waves.internalValue == SW_DEF_COOKIE,
-               SW_ERROR_INVALID, &world->host, "swCreateSeaReplay() needs a def made by swDefaultSeaReplayDef()");
+    SW_REQUIRE(def != NULL, SW_ERROR_INVALID, &world->host, "swCreateSeaReplay() needs a def");
     swResult result = checkDef(world, def);
     if (result != SW_SUCCESS)
     {

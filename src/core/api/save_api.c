@@ -115,13 +115,26 @@ static swResult checkBytes(const swHost* host, const uint8_t* data, size_t size)
     return hash == hashBytes(data, size - HASH_SIZE) ? SW_SUCCESS : failFormat(host, "are damaged");
 }
 
+#define SW_DEF swRestoreDef
+static const swField restoreFields[] = {
+    SW_CHOICE(isa, swIsaWords, swIsaWords, SW_ISA_BEST, .key = NULL, .label = "instruction set", .use = SW_USE_HERE),
+    SW_BYTES(memoryBudget, SW_WITHIN(1.0, (double)SIZE_MAX), 1073741824.0, .key = NULL, .label = "most memory",
+             .use = SW_USE_HERE),
+};
+#undef SW_DEF
+
+static const swFields restoreDefFields = SW_FIELDS(swRestoreDef, NULL, "restoring", restoreFields, -1);
+
+const swFields* swGetRestoreFields(void)
+{
+    return &restoreDefFields;
+}
+
 swRestoreDef swDefaultRestoreDef(void)
 {
-    return (swRestoreDef){
-        .isa = SW_ISA_BEST,
-        .memoryBudget = (size_t)1 << 30,
-        .internalValue = SW_DEF_COOKIE,
-    };
+    swRestoreDef def;
+    swFillDef(&restoreDefFields, &def);
+    return def;
 }
 
 // Everything after the head into a world that has its def. All that is made counts against the budget.
@@ -153,10 +166,9 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     SW_REQUIRE(swIsHostValid(host), SW_ERROR_INVALID, host, "swRestoreWorld() needs a host made by swDefaultHost()");
     SW_REQUIRE(data != NULL && worldOut != NULL, SW_ERROR_INVALID, host,
                "swRestoreWorld() needs the bytes of a saved world and a place for the world");
-    SW_REQUIRE(restoreDef != NULL && restoreDef->internalValue == SW_DEF_COOKIE && restoreDef->memoryBudget > 0,
-               SW_ERROR_INVALID, host,
-               "swRestoreWorld() needs a def made by swDefaultRestoreDef() with a budget above 0");
-    swResult result = checkBytes(host, data, size);
+    SW_REQUIRE(restoreDef != NULL, SW_ERROR_INVALID, host, "swRestoreWorld() needs a def");
+    swResult result = swCheckDef(host, &restoreDefFields, restoreDef);
+    result = result == SW_SUCCESS ? checkBytes(host, data, size) : result;
     if (result != SW_SUCCESS)
     {
         return result;

@@ -11,9 +11,28 @@
 // Part of the peak's wavelength down to which a swell has waves: four times its frequency.
 #define SHORTEST_PART 0.0625f
 
+#define SW_DEF swSeaDef
+static const swField seaFields[] = {
+    SW_PART(windSea, &swWaveSystemFields, .key = NULL, .label = "wind sea"),
+    SW_SWITCH(enableWindSea, true, .key = NULL, .label = "wind sea"),
+    SW_NUMBER(swellCount, "", SW_WITHIN(0.0, SW_MAX_SWELLS), 0.0, .key = NULL, .label = "swells",
+              SW_KNOB(0.0, SW_MAX_SWELLS)),
+    SW_PARTS(swells, &swSpectrumFields, .key = NULL, .label = "swells"),
+};
+#undef SW_DEF
+
+static const swFields seaDefFields = SW_FIELDS(swSeaDef, NULL, "sea", seaFields, -1);
+
+const swFields* swGetSeaFields(void)
+{
+    return &seaDefFields;
+}
+
 swSeaDef swDefaultSeaDef(void)
 {
-    swSeaDef def = {.windSea = swDefaultWaveSystemDef(), .enableWindSea = true, .internalValue = SW_DEF_COOKIE};
+    swSeaDef def;
+    swFillDef(&seaDefFields, &def);
+    def.windSea = swDefaultWaveSystemDef();
     for (int i = 0; i < SW_MAX_SWELLS; ++i)
     {
         def.swells[i] = swDefaultSpectrumDef();
@@ -48,13 +67,8 @@ swResult swCreateSea(swWorld* world, const swSeaDef* def, swSea* sea)
                "swCreateSea() needs a world and a place for the sea's handles");
     SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
                "swCreateSea() needs a def made by swDefaultSeaDef()");
-    if (def->swellCount < 0 || def->swellCount > SW_MAX_SWELLS)
-    {
-        return swFail(&world->host, SW_ERROR_INVALID, "a sea has %d swells; it must have 0 to %d", def->swellCount,
-                      SW_MAX_SWELLS);
-    }
-    swResult result = SW_SUCCESS;
-    if (def->enableWindSea)
+    swResult result = swCheckDef(&world->host, &seaDefFields, def);
+    if (result == SW_SUCCESS && def->enableWindSea)
     {
         result = swCreateWaveSystem(world, &def->windSea, &sea->windSea);
     }

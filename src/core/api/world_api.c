@@ -119,8 +119,7 @@ swIsa swWorld_GetIsa(const swWorld* world)
 
 const char* swIsa_GetName(swIsa isa)
 {
-    static const char* const names[SW_ISA_COUNT] = {"best", "scalar", "sse2", "avx2", "neon"};
-    return (unsigned)isa < SW_ISA_COUNT ? names[isa] : "unknown";
+    return (unsigned)isa < SW_ISA_COUNT ? swIsaWords[isa] : "unknown";
 }
 
 uint64_t swWorld_GetDigest(const swWorld* world)

@@ -105,9 +105,8 @@ static void setNumber(const swField* field, void* def, int index, double value)
     }
 }
 
-bool swField_IsInRange(const swField* field, double value)
+static bool isInRange(const swField* field, double value)
 {
-    SW_REQUIRE(field != NULL, false, NULL, "swField_IsInRange() needs a field");
     if (field->hasOther && (value == field->other || (isnan(value) && isnan(field->other))))
     {
         return true;
@@ -117,6 +116,12 @@ bool swField_IsInRange(const swField* field, double value)
     double low = isFloat(field) ? (double)(float)field->low : field->low;
     double high = isFloat(field) ? (double)(float)field->high : field->high;
     return (field->isLowOpen ? x > low : x >= low) && (field->isHighOpen ? x < high : x <= high); // false for NaN
+}
+
+bool swField_IsInRange(const swField* field, double value)
+{
+    SW_REQUIRE(field != NULL, false, NULL, "swField_IsInRange() needs a field");
+    return isInRange(field, value);
 }
 
 double swField_GetNumber(const swField* field, const void* def, int index)
@@ -143,7 +148,9 @@ double swField_Show(const swField* field, double value)
         return value;
     }
     double degrees = value / DEGREE - (field->form == SW_FORM_BEARING ? 90.0 : 0.0);
-    return fabs(degrees) <= FULL_TURN ? degrees : fmod(degrees, FULL_TURN);
+    // A turn that was rounded to a float stays a turn.
+    bool isTurn = fabs(fabs(degrees) - FULL_TURN) < 1e-4;
+    return isTurn ? copysign(FULL_TURN, degrees) : fabs(degrees) < FULL_TURN ? degrees : fmod(degrees, FULL_TURN);
 }
 
 double swField_Read(const swField* field, double shown)
@@ -180,16 +187,21 @@ void swField_GetShownRange(const swField* field, double* low, double* high)
 
 // ---- a table ----
 
-bool swFields_Counts(const swFields* fields, const swField* field, const void* def)
+static bool counts(const swFields* fields, const swField* field, const void* def)
 {
-    SW_REQUIRE(fields != NULL && field != NULL && def != NULL, false, NULL,
-               "swFields_Counts() needs a table, a field of it and a def");
     if (fields->kind < 0 || field->kinds == 0)
     {
         return true;
     }
     double kind = getNumber(&fields->fields[fields->kind], def, 0);
     return kind >= 0.0 && kind < 32.0 && (field->kinds >> (int)kind & 1) != 0;
+}
+
+bool swFields_Counts(const swFields* fields, const swField* field, const void* def)
+{
+    SW_REQUIRE(fields != NULL && field != NULL && def != NULL, false, NULL,
+               "swFields_Counts() needs a table, a field of it and a def");
+    return counts(fields, field, def);
 }
 
 const swField* swFields_Find(const swFields* fields, const char* member)
@@ -239,68 +251,81 @@ void swFillDef(const swFields* fields, void* def)
 
 // ---- the check ----
 
-// What is wrong, and where: "swWaveSystemDef::", then "components[3].".
-typedef struct Complaint
+// Where a struct is in the def, and where what is wrong goes. The words are made when they are needed only: queries
+// check a def in every call.
+typedef struct Place
 {
-    char place[160];
+    const struct Place* outer; // NULL of the def itself
+    const swFields* fields;
+    const swField* field; // of the outer struct; its index is -1 if it is no array
+    int index;
     char* sentence;
     size_t size;
-} Complaint;
+} Place;
 
-static bool complain(const Complaint* complaint, const char* format, ...) SW_PRINTF(2, 3);
-
-static bool complain(const Complaint* complaint, const char* format, ...)
+// "swWaveSystemDef::components[3]."
+static int writePlace(const Place* place, char* text, int size)
 {
-    if (complaint->sentence != NULL && complaint->size > 0)
+    if (place->outer == NULL)
+    {
+        return snprintf(text, (size_t)size, "%s::", place->fields->name);
+    }
+    int used = writePlace(place->outer, text, size);
+    char number[16] = "";
+    if (place->index >= 0)
+    {
+        snprintf(number, sizeof number, "[%d]", place->index);
+    }
+    return used < size ? used + snprintf(text + used, (size_t)(size - used), "%s%s.", place->field->member, number)
+                       : used;
+}
+
+static bool complain(const Place* place, const char* format, ...) SW_PRINTF(2, 3);
+
+// The place, then the words; always false.
+static bool complain(const Place* place, const char* format, ...)
+{
+    int size = place->size < 1024 ? (int)place->size : 1024;
+    if (place->sentence == NULL || size == 0)
+    {
+        return false;
+    }
+    int used = writePlace(place, place->sentence, size);
+    if (used < size)
     {
         va_list arguments;
         va_start(arguments, format);
-        vsnprintf(complaint->sentence, complaint->size, format, arguments);
+        vsnprintf(place->sentence + used, (size_t)(size - used), format, arguments);
         va_end(arguments);
     }
     return false;
 }
 
-static const char* nameUnit(const swField* field)
+static bool failNumber(const Place* place, const swField* field, double value, int index)
 {
-    return field->form == SW_FORM_DEGREES || field->form == SW_FORM_BEARING ? "rad" : field->unit;
-}
-
-static bool checkNumber(const Complaint* complaint, const swField* field, double value, int index)
-{
-    if (field->type == SW_FIELD_BOOL || swField_IsInRange(field, value))
-    {
-        return true;
-    }
     static const char* const parts[] = {".x", ".y", ".z", ".w"};
-    const char* unit = nameUnit(field);
-    return complain(complaint, "%s%s%s is %.8g%s%s; its range is %s%.10g, %.10g%s.", complaint->place, field->member,
+    bool isAngle = field->form == SW_FORM_DEGREES || field->form == SW_FORM_BEARING;
+    const char* unit = isAngle ? "rad" : field->unit;
+    return complain(place, "%s%s is %.8g%s%s; its range is %s%.10g, %.10g%s.", field->member,
                     field->count > 1 && index < 4 ? parts[index] : "", value, unit[0] != '\0' ? " " : "", unit,
                     field->isLowOpen ? "(" : "[", field->low, field->high, field->isHighOpen ? ")" : "]");
 }
 
-static bool checkFields(const Complaint* complaint, const swFields* fields, const void* def);
+static bool checkFields(const Place* place, const void* def);
 
-// The struct at `part` of a field; `index` is -1 of one that stands alone.
-static bool checkPart(const Complaint* complaint, const swField* field, const void* part, int index)
+// A struct in the def; `index` is -1 of one that stands alone.
+static bool checkPart(const Place* outer, const swField* field, const void* part, int index)
 {
-    Complaint inner = *complaint;
-    char number[16] = "";
-    if (index >= 0)
-    {
-        snprintf(number, sizeof number, "[%d]", index);
-    }
-    snprintf(inner.place, sizeof inner.place, "%.90s%.40s%s.", complaint->place, field->member, number);
     const swFields* fields = field->fields;
+    const Place place = {outer, fields, field, index, outer->sentence, outer->size};
     if (fields->cookie != 0 && getCookie(fields, part) != fields->cookie)
     {
-        return complain(complaint, "%s%s%s was not made by swDefault%s().", complaint->place, field->member, number,
-                        fields->name + 2);
+        return complain(outer, "%s was not made by swDefault%s().", field->member, fields->name + 2);
     }
-    return checkFields(&inner, fields, part);
+    return checkFields(&place, part);
 }
 
-static bool checkList(const Complaint* complaint, const swField* field, const void* def)
+static bool checkList(const Place* place, const swField* field, const void* def)
 {
     int count;
     const char* items;
@@ -308,12 +333,12 @@ static bool checkList(const Complaint* complaint, const swField* field, const vo
     memcpy(&items, (const char*)def + field->offset, sizeof items);
     if (count < 0 || count > field->count || (count > 0 && items == NULL))
     {
-        return complain(complaint, "%s%s are %d at %s; their range is [0, %d].", complaint->place, field->member, count,
-                        items == NULL ? "NULL" : "an address", field->count);
+        return complain(place, "%s is %s with %d items; its range is [0, %d].", field->member,
+                        items == NULL ? "NULL" : "a list", count, field->count);
     }
     for (int i = 0; i < count; ++i)
     {
-        if (!checkPart(complaint, field, items + (size_t)i * field->fields->size, i))
+        if (!checkPart(place, field, items + (size_t)i * field->fields->size, i))
         {
             return false;
         }
@@ -321,30 +346,54 @@ static bool checkList(const Complaint* complaint, const swField* field, const vo
     return true;
 }
 
-static bool checkField(const Complaint* complaint, const swField* field, const void* def)
+static bool checkNumbers(const Place* place, const swField* field, const void* def)
 {
-    bool isFine = field->type != SW_FIELD_LIST || checkList(complaint, field, def);
-    for (int i = 0; i < field->count && isFine && field->type <= SW_FIELD_DEFS; ++i)
+    for (int i = 0; i < field->count && field->type != SW_FIELD_BOOL; ++i)
     {
-        const char* part = (const char*)def + field->offset + (size_t)i * getPartSize(field);
-        isFine = isNumber(field)                ? checkNumber(complaint, field, getNumber(field, def, i), i)
-                 : field->type == SW_FIELD_TEXT ? true
-                                                : checkPart(complaint, field, part, field->count > 1 ? i : -1);
+        double value = getNumber(field, def, i);
+        if (!isInRange(field, value))
+        {
+            return failNumber(place, field, value, i);
+        }
     }
-    return isFine;
+    return true;
+}
+
+static bool checkField(const Place* place, const swField* field, const void* def)
+{
+    bool isFine = true;
+    switch (field->type)
+    {
+    case SW_FIELD_TEXT:
+    case SW_FIELD_GIVEN:
+        return true;
+    case SW_FIELD_LIST:
+        return checkList(place, field, def);
+    case SW_FIELD_DEF:
+    case SW_FIELD_DEFS:
+        for (int i = 0; i < field->count && isFine; ++i)
+        {
+            const char* part = (const char*)def + field->offset + (size_t)i * getPartSize(field);
+            isFine = checkPart(place, field, part, field->type == SW_FIELD_DEFS ? i : -1);
+        }
+        return isFine;
+    default:
+        return checkNumbers(place, field, def);
+    }
 }
 
 // The kind first: whether the others count hangs on it.
-static bool checkFields(const Complaint* complaint, const swFields* fields, const void* def)
+static bool checkFields(const Place* place, const void* def)
 {
-    if (fields->kind >= 0 && !checkField(complaint, &fields->fields[fields->kind], def))
+    const swFields* fields = place->fields;
+    if (fields->kind >= 0 && !checkField(place, &fields->fields[fields->kind], def))
     {
         return false;
     }
     for (int i = 0; i < fields->count; ++i)
     {
         const swField* field = &fields->fields[i];
-        if (swFields_Counts(fields, field, def) && !checkField(complaint, field, def))
+        if (counts(fields, field, def) && !checkField(place, field, def))
         {
             return false;
         }
@@ -355,13 +404,16 @@ static bool checkFields(const Complaint* complaint, const swFields* fields, cons
 bool swFields_Check(const swFields* fields, const void* def, char* sentence, size_t size)
 {
     SW_REQUIRE(fields != NULL && def != NULL, false, NULL, "swFields_Check() needs a table and a def");
-    Complaint complaint = {.sentence = sentence, .size = size};
-    snprintf(complaint.place, sizeof complaint.place, "%.90s::", fields->name);
+    const Place place = {.fields = fields, .index = -1, .sentence = sentence, .size = size};
     if (fields->cookie != 0 && getCookie(fields, def) != fields->cookie)
     {
-        return complain(&complaint, "The %s was not made by swDefault%s().", fields->name, fields->name + 2);
+        if (sentence != NULL && size > 0)
+        {
+            snprintf(sentence, size, "The %s was not made by swDefault%s().", fields->name, fields->name + 2);
+        }
+        return false;
     }
-    return checkFields(&complaint, fields, def);
+    return checkFields(&place, def);
 }
 
 swResult swCheckDef(const swHost* host, const swFields* fields, const void* def)
@@ -427,7 +479,7 @@ bool swIsSameDef(const swFields* fields, const void* a, const void* b)
     for (int i = 0; i < fields->count; ++i)
     {
         const swField* field = &fields->fields[i];
-        if (swFields_Counts(fields, field, a) && !isSameField(field, a, b))
+        if (counts(fields, field, a) && !isSameField(field, a, b))
         {
             return false;
         }

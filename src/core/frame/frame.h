@@ -43,12 +43,9 @@ typedef struct swStrain
     float cccc, cccs, ccss, csss, ssss;
 } swStrain;
 
-#define SW_TICKS_PER_SECOND 16777216.0 // 2^24
+#define SW_TICKS_PER_SECOND 16777216.0 // 2^24; SW_LARGEST_TIME is less than 2^62 of them
 
-// Ticks must fit an int64: 8,700 years either way.
-#define SW_LARGEST_TIME 274877906944.0
-
-// Ticks from one time to another. Two legal times may lie 2^63 ticks apart, which is one more than fits.
+// Ticks from one time to another. Two legal times may lie almost 2^63 ticks apart.
 static inline int64_t swGetTicksBetween(int64_t from, int64_t to)
 {
     bool isTooLong = from < 0 && to > INT64_MAX + from;

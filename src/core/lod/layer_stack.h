@@ -30,6 +30,7 @@ typedef struct swLayerStack
 // slices, sources and clocks are there; it fills stack->layers[...].params.
 typedef struct swLayerPlan
 {
+    const swWorldDef* def; // a layer's own def is a part of it
     const swFrame* frame;
     swStackFrame* stack;
 } swLayerPlan;

@@ -8,11 +8,13 @@
 //
 //   swWide   SW_WIDTH floats                    swWideI  SW_WIDTH 32-bit integers
 //   swQuads  two groups of four floats, whatever SW_WIDTH is: for texels of four floats, two at a time
+//   swRow    four groups of four floats: a row of a tile's window
 
 #define SW_WIDE_SCALAR 1
 #define SW_WIDE_SSE2 2
 #define SW_WIDE_AVX2 3
 #define SW_WIDE_NEON 4
+#define SW_WIDE_AVX512 5
 
 #ifndef SW_WIDE_ISA
 #error "Define SW_WIDE_ISA before including wide.h"
@@ -31,6 +33,42 @@
 #include "core/math/wide_avx2.h"
 #elif SW_WIDE_ISA == SW_WIDE_NEON
 #include "core/math/wide_neon.h"
+#elif SW_WIDE_ISA == SW_WIDE_AVX512
+#include "core/math/wide_avx512.h"
+#endif
+
+#ifndef SW_HAS_ROWS
+typedef struct swRow
+{
+    swQuads left, right;
+} swRow;
+
+static inline swRow swLoadR(const float* p)
+{
+    return (swRow){swLoadQ(p), swLoadQ(p + 8)};
+}
+
+static inline void swStoreR(float* p, swRow a)
+{
+    swStoreQ(p, a.left);
+    swStoreQ(p + 8, a.right);
+}
+
+static inline swRow swAddR(swRow a, swRow b)
+{
+    return (swRow){swAddQ(a.left, b.left), swAddQ(a.right, b.right)};
+}
+
+static inline swRow swScaleR(swRow a, float b)
+{
+    return (swRow){swMulQ(a.left, swSplatQ(b, b)), swMulQ(a.right, swSplatQ(b, b))};
+}
+
+// Each group times its weight, the last two added to the first two.
+static inline swQuads swFoldR(swRow a, const float weights[4])
+{
+    return swAddQ(swMulQ(swSplatQ(weights[0], weights[1]), a.left), swMulQ(swSplatQ(weights[2], weights[3]), a.right));
+}
 #endif
 
 // swSinCosTurns on all lanes.

@@ -202,3 +202,12 @@ static inline void swStoreSumQ(float* p, swQuads a)
 {
     _mm_storeu_ps(p, _mm_add_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps(a, 1)));
 }
+
+static inline void swStorePairsQ(float* p, swQuads x, swQuads z)
+{
+    __m128 sumX = _mm_add_ps(_mm256_castps256_ps128(x), _mm256_extractf128_ps(x, 1));
+    __m128 sumZ = _mm_add_ps(_mm256_castps256_ps128(z), _mm256_extractf128_ps(z, 1));
+    __m128 low = _mm_unpacklo_ps(sumX, sumZ), high = _mm_unpackhi_ps(sumX, sumZ);
+    _mm_storeu_ps(p, _mm_movelh_ps(low, high));
+    _mm_storeu_ps(p + 4, _mm_movehl_ps(high, low));
+}

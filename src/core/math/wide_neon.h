@@ -198,3 +198,10 @@ static inline void swStoreSumQ(float* p, swQuads a)
 {
     vst1q_f32(p, vaddq_f32(a.a, a.b));
 }
+
+static inline void swStorePairsQ(float* p, swQuads x, swQuads z)
+{
+    float32x4x2_t pairs = vzipq_f32(vaddq_f32(x.a, x.b), vaddq_f32(z.a, z.b));
+    vst1q_f32(p, vcombine_f32(vget_low_f32(pairs.val[0]), vget_low_f32(pairs.val[1])));
+    vst1q_f32(p + 4, vcombine_f32(vget_high_f32(pairs.val[0]), vget_high_f32(pairs.val[1])));
+}

@@ -206,3 +206,14 @@ static inline void swStoreSumQ(float* p, swQuads a)
         p[i] = a.v[i] + a.v[i + 4];
     }
 }
+
+// The same of two, in pairs of which the second and the third are swapped: x0 z0 x2 z2 x1 z1 x3 z3.
+static inline void swStorePairsQ(float* p, swQuads x, swQuads z)
+{
+    static const int order[4] = {0, 2, 1, 3};
+    for (int i = 0; i < 4; ++i)
+    {
+        p[2 * i] = x.v[order[i]] + x.v[order[i] + 4];
+        p[2 * i + 1] = z.v[order[i]] + z.v[order[i] + 4];
+    }
+}

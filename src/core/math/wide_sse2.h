@@ -197,3 +197,11 @@ static inline void swStoreSumQ(float* p, swQuads a)
 {
     _mm_storeu_ps(p, _mm_add_ps(a.a, a.b));
 }
+
+static inline void swStorePairsQ(float* p, swQuads x, swQuads z)
+{
+    __m128 sumX = _mm_add_ps(x.a, x.b), sumZ = _mm_add_ps(z.a, z.b);
+    __m128 low = _mm_unpacklo_ps(sumX, sumZ), high = _mm_unpackhi_ps(sumX, sumZ);
+    _mm_storeu_ps(p, _mm_movelh_ps(low, high));
+    _mm_storeu_ps(p + 4, _mm_movehl_ps(high, low));
+}

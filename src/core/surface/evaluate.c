@@ -19,16 +19,20 @@ static int countLongWaves(const swFrame* frame, float minWavelength)
 }
 
 // Of a tile's waves all have the same chop but for the depth's part: its strain, over its slopes, is the square of it.
-static float findSideways(const swQuery* query)
+static void findSideways(swQuery* query)
 {
     float square = 0.0f;
+    float least = 0.01f * query->def->tolerance * query->def->tolerance;
+    query->longestFelt = 0.0f;
     for (int i = 0; i < query->tileCount; ++i)
     {
         const swTile* tile = &query->tiles[i];
         float slopes = tile->slopeVarianceX + tile->slopeVarianceZ;
         if (slopes > 0.0f && swIsTileAsked(query, tile))
         {
-            square += tile->variance * swGetStrainVariance(&tile->strain) / slopes;
+            float part = tile->variance * swGetStrainVariance(&tile->strain) / slopes;
+            square += part;
+            query->longestFelt = part >= least ? fmaxf(query->longestFelt, tile->maxWavelength) : query->longestFelt;
         }
     }
     for (int i = 0; i < query->waveCount; ++i)
@@ -36,7 +40,7 @@ static float findSideways(const swQuery* query)
         const swFreeWave* wave = &query->waves[i];
         square += 0.5f * wave->amplitude * wave->amplitude * (wave->dx * wave->dx + wave->dz * wave->dz);
     }
-    return sqrtf(square);
+    query->sideways = sqrtf(square);
 }
 
 static void useFrame(swQuery* query, const swFrame* frame)
@@ -47,7 +51,7 @@ static void useFrame(swQuery* query, const swFrame* frame)
     query->tileTicks = frame->ticks;
     // A world without queries has no texels: it answers sea level.
     query->tileCount = frame->tileCount > 0 && frame->tiles[0].texels != NULL ? frame->tileCount : 0;
-    query->sideways = findSideways(query);
+    findSideways(query);
 }
 
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
@@ -244,40 +248,69 @@ static void evaluateFrame(const swQuery* query, int count, const swPosXZ* rest, 
 // ---- between two frames ----
 
 // Points of which both ends are held at once; it bounds the stack of a query.
-#define BETWEEN_BLOCK 16
+#define BETWEEN_BLOCK 4
 
-static void blendRows(float part, int count, const float* to, float* from)
+// Add a part of the way to what another frame has at a few points, of displacement with gradients or of one field of
+// motion; the others are NULL.
+static void blendPart(const swQuery* to, float part, int count, const swPosXZ* rest, const swEvaluation* out)
 {
-    for (int i = 0; i < count && from != NULL; ++i)
+    float rows[BETWEEN_BLOCK * 12];
+    float* gradients = rows + BETWEEN_BLOCK * 4;
+    float* from = out->displacement != NULL ? out->displacement[0]
+                  : out->velocity != NULL   ? out->velocity[0]
+                                            : out->acceleration[0];
+    const swEvaluation end = {
+        .displacement = out->displacement != NULL ? (float(*)[4])rows : NULL,
+        .gradients = out->gradients != NULL ? (float(*)[8])gradients : NULL,
+        .velocity = out->velocity != NULL ? (float(*)[4])rows : NULL,
+        .acceleration = out->acceleration != NULL ? (float(*)[4])rows : NULL,
+        .shortest = out->shortest,
+        .longest = out->longest,
+    };
+    evaluateFrame(to, count, rest, &end);
+    for (int i = 0; i < 4 * count; ++i)
     {
-        from[i] += part * (to[i] - from[i]);
+        from[i] += part * (rows[i] - from[i]);
     }
+    for (int i = 0; i < 8 * count && out->gradients != NULL; ++i)
+    {
+        out->gradients[0][i] += part * (gradients[i] - out->gradients[0][i]);
+    }
+}
+
+// Field 0 is displacement with gradients, 1 velocity, 2 acceleration.
+static swEvaluation chooseField(const swEvaluation* out, int field, int first)
+{
+    return (swEvaluation){
+        .displacement = field == 0 && out->displacement != NULL ? out->displacement + first : NULL,
+        .gradients = field == 0 && out->gradients != NULL ? out->gradients + first : NULL,
+        .velocity = field == 1 && out->velocity != NULL ? out->velocity + first : NULL,
+        .acceleration = field == 2 && out->acceleration != NULL ? out->acceleration + first : NULL,
+        .shortest = out->shortest,
+        .longest = out->longest,
+    };
 }
 
 // Texels of both frames; waves that are summed are of the query's own time on both sides, so that only their amplitudes
 // are blended.
 static void evaluateBetween(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
-    float displacement[BETWEEN_BLOCK][4], gradients[BETWEEN_BLOCK][8];
-    float velocity[BETWEEN_BLOCK][4], acceleration[BETWEEN_BLOCK][4];
-    const swEvaluation end = {
-        .displacement = out->displacement != NULL ? displacement : NULL,
-        .gradients = out->gradients != NULL ? gradients : NULL,
-        .velocity = out->velocity != NULL ? velocity : NULL,
-        .acceleration = out->acceleration != NULL ? acceleration : NULL,
-        .shortest = out->shortest,
-        .longest = out->longest,
-    };
     float part = (float)((double)(query->ticks - query->tileTicks) / (double)(query->after->ticks - query->tileTicks));
     swQuery at = *query;
     at.isNow = true;
     evaluateFrame(&at, count, rest, out);
     useFrame(&at, query->after);
-    evaluateFrame(&at, count, rest, &end);
-    blendRows(part, 4 * count, displacement[0], out->displacement != NULL ? out->displacement[0] : NULL);
-    blendRows(part, 8 * count, gradients[0], out->gradients != NULL ? out->gradients[0] : NULL);
-    blendRows(part, 4 * count, velocity[0], out->velocity != NULL ? out->velocity[0] : NULL);
-    blendRows(part, 4 * count, acceleration[0], out->acceleration != NULL ? out->acceleration[0] : NULL);
+    for (int field = 0; field < 3; ++field)
+    {
+        for (int i = 0; i < count; i += BETWEEN_BLOCK)
+        {
+            const swEvaluation some = chooseField(out, field, i);
+            if (some.displacement != NULL || some.velocity != NULL || some.acceleration != NULL)
+            {
+                blendPart(&at, part, count - i < BETWEEN_BLOCK ? count - i : BETWEEN_BLOCK, rest + i, &some);
+            }
+        }
+    }
 }
 
 static bool isBetween(const swQuery* query)
@@ -285,27 +318,11 @@ static bool isBetween(const swQuery* query)
     return query->after != NULL && query->ticks > query->tileTicks && query->ticks <= query->after->ticks;
 }
 
-static void evaluateParts(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
-{
-    for (int i = 0; i < count; i += BETWEEN_BLOCK)
-    {
-        const swEvaluation part = {
-            .displacement = out->displacement != NULL ? out->displacement + i : NULL,
-            .gradients = out->gradients != NULL ? out->gradients + i : NULL,
-            .velocity = out->velocity != NULL ? out->velocity + i : NULL,
-            .acceleration = out->acceleration != NULL ? out->acceleration + i : NULL,
-            .shortest = out->shortest,
-            .longest = out->longest,
-        };
-        evaluateBetween(query, count - i < BETWEEN_BLOCK ? count - i : BETWEEN_BLOCK, rest + i, &part);
-    }
-}
-
 void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     if (isBetween(query))
     {
-        evaluateParts(query, count, rest, out);
+        evaluateBetween(query, count, rest, out);
     }
     else
     {

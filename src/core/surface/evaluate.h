@@ -29,6 +29,7 @@ typedef struct swQuery
     const swTile* tiles; // of the frame; see swIsTileAsked()
     int64_t tileTicks;   // of their texels
     float sideways;      // root mean square of the particles' horizontal displacement, m
+    float longestFelt;   // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
 
     // A later frame, or NULL: up to its time the surface runs linearly from the one's to the other's.
     const swFrame* after;

@@ -173,7 +173,8 @@ static int makeGuess(const swQuery* query, Guess* guess)
     float middle[2] = {first * PASS_RATIO, first * 2.0f}; // waves of the first two passes
     float shortest = first;
     float longest = middle[1];
-    addTangents(query, guess, longest, 0.0f, &guess->others);
+    float top = query->waveCount == 0 ? query->longestFelt : 0.0f;
+    addTangents(query, guess, longest, top, &guess->others);
     for (int pass = 0; pass < PASSES && longest > NEGLIGIBLE * tolerance; ++pass)
     {
         bool isLast = pass == PASSES - 1;

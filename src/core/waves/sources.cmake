@@ -22,9 +22,12 @@ target_sources(seaway_core PRIVATE
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     target_sources(seaway_core PRIVATE
         ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_sse2.c
-        ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx2.c)
+        ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx2.c
+        ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx512.c)
     set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx2.c
         PROPERTIES COMPILE_OPTIONS "-mavx2;-mno-fma")
+    set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/waves_kernels_avx512.c
+        PROPERTIES COMPILE_OPTIONS "-mavx512f;-mavx512vl;-mavx512dq;-mno-fma;-mprefer-vector-width=256")
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64|ARM64)$")
     target_sources(seaway_core PRIVATE ${CMAKE_CURRENT_LIST_DIR}/waves_kernels_neon.c)
 endif()

@@ -60,7 +60,7 @@ static const swField systemFields[] = {
               .tip = "Horizontal motion; 1 is that of a trochoidal wave", SW_KNOB(0.0, 2.0)),
     SW_NUMBER(weight, "", SW_WITHIN(0.0, 10.0), 1.0, .key = "weight", .label = "weight",
               .tip = "Factor on displacement", SW_KNOB(0.0, 2.0)),
-    SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, 2.7e11), 0.0, .key = "loop_period_s", .label = "loop",
+    SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, SW_LARGEST_TIME), 0.0, .key = "loop_period_s", .label = "loop",
               .tip = "The waves repeat exactly after this time", .zero = "never", SW_LOG_KNOB(1.0, 600.0)),
     SW_NUMBER(seed, "", SW_WITHIN(0.0, 4294967295.0), 1.0, .key = "seed", .label = "seed",
               .tip = "Another seed is another sea of the same statistics", SW_KNOB(0.0, 100.0)),

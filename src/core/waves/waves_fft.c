@@ -537,29 +537,57 @@ void swFreeModes(const swHost* host, swBandModes* bands)
     }
 }
 
+#if defined(__x86_64__)
+
+static bool hasAvx512(void)
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq");
+}
+
+static const swWaveKernels* findBestKernels(void)
+{
+    if (hasAvx512())
+    {
+        return &swWaveKernelsAvx512;
+    }
+    return __builtin_cpu_supports("avx2") ? &swWaveKernelsAvx2 : &swWaveKernelsSse2;
+}
+
+#elif defined(__aarch64__)
+
+static const swWaveKernels* findBestKernels(void)
+{
+    return &swWaveKernelsNeon;
+}
+
+#else
+
+static const swWaveKernels* findBestKernels(void)
+{
+    return &swWaveKernelsScalar;
+}
+
+#endif
+
 const swWaveKernels* swGetWaveKernels(swIsa isa)
 {
     switch (isa)
     {
+    case SW_ISA_BEST:
+        return findBestKernels();
     case SW_ISA_SCALAR:
         return &swWaveKernelsScalar;
 #if defined(__x86_64__)
-    case SW_ISA_BEST:
-    case SW_ISA_AVX2:
-        if (__builtin_cpu_supports("avx2"))
-        {
-            return &swWaveKernelsAvx2;
-        }
-        return isa == SW_ISA_BEST ? &swWaveKernelsSse2 : NULL;
     case SW_ISA_SSE2:
         return &swWaveKernelsSse2;
+    case SW_ISA_AVX2:
+        return __builtin_cpu_supports("avx2") ? &swWaveKernelsAvx2 : NULL;
+    case SW_ISA_AVX512:
+        return hasAvx512() ? &swWaveKernelsAvx512 : NULL;
 #elif defined(__aarch64__)
-    case SW_ISA_BEST:
     case SW_ISA_NEON:
         return &swWaveKernelsNeon;
-#else
-    case SW_ISA_BEST:
-        return &swWaveKernelsScalar;
 #endif
     default:
         return NULL;

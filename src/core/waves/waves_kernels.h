@@ -24,6 +24,7 @@ extern const swWaveKernels swWaveKernelsScalar;
 #if defined(__x86_64__)
 extern const swWaveKernels swWaveKernelsSse2;
 extern const swWaveKernels swWaveKernelsAvx2;
+extern const swWaveKernels swWaveKernelsAvx512;
 #elif defined(__aarch64__)
 extern const swWaveKernels swWaveKernelsNeon;
 #endif

@@ -382,11 +382,11 @@ static void findCells(const double* u, int count, double scale, int size, Cells*
     }
 }
 
-// Weights of four neighbours for interleaved fractions, as swSplineWeights() has them.
+// Weights of four neighbours for sixteen fractions, as swSplineWeights() has them.
 typedef struct Weights
 {
-    float value[4][16];
-    float slope[4][16];
+    float value[16][4];
+    float slope[16][4];
 } Weights;
 
 static void findWeights(const float* fraction, Weights* weights)
@@ -402,10 +402,9 @@ static void findWeights(const float* fraction, Weights* weights)
         swWide s = swSubW(one, t);
         swWide t2 = swMulW(t, t);
         swWide s2 = swMulW(s, s);
-        swStoreW(weights->value[0] + i, swMulW(swMulW(s2, s), sixth));
-        swStoreW(weights->value[1] + i, swSubW(twoThirds, swMulW(swMulW(t2, swSubW(two, t)), half)));
-        swStoreW(weights->value[2] + i, swSubW(twoThirds, swMulW(swMulW(s2, swSubW(two, s)), half)));
-        swStoreW(weights->value[3] + i, swMulW(swMulW(t2, t), sixth));
+        swStoreRows4(weights->value[i], swMulW(swMulW(s2, s), sixth),
+                     swSubW(twoThirds, swMulW(swMulW(t2, swSubW(two, t)), half)),
+                     swSubW(twoThirds, swMulW(swMulW(s2, swSubW(two, s)), half)), swMulW(swMulW(t2, t), sixth));
     }
 }
 
@@ -425,50 +424,49 @@ static void findSlopes(const float* fraction, float scale, Weights* weights)
         swWide second = swMulW(t, swSubW(swMulW(oneAndHalf, t), two));
         swWide third = swMulW(s, swSubW(two, swMulW(oneAndHalf, s)));
         swWide fourth = swMulW(swMulW(t, t), half);
-        swStoreW(weights->slope[0] + i, swMulW(first, perMetre));
-        swStoreW(weights->slope[1] + i, swMulW(second, perMetre));
-        swStoreW(weights->slope[2] + i, swMulW(third, perMetre));
-        swStoreW(weights->slope[3] + i, swMulW(fourth, perMetre));
+        swStoreRows4(weights->slope[i], swMulW(first, perMetre), swMulW(second, perMetre), swMulW(third, perMetre),
+                     swMulW(fourth, perMetre));
     }
 }
 
-// Sum over the four rows of a window, for a pair of neighbouring columns.
-static inline swQuads sumRows(const float* window, int pitch4, swQuads w0, swQuads w1, swQuads w2, swQuads w3)
+// Sum over the four rows of a window.
+static inline swRow sumRows(const float* window, int pitch4, const float weights[4])
 {
-    swQuads sum = swMulQ(w0, swLoadQ(window));
-    sum = swAddQ(sum, swMulQ(w1, swLoadQ(window + pitch4)));
-    sum = swAddQ(sum, swMulQ(w2, swLoadQ(window + 2 * pitch4)));
-    return swAddQ(sum, swMulQ(w3, swLoadQ(window + 3 * pitch4)));
+    swRow sum = swScaleR(swLoadR(window), weights[0]);
+    sum = swAddR(sum, swScaleR(swLoadR(window + pitch4), weights[1]));
+    sum = swAddR(sum, swScaleR(swLoadR(window + 2 * pitch4), weights[2]));
+    return swAddR(sum, swScaleR(swLoadR(window + 3 * pitch4), weights[3]));
 }
 
-#define SPLAT(values, at) swSplatQ((values)[at], (values)[at])
-
-static inline void addValue(const float* window, int pitch4, const Weights* weights, int x, int z, swPointSums* sums)
+static inline void addQuads(float* sum, swQuads a)
 {
-    const float(*w)[16] = weights->value;
-    swQuads w0 = SPLAT(w[0], z), w1 = SPLAT(w[1], z), w2 = SPLAT(w[2], z), w3 = SPLAT(w[3], z);
-    swQuads left = sumRows(window, pitch4, w0, w1, w2, w3);
-    swQuads right = sumRows(window + 8, pitch4, w0, w1, w2, w3);
-    swQuads sum = swAddQ(swMulQ(swSplatQ(w[0][x], w[1][x]), left), swMulQ(swSplatQ(w[2][x], w[3][x]), right));
-    swStoreQ(sums->value, swAddQ(swLoadQ(sums->value), sum));
+    swStoreQ(sum, swAddQ(swLoadQ(sum), a));
+}
+
+static inline void addValue(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
+{
+    addQuads(sums->value, swFoldR(sumRows(window, pitch4, w->value[z]), w->value[x]));
 }
 
 static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
 {
-    const float(*v)[16] = w->value;
-    const float(*d)[16] = w->slope;
-    swQuads left = sumRows(window, pitch4, SPLAT(v[0], z), SPLAT(v[1], z), SPLAT(v[2], z), SPLAT(v[3], z));
-    swQuads right = sumRows(window + 8, pitch4, SPLAT(v[0], z), SPLAT(v[1], z), SPLAT(v[2], z), SPLAT(v[3], z));
-    swQuads leftX = swSplatQ(v[0][x], v[1][x]);
-    swQuads rightX = swSplatQ(v[2][x], v[3][x]);
-    swQuads sum = swAddQ(swMulQ(leftX, left), swMulQ(rightX, right));
-    swStoreQ(sums->value, swAddQ(swLoadQ(sums->value), sum));
-    sum = swAddQ(swMulQ(swSplatQ(d[0][x], d[1][x]), left), swMulQ(swSplatQ(d[2][x], d[3][x]), right));
-    swStoreQ(sums->alongX, swAddQ(swLoadQ(sums->alongX), sum));
-    left = sumRows(window, pitch4, SPLAT(d[0], z), SPLAT(d[1], z), SPLAT(d[2], z), SPLAT(d[3], z));
-    right = sumRows(window + 8, pitch4, SPLAT(d[0], z), SPLAT(d[1], z), SPLAT(d[2], z), SPLAT(d[3], z));
-    sum = swAddQ(swMulQ(leftX, left), swMulQ(rightX, right));
-    swStoreQ(sums->alongZ, swAddQ(swLoadQ(sums->alongZ), sum));
+    const float* values = w->value[z];
+    const float* slopes = w->slope[z];
+    swRow texels = swLoadR(window);
+    swRow row = swScaleR(texels, values[0]);
+    swRow slope = swScaleR(texels, slopes[0]);
+    for (int i = 1; i < 4; ++i)
+    {
+        texels = swLoadR(window + i * pitch4);
+        row = swAddR(row, swScaleR(texels, values[i]));
+        slope = swAddR(slope, swScaleR(texels, slopes[i]));
+    }
+    swQuads value = swFoldR(row, w->value[x]);
+    swQuads alongX = swFoldR(row, w->slope[x]);
+    swQuads alongZ = swFoldR(slope, w->value[x]);
+    addQuads(sums->value, value);
+    addQuads(sums->alongX, alongX);
+    addQuads(sums->alongZ, alongZ);
 }
 
 // Where points are, interleaved, on to a multiple of eight of them.
@@ -528,17 +526,13 @@ static void addOneTile(const swTile* tile, int field, int count, const swPosXZ* 
     addTile(tile, getFieldTexels(tile, field), count, u, withSlopes, &cells, sums);
 }
 
-// `gradients` may be NULL.
+// `gradients` may be NULL. Texels have no fourth component, so the last two elements become 0.
 static inline void storeSums(const swPointSums* sums, float* out, float* gradients)
 {
     swStoreSumQ(out, swLoadQ(sums->value));
     if (gradients != NULL)
     {
-        float x[4], z[4];
-        swStoreSumQ(x, swLoadQ(sums->alongX));
-        swStoreSumQ(z, swLoadQ(sums->alongZ));
-        const float gradient[8] = {x[0], z[0], x[2], z[2], x[1], z[1], 0.0f, 0.0f};
-        memcpy(gradients, gradient, sizeof gradient);
+        swStorePairsQ(gradients, swLoadQ(sums->alongX), swLoadQ(sums->alongZ));
     }
 }
 

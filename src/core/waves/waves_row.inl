@@ -28,22 +28,17 @@ static void sumColumns(const swTile* tile, const float* texels, double z, int co
     Weights weights;
     findWeights(fractions, &weights);
     findSlopes(fractions, (float)scale, &weights);
-    const Weights* w = &weights;
-    const float(*v)[16] = w->value;
-    const float(*d)[16] = w->slope;
-    swQuads v0 = SPLAT(v[0], 0), v1 = SPLAT(v[1], 0), v2 = SPLAT(v[2], 0), v3 = SPLAT(v[3], 0);
-    swQuads d0 = SPLAT(d[0], 0), d1 = SPLAT(d[1], 0), d2 = SPLAT(d[2], 0), d3 = SPLAT(d[3], 0);
     const float* row = texels + (size_t)cells.cell[0] * (size_t)pitch4;
-    for (int i = 0; i < count; i += 2)
+    for (int i = 0; i < count; i += 4)
     {
-        int column = i + 2 <= count ? i : count - 2; // the last pair of an odd count overlaps the one before
+        int column = i + 4 <= count ? i : count - 4; // the last four overlap those before
         int texel = columns->first + column;
-        texel -= texel > tile->resolution + 1 ? tile->resolution : 0; // beyond the tile it begins again
+        texel -= texel >= tile->resolution ? tile->resolution : 0; // beyond the tile it begins again
         const float* window = row + texel * 4;
-        swStoreQ(columns->value + column * 4, sumRows(window, pitch4, v0, v1, v2, v3));
+        swStoreR(columns->value + column * 4, sumRows(window, pitch4, weights.value[0]));
         if (withSlopes)
         {
-            swStoreQ(columns->alongZ + column * 4, sumRows(window, pitch4, d0, d1, d2, d3));
+            swStoreR(columns->alongZ + column * 4, sumRows(window, pitch4, weights.slope[0]));
         }
     }
 }
@@ -57,27 +52,19 @@ static int countColumns(const swTile* tile, int count, const double* x)
     return span <= most ? (int)span : tile->resolution + 3 <= MOST_COLUMNS ? most : 0;
 }
 
-static inline void addPoint(const Columns* columns, int cell, const Weights* w, int i, bool withSlopes,
+static inline void addPoint(const Columns* columns, int column, const Weights* w, int i, bool withSlopes,
                             swPointSums* sums)
 {
-    const float(*v)[16] = w->value;
-    const float(*d)[16] = w->slope;
-    swQuads left = swLoadQ(columns->value + cell * 4);
-    swQuads right = swLoadQ(columns->value + cell * 4 + 8);
-    swQuads leftX = swSplatQ(v[0][i], v[1][i]);
-    swQuads rightX = swSplatQ(v[2][i], v[3][i]);
-    swQuads sum = swAddQ(swMulQ(leftX, left), swMulQ(rightX, right));
-    swStoreQ(sums->value, swAddQ(swLoadQ(sums->value), sum));
-    if (!withSlopes)
+    swRow row = swLoadR(columns->value + column * 4);
+    swQuads value = swFoldR(row, w->value[i]);
+    if (withSlopes)
     {
-        return;
+        swQuads alongX = swFoldR(row, w->slope[i]);
+        swQuads alongZ = swFoldR(swLoadR(columns->alongZ + column * 4), w->value[i]);
+        addQuads(sums->alongX, alongX);
+        addQuads(sums->alongZ, alongZ);
     }
-    sum = swAddQ(swMulQ(swSplatQ(d[0][i], d[1][i]), left), swMulQ(swSplatQ(d[2][i], d[3][i]), right));
-    swStoreQ(sums->alongX, swAddQ(swLoadQ(sums->alongX), sum));
-    left = swLoadQ(columns->alongZ + cell * 4);
-    right = swLoadQ(columns->alongZ + cell * 4 + 8);
-    sum = swAddQ(swMulQ(leftX, left), swMulQ(rightX, right));
-    swStoreQ(sums->alongZ, swAddQ(swLoadQ(sums->alongZ), sum));
+    addQuads(sums->value, value);
 }
 
 // Add one tile to the sums of a row if its points lie close enough. Not inlined, for the sake of the stack.

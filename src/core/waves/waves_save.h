@@ -7,7 +7,7 @@
 #include "core/waves/waves.h"
 
 #define SW_MAX_SETS (2 * SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS)
-#define SW_LARGEST_TICKS ((int64_t)1 << 62) // of SW_LARGEST_TIME
+#define SW_LARGEST_TICKS ((int64_t)1 << 62) // more than those of SW_LARGEST_TIME
 
 typedef struct swSetList
 {

@@ -34,7 +34,7 @@ static int countTogether(int first)
 
 void swPlanLayers(const swWorld* world, const swLayerStack* layers, swStackFrame* stack)
 {
-    const swLayerPlan plan = {.frame = &world->frame, .stack = stack};
+    const swLayerPlan plan = {.def = &world->def, .frame = &world->frame, .stack = stack};
     for (int i = 0; i < SW_LAYERS; i += countTogether(i))
     {
         if (swHasLayer(layers, i))

@@ -63,6 +63,7 @@ swResult swCreateSystem(swWorld* world, const swWaveSystemDef* def, swId* id);
 void swDestroySystem(swWorld* world, swId id);
 
 // world_def.c and view_def.c: what defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise.
+extern const char* const swIsaWords[SW_ISA_COUNT + 1]; // ends with NULL
 extern const swFields swWorldFields;
 extern const swFields swViewFields;
 swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQueries);

@@ -3,7 +3,7 @@
 #include "core/sim/foam.h"
 #include "core/world/world.h"
 
-static const char* const isaWords[] = {"best", "scalar", "sse2", "avx2", "neon", NULL};
+const char* const swIsaWords[SW_ISA_COUNT + 1] = {"best", "scalar", "sse2", "avx2", "neon", "avx512", NULL};
 
 #define SW_DEF swWorldDef
 static const swField worldFields[] = {
@@ -20,7 +20,7 @@ static const swField worldFields[] = {
     SW_SWITCH(enableAcceleration, false, .key = NULL, .label = "accelerations",
               .tip = "Keep accelerations of the surface, for fast queries", .use = SW_USE_STATE),
     SW_PART(foam, &swFoamFields, .key = "foam", .label = "foam"),
-    SW_CHOICE(isa, isaWords, isaWords, SW_ISA_BEST, .key = NULL, .label = "instruction set", .use = SW_USE_HERE),
+    SW_CHOICE(isa, swIsaWords, swIsaWords, SW_ISA_BEST, .key = NULL, .label = "instruction set", .use = SW_USE_HERE),
 };
 #undef SW_DEF
 

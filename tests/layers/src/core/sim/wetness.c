@@ -21,8 +21,8 @@ void swPlanWetness(const swLayerPlan* plan)
 {
     swLayerFrame* layer = &plan->stack->layers[SW_LAYER_INDEX_WETNESS];
     const swWetnessParams params = {
-        .soak = 2.0f,
-        .dryRate = 0.5f,
+        .soak = plan->def->wetness.soak,
+        .dryRate = plan->def->wetness.dryRate,
         .dt = layer->stepDt * (float)layer->steps,
         .isDry = layer->isReset ? 1 : 0,
     };

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/raster.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_def.c)

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+
+#include "core/waves/waves_kernels.h"
+
+#define SW_WIDE_ISA SW_WIDE_AVX512
+#include "core/math/wide.h"
+
+#include "core/waves/waves_kernels.inl"
+#include "core/waves/waves_row.inl"
+#include "core/waves/waves_sum.inl"
+
+const swWaveKernels swWaveKernelsAvx512 = {SW_ISA_AVX512, transformTiles, sampleTiles, addOneTile,
+                                           storeAllSums,  sampleRow,      sumWaves};

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "files/raster_grid.h"
+
+#include <math.h>
+
+// WGS 84.
+#define EQUATOR 6378137.0
+#define SQUARED_ECCENTRICITY 6.69437999014e-3
+#define DEGREE (SW_PI / 180.0)
+
+static void measureDegrees(swRasterGrid* grid)
+{
+    double latitude = grid->originNorth * DEGREE;
+    double bend = 1.0 - SQUARED_ECCENTRICITY * sin(latitude) * sin(latitude);
+    grid->metresEast = DEGREE * EQUATOR / sqrt(bend) * cos(latitude);
+    grid->metresNorth = DEGREE * EQUATOR * (1.0 - SQUARED_ECCENTRICITY) / (bend * sqrt(bend));
+}
+
+static double getEnd(const swRasterAxis* axis)
+{
+    return axis->first + axis->spacing * (axis->count - 1);
+}
+
+// Numbers that can be degrees and would be odd as metres.
+static bool looksLikeDegrees(const swRasterGrid* grid)
+{
+    return grid->east.spacing < 1.0 && grid->north.spacing < 1.0 && grid->east.first >= -360.0 &&
+           getEnd(&grid->east) <= 360.0 && grid->north.first >= -90.0 && getEnd(&grid->north) <= 90.0 &&
+           (grid->east.spacing * grid->east.count > 1e-3) && grid->east.spacing < 0.6;
+}
+
+static void chooseUnit(swRasterGrid* grid, char unit)
+{
+    swRasterCoordinates asked = grid->def->coordinates;
+    if (asked != SW_RASTER_BY_FILE || unit != 0)
+    {
+        grid->isDegrees = asked == SW_RASTER_BY_FILE ? unit == 'd' : asked == SW_RASTER_DEGREES;
+        return;
+    }
+    grid->isDegrees = looksLikeDegrees(grid);
+    if (grid->isDegrees)
+    {
+        swLog(grid->host, SW_LOG_WARNING,
+              "%s does not say what its coordinates are; from their size they are taken for degrees. "
+              "swRasterFileDef::coordinates tells it.",
+              grid->name);
+    }
+}
+
+static swResult chooseOrigin(swRasterGrid* grid)
+{
+    const swRasterFileDef* def = grid->def;
+    double middleEast = 0.5 * (grid->east.first + getEnd(&grid->east));
+    double middleNorth = 0.5 * (grid->north.first + getEnd(&grid->north));
+    grid->originEast = isfinite(def->originEast) ? def->originEast : grid->isDegrees ? middleEast : 0.0;
+    grid->originNorth = isfinite(def->originNorth) ? def->originNorth : grid->isDegrees ? middleNorth : 0.0;
+    grid->metresEast = grid->metresNorth = 1.0;
+    if (!grid->isDegrees)
+    {
+        return SW_SUCCESS;
+    }
+    if (fabs(grid->originNorth) > 89.0 || fabs(grid->north.first) > 90.5 || fabs(getEnd(&grid->north)) > 90.5)
+    {
+        return swFail(grid->host, SW_ERROR_FORMAT,
+                      "%s would have latitudes from %g to %g about an origin at %g; are its coordinates metres?",
+                      grid->name, grid->north.first, getEnd(&grid->north), grid->originNorth);
+    }
+    measureDegrees(grid);
+    // Longitudes may be counted from -180 or from 0; the raster lies on the origin's side.
+    grid->east.first += 360.0 * rint((grid->originEast - middleEast) / 360.0);
+    if (!isfinite(def->originEast) || !isfinite(def->originNorth))
+    {
+        swLog(grid->host, SW_LOG_INFO, "%s: the origin of the world is its middle, %.6f east, %.6f north.", grid->name,
+              grid->originEast, grid->originNorth);
+    }
+    return SW_SUCCESS;
+}
+
+// Keep the cells whose middles lie in [low, high], metres from the origin.
+static void crop(swRasterAxis* axis, double origin, double metres, double low, double high)
+{
+    axis->begin = 0;
+    axis->end = axis->count;
+    while (axis->begin < axis->end && metres * (axis->first + axis->spacing * axis->begin - origin) < low)
+    {
+        axis->begin += 1;
+    }
+    while (axis->end > axis->begin && metres * (axis->first + axis->spacing * (axis->end - 1) - origin) > high)
+    {
+        axis->end -= 1;
+    }
+}
+
+swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
+{
+    const swRasterFileDef* def = grid->def;
+    chooseUnit(grid, unit);
+    swResult result = chooseOrigin(grid);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    crop(&grid->east, grid->originEast, grid->metresEast, def->west, def->east);
+    crop(&grid->north, grid->originNorth, grid->metresNorth, -def->south, -def->north); // z is south
+    int width = grid->east.end - grid->east.begin, height = grid->north.end - grid->north.begin;
+    if (width < 1 || height < 1)
+    {
+        return swFail(
+            grid->host, SW_ERROR_FORMAT,
+            "%s has no cell between x = %g and %g, z = %g and %g m; it reaches from x = %g to %g and from z = "
+            "%g to %g.",
+            grid->name, def->west, def->east, def->north, def->south,
+            grid->metresEast * (grid->east.first - grid->originEast),
+            grid->metresEast * (getEnd(&grid->east) - grid->originEast),
+            -grid->metresNorth * (getEnd(&grid->north) - grid->originNorth),
+            -grid->metresNorth * (grid->north.first - grid->originNorth));
+    }
+    size_t size = swCountGridCells(grid) * sizeof(float);
+    if (width > SW_MAX_RASTER_SIDE || height > SW_MAX_RASTER_SIDE || size > def->memoryLimit)
+    {
+        return swFail(grid->host, SW_ERROR_LIMIT,
+                      "%s has %d x %d cells, %zu bytes; at most %d along a side and %zu bytes are read. Crop it by "
+                      "swRasterFileDef::west and the others.",
+                      grid->name, width, height, size, SW_MAX_RASTER_SIDE, def->memoryLimit);
+    }
+    return SW_SUCCESS;
+}
+
+static void turnRows(const swRasterGrid* grid, const float* values, float* turned)
+{
+    size_t width = (size_t)(grid->east.end - grid->east.begin);
+    size_t height = (size_t)(grid->north.end - grid->north.begin);
+    for (size_t row = 0; row < height; ++row)
+    {
+        for (size_t column = 0; column < width; ++column)
+        {
+            float value = values[(height - 1 - row) * width + column];
+            turned[row * width + column] = grid->isDepth ? -value : value;
+        }
+    }
+}
+
+swResult swMakeGridRaster(const swRasterGrid* grid, const float* values, swRaster** raster)
+{
+    size_t size = swCountGridCells(grid) * sizeof(float);
+    float* turned = swAllocate(grid->host, size);
+    if (turned == NULL)
+    {
+        return swFail(grid->host, SW_ERROR_NO_MEMORY, "No memory for the cells of %s, %zu bytes.", grid->name, size);
+    }
+    turnRows(grid, values, turned);
+    swRasterDef def = swDefaultRasterDef();
+    def.name = grid->name;
+    def.width = grid->east.end - grid->east.begin;
+    def.height = grid->north.end - grid->north.begin;
+    def.spacingX = grid->metresEast * grid->east.spacing;
+    def.spacingZ = grid->metresNorth * grid->north.spacing;
+    double west = grid->east.first + grid->east.spacing * grid->east.begin;
+    double north = grid->north.first + grid->north.spacing * (grid->north.end - 1);
+    def.x = grid->metresEast * (west - grid->originEast);
+    def.z = -grid->metresNorth * (north - grid->originNorth);
+    def.values = turned;
+    swResult result = swCreateRaster(grid->host, &def, raster);
+    swFree(grid->host, turned, size);
+    return result == SW_ERROR_INVALID ? SW_ERROR_FORMAT : result;
+}
