@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/exact_number.c
+    ${CMAKE_CURRENT_LIST_DIR}/field_tree.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_components.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_fields.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_measured.c
@@ -11,7 +12,9 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/scene_waves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_world.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_write.c
+    ${CMAKE_CURRENT_LIST_DIR}/waves_tree.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_edit.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_merge.c
+    ${CMAKE_CURRENT_LIST_DIR}/yaml_places.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_read.c
     ${CMAKE_CURRENT_LIST_DIR}/yaml_tree.c)

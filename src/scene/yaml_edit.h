@@ -4,18 +4,13 @@
 // Changes of a YAML text that leave every other byte as it is: comments, order, quotes, line ends. libyaml's nodes say
 // where each value stands; what a change is about is found from there.
 
-#include "scene/yaml_read.h"
-#include "scene/yaml_tree.h"
+#include "scene/yaml_places.h"
 
 // Changes are gathered, and made in one go by swMakeYamlEdits(). They must not overlap; of two at one place the first
 // comes first.
 typedef struct swYamlEdits
 {
-    swYaml* yaml;
-    const char* text;
-    size_t size;
-    swArray bytes;  // uint32_t: of each character where it begins; libyaml counts characters
-    swArray shares; // int: how often each node is used; by * more than once
+    swYamlPlaces places;
     swArray edits;
     swTextBuffer added;
     swLayout layout;
@@ -31,9 +26,6 @@ swResult swMakeYamlEdits(swYamlEdits* edits, char** text, size_t* size);
 
 // Refuse what cannot be changed without touching another place, with its line.
 swResult swRefuseYamlEdit(swYamlEdits* edits, const yaml_node_t* node, const char* why);
-
-// Whether `*` repeats the node elsewhere, or anything in it.
-bool swIsYamlShared(const swYamlEdits* edits, int node);
 
 // Another text for a scalar, quoted as it was.
 void swReplaceYamlScalar(swYamlEdits* edits, int node, const char* text, bool isInLine);

@@ -16,7 +16,7 @@ static void mergeValue(Merge* merge, int node, int before, int after, bool isInL
 
 static yaml_node_t* getNode(Merge* merge, int node)
 {
-    return yaml_document_get_node(&merge->edits.yaml->document, node);
+    return yaml_document_get_node(&merge->edits.places.yaml->document, node);
 }
 
 static bool isKey(Merge* merge, int node, const char* key)
@@ -58,12 +58,12 @@ static bool beginPlan(Merge* merge, int count, int after, Plan* plan)
     int most = countItems(merge->after, after);
     *plan = (Plan){.count = count};
     plan->size = (size_t)most * sizeof(swYamlAdded) + (size_t)count + 1;
-    plan->added = swAllocateZero(merge->edits.yaml->host, plan->size);
+    plan->added = swAllocateZero(merge->edits.places.yaml->host, plan->size);
     plan->isKept = plan->added != NULL ? (bool*)(plan->added + most) : NULL;
     if (plan->added == NULL && merge->edits.result == SW_SUCCESS)
     {
-        merge->edits.result =
-            swFail(merge->edits.yaml->host, SW_ERROR_NO_MEMORY, "No memory to write %s.", merge->edits.yaml->name);
+        merge->edits.result = swFail(merge->edits.places.yaml->host, SW_ERROR_NO_MEMORY, "No memory to write %s.",
+                                     merge->edits.places.yaml->name);
     }
     return plan->added != NULL;
 }
@@ -71,7 +71,7 @@ static bool beginPlan(Merge* merge, int count, int after, Plan* plan)
 static void endPlan(Merge* merge, int node, Plan* plan)
 {
     swArrangeYaml(&merge->edits, node, plan->isKept, plan->added, plan->addedCount);
-    swFree(merge->edits.yaml->host, plan->added, plan->size);
+    swFree(merge->edits.places.yaml->host, plan->added, plan->size);
 }
 
 // The key that the mapping is about, such as the kind of waves: the new one takes the place of the old one.
@@ -183,12 +183,12 @@ static void matchItems(const swTree* before, int old, const swTree* after, int f
 // The items of the new list, by what they are or by what they say. NULL if there is no memory.
 static int* listItems(Merge* merge, int before, int after, int count)
 {
-    int* items = swAllocate(merge->edits.yaml->host, (size_t)(count + 1) * sizeof(int));
+    int* items = swAllocate(merge->edits.places.yaml->host, (size_t)(count + 1) * sizeof(int));
     const swTreeNode* list = swGetTreeNode(merge->after, after);
     if (items == NULL)
     {
-        merge->edits.result =
-            swFail(merge->edits.yaml->host, SW_ERROR_NO_MEMORY, "No memory to write %s.", merge->edits.yaml->name);
+        merge->edits.result = swFail(merge->edits.places.yaml->host, SW_ERROR_NO_MEMORY, "No memory to write %s.",
+                                     merge->edits.places.yaml->name);
         return NULL;
     }
     if (list->isMatched && before >= 0)
@@ -225,7 +225,7 @@ static void mergeList(Merge* merge, int node, int before, int after)
     int* items = listItems(merge, before, after, wanted);
     if (items == NULL || !beginPlan(merge, count, after, &plan))
     {
-        swFree(merge->edits.yaml->host, items, (size_t)(wanted + 1) * sizeof(int));
+        swFree(merge->edits.places.yaml->host, items, (size_t)(wanted + 1) * sizeof(int));
         return;
     }
     int child = swGetTreeNode(merge->after, after)->first;
@@ -249,7 +249,7 @@ static void mergeList(Merge* merge, int node, int before, int after)
         }
     }
     endPlan(merge, node, &plan);
-    swFree(merge->edits.yaml->host, items, (size_t)(wanted + 1) * sizeof(int));
+    swFree(merge->edits.places.yaml->host, items, (size_t)(wanted + 1) * sizeof(int));
 }
 
 static void mergeValue(Merge* merge, int node, int before, int after, bool isInLine)

@@ -68,6 +68,40 @@ int swAddTreeText(swTree* tree, int parent, const char* key, const char* text, b
     return node;
 }
 
+void swSetTreeDefault(swTree* tree, int node, bool isDefault)
+{
+    if (node >= 0)
+    {
+        getNodes(tree)[node].isDefault = isDefault;
+    }
+}
+
+void swSetTreeMain(swTree* tree, int node)
+{
+    if (node >= 0)
+    {
+        getNodes(tree)[node].isMain = true;
+        getNodes(tree)[node].isDefault = false;
+    }
+}
+
+void swSetTreeItem(swTree* tree, int node, int item, bool isLine)
+{
+    if (node >= 0)
+    {
+        getNodes(tree)[node].item = item;
+        getNodes(tree)[node].isLine = isLine;
+    }
+}
+
+void swSetTreeMatched(swTree* tree, int list)
+{
+    if (list >= 0)
+    {
+        getNodes(tree)[list].isMatched = true;
+    }
+}
+
 const swTreeNode* swGetTreeNode(const swTree* tree, int node)
 {
     return &getNodes(tree)[node];

@@ -44,6 +44,12 @@ void swFreeTree(swTree* tree);
 int swAddTreeNode(swTree* tree, int parent, swTreeType type, const char* key);
 int swAddTreeText(swTree* tree, int parent, const char* key, const char* text, bool isDefault);
 
+// What a node is beside its value, see swTreeNode. Node -1 is passed over.
+void swSetTreeDefault(swTree* tree, int node, bool isDefault);
+void swSetTreeMain(swTree* tree, int node);
+void swSetTreeItem(swTree* tree, int node, int item, bool isLine);
+void swSetTreeMatched(swTree* tree, int list);
+
 const swTreeNode* swGetTreeNode(const swTree* tree, int node);
 const char* swGetTreeText(const swTree* tree, int node);
 int swFindTreeKey(const swTree* tree, int mapping, const char* key, size_t size);

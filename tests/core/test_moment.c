@@ -17,6 +17,8 @@
 
 #include <seaway/seaway.h>
 
+#include "core/world/moment.h"
+
 #define POINTS 120
 #define RAYS 12
 
@@ -390,6 +392,79 @@ static void ADamagedHeadIsRefused(void** state)
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
 
+// Whatever numbers stand in the head and the tiles: the block is refused, or it answers something and reads nothing
+// beyond itself, which sanitizers watch.
+static void WrongNumbersThatAreSignedLeadNowhere(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swWorld* world = MakeWorld(&host, 5);
+    swMoment* moment = MakeMoment(world, 26.0);
+    size_t size;
+    uint8_t* copy = CopyBlock(moment, &size);
+    swDestroyMoment(moment);
+    swDestroyWorld(world);
+    const uint64_t wrong[] = {
+        0, 1, 64, (uint64_t)size - 64, (uint64_t)size, UINT64_MAX, (uint64_t)1 << 63, 4000000, 4032, 0x7ff8ull << 48};
+    swPosXZ points[40];
+    float heights[40];
+    ScatterPoints(points, 40, 0.0, 0.0, 1000.0);
+    swQueryDef def = swDefaultQueryDef();
+    def.maxIterations = 2;
+    int mapped = 0, refused = 0;
+    for (size_t at = 0; at + 8 <= 2048; at += 4)
+    {
+        for (int i = 0; i < (int)(sizeof wrong / sizeof wrong[0]); ++i)
+        {
+            uint64_t kept;
+            memcpy(&kept, copy + at, sizeof kept);
+            memcpy(copy + at, &wrong[i], at % 8 == 0 ? 8 : 4);
+            swSignMoment(copy);
+            swResult result = swMapMoment(&host, copy, size, &moment);
+            assert_true(result == SW_SUCCESS || result == SW_ERROR_FORMAT);
+            if (result == SW_SUCCESS)
+            {
+                swMoment_QuerySurface(moment, &def, 40, points, &(swSurfaceSamples){.height = heights}, NULL);
+                swDestroyMoment(moment);
+            }
+            mapped += result == SW_SUCCESS ? 1 : 0;
+            refused += result == SW_SUCCESS ? 0 : 1;
+            memcpy(copy + at, &kept, sizeof kept);
+        }
+    }
+    print_message("%d blocks with a wrong number were refused, %d answered\n", refused, mapped);
+    assert_true(refused > mapped / 4 && mapped > 0);
+    free(copy);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
+
+static void AWorldWithoutQueriesHasMomentsOfStillWater(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.enableQueries = false;
+    worldDef.seaLevel = 3.0;
+    swWorld* world;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swMoment* moment = MakeMoment(world, 5.0); // of no waves at all
+    assert_true(swMoment_GetHeight(moment, 1.0, 2.0) == 3.0);
+    swWaveSystemDef def = MakeWaves();
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    assert_int_equal(swMoment_Set(moment, world, 6.0), SW_SUCCESS);
+    assert_true(swMoment_GetHeight(moment, 1.0, 2.0) == 3.0);
+    size_t size;
+    void* copy = CopyBlock(moment, &size);
+    swDestroyMoment(moment);
+    assert_int_equal(swMapMoment(&host, copy, size, &moment), SW_SUCCESS);
+    assert_true(swMoment_GetHeight(moment, 1.0, 2.0) == 3.0);
+    swDestroyMoment(moment);
+    free(copy);
+    swDestroyWorld(world);
+}
+
 // ---- threads ----
 
 typedef struct Reader
@@ -623,6 +698,8 @@ int main(void)
         cmocka_unit_test(TheHostMayGiveTheMemory),
         cmocka_unit_test(ACopyElsewhereAnswersTheSame),
         cmocka_unit_test(ADamagedHeadIsRefused),
+        cmocka_unit_test(WrongNumbersThatAreSignedLeadNowhere),
+        cmocka_unit_test(AWorldWithoutQueriesHasMomentsOfStillWater),
         cmocka_unit_test(TheWorldStepsOnWhileThreadsAskAMoment),
         cmocka_unit_test(ThreadsMayMakeMomentsOfOneWorldAtOnce),
         cmocka_unit_test(BetweenTwoMomentsTheErrorIsThatOfAChord),

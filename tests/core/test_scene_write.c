@@ -680,7 +680,10 @@ static void EditScene(swScene* scene)
         swWaveComponent rows[40];
         swWaveSystemDef def = scene->waves[0].def;
         int count = def.componentCount;
-        memcpy(rows, scene->waves[0].components, (size_t)(count < 40 ? count : 0) * sizeof(rows[0]));
+        if (count > 0 && count < 40)
+        {
+            memcpy(rows, scene->waves[0].components, (size_t)count * sizeof(rows[0]));
+        }
         count = count >= 38 || (count > 1 && Random() < 0.4) ? count - 1 : count + 1;
         ChangeFields(swGetWaveComponentFields(), &rows[(int)(Random() * count)]);
         ChangeFields(swGetWaveComponentFields(), &rows[count - 1]);

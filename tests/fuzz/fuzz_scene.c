@@ -1,11 +1,78 @@
 // SPDX-License-Identifier: MIT
-// Scene texts from anywhere. What is read can be asked for its views and its seas; what is not is explained.
+// Scene texts from anywhere. What is read can be asked for its views and its seas; what is not is explained. What is
+// read is written as it was, and after a change it is read again with that change or refused with a sentence.
 
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "fuzz.h"
 #include "seaway/scene.h"
+
+#define ROOM ((size_t)1 << 21)
+
+// By a number that comes from the text, so that the same text is changed in the same way.
+static void ChangeScene(swScene* scene, uint32_t how)
+{
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    swSceneView view = swDefaultSceneView();
+    scene->sky.haze = how % 2 == 0 ? scene->sky.haze : 2.5f;
+    scene->exposureEv = how % 3 == 0 ? scene->exposureEv : -1.0f;
+    for (int i = 0; i < scene->wavesCount && how % 5 == 0; ++i)
+    {
+        scene->waves[i].def.spectrum.turbulence = 0.25f;
+        scene->waves[i].def.weight = 2.0f;
+    }
+    if (how % 7 < 2 && scene->wavesCount > 0)
+    {
+        swScene_RemoveWaves(scene, (int)(how % (uint32_t)scene->wavesCount));
+    }
+    if (how % 7 > 4)
+    {
+        def.spectrum = swMakeBeaufortSpectrum(4.0f, 1.0f);
+        swScene_AddWaves(scene, &def);
+    }
+    if (how % 11 < 3 && scene->viewCount > 0)
+    {
+        swScene_RemoveView(scene, (int)(how % (uint32_t)scene->viewCount));
+    }
+    if (how % 11 > 8)
+    {
+        memcpy(view.name, "fuzz: #1", 9);
+        swScene_AddView(scene, &view);
+    }
+}
+
+static void CheckWriting(const swHost* host, swScene* scene, const uint8_t* data, size_t size, int* messages)
+{
+    char* text = malloc(ROOM);
+    size_t made = ROOM;
+    uint32_t how = (uint32_t)size;
+    FUZZ_CHECK(text != NULL);
+    for (size_t i = 0; i < size; ++i)
+    {
+        how = 31u * how + data[i];
+    }
+    bool isWide = size >= 2 && (memcmp(data, "\xFF\xFE", 2) == 0 || memcmp(data, "\xFE\xFF", 2) == 0);
+    swResult result = swPrintScene(scene, text, &made);
+    FUZZ_CHECK(isWide == (result != SW_SUCCESS));
+    FUZZ_CHECK(isWide || (made == size && memcmp(text, data, size) == 0));
+    ChangeScene(scene, how);
+    made = ROOM;
+    *messages = 0;
+    result = swPrintScene(scene, text, &made);
+    FUZZ_CHECK(result == SW_SUCCESS || *messages > 0);
+    swScene* again = NULL;
+    if (result == SW_SUCCESS)
+    {
+        FUZZ_CHECK(swReadSceneText(host, text, made, "again", "/nonexistent", &again) == SW_SUCCESS);
+        FUZZ_CHECK(again->sky.haze == scene->sky.haze && again->exposureEv == scene->exposureEv);
+        FUZZ_CHECK(again->wavesCount == scene->wavesCount && again->viewCount == scene->viewCount);
+        FUZZ_CHECK(strcmp(again->name, scene->name) == 0);
+    }
+    swDestroyScene(again);
+    free(text);
+}
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
@@ -35,6 +102,10 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
                 FUZZ_CHECK(isfinite(seaState.significantHeight) && isfinite(seaState.periodTm02));
             }
         }
+    }
+    if (scene != NULL)
+    {
+        CheckWriting(&host, scene, data, size, &messages);
     }
     swDestroyScene(scene);
     return 0;

@@ -3,8 +3,8 @@
 """Copies of the library's files with what made-up layers add to them.
 
 A file below tests/layers with marks, `//@ before LINE` or `//@ end`, holds pieces for the library's file of the same
-path: each goes before the first line that reads LINE, or to the end. A mark that is not found is an error, so the pieces
-follow the library. Public headers are copied all, as they include each other by their folder.
+path: each goes before the first line that begins with LINE, or to the end. A mark that is not found is an error, so the
+pieces follow the library. Public headers are copied all, as they include each other by their folder.
 
 Usage: make_tree.py SOURCE_ROOT OUTPUT_FOLDER; prints the patched files, one a line
 """
@@ -46,9 +46,9 @@ def patch(path, pieces):
             lines += piece
             continue
         target = mark.removeprefix("before ").strip()
-        found = [i for i, line in enumerate(lines) if line.strip() == target]
+        found = [i for i, line in enumerate(lines) if line.strip().startswith(target)]
         if not found:
-            sys.exit(f"{path}: no line reads '{target}', before which a made-up layer has something to say")
+            sys.exit(f"{path}: no line begins with '{target}', before which a made-up layer has something to say")
         lines[found[0]:found[0]] = piece
     return lines
 

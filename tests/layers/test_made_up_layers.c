@@ -324,6 +324,36 @@ static void AWorldThatIsRewoundHasItsInkAgain(void** state)
     swDestroyWorld(sea.world);
 }
 
+static void AZoneThatHasNotSteppedYetIsSavedAsSuch(void** state)
+{
+    (void)state;
+    Sea sea = OpenSea(false);
+    StepTo(&sea, 0.6);
+    swZoneDef def = MakeZoneDef();
+    swZone* late = NULL;
+    assert_int_equal(swAddZone(sea.world, &def, &late), SW_SUCCESS);
+    swPlaceZone(late, (swPosXZ){30.0, 0.0});
+    Saved saved = Save(sea.world);
+    uint64_t digest = swWorld_GetDigest(sea.world);
+    swHost host = swDefaultHost();
+    swRestoreDef restoreDef = swDefaultRestoreDef();
+    Sea other = {0};
+    assert_int_equal(swRestoreWorld(&host, saved.data, saved.size, &restoreDef, &other.world), SW_SUCCESS);
+    assert_int_equal(swWorld_GetDigest(other.world), digest);
+    assert_null(swFindZoneFrame(other.world->zones[1]));
+    StepTo(&sea, 0.7);
+    StepTo(&other, 0.7);
+    uint64_t later = swWorld_GetDigest(sea.world);
+    assert_int_equal(swWorld_GetDigest(other.world), later);
+    assert_int_equal(swWorld_Rewind(sea.world, saved.data, saved.size), SW_SUCCESS);
+    assert_int_equal(swWorld_GetDigest(sea.world), digest);
+    StepTo(&sea, 0.7);
+    assert_int_equal(swWorld_GetDigest(sea.world), later);
+    free(saved.data);
+    swDestroyWorld(sea.world);
+    swDestroyWorld(other.world);
+}
+
 static void OtherZonesAreRefusedAndNothingChanges(void** state)
 {
     (void)state;
@@ -372,6 +402,35 @@ static void TexelsThatCannotBeAreRefused(void** state)
 }
 
 // ---- memory ----
+
+static void AZoneThatCannotBeIsRefused(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    Sea sea;
+    assert_int_equal(MakeSea(&host, false, &sea), SW_SUCCESS);
+    const swZoneDef bad[] = {{0, 64, 1.0f},      {SW_MAX_SLICES + 1, 64, 1.0f},
+                             {2, 40, 1.0f},      {2, 2048, 1.0f},
+                             {2, 64, 0.75f},     {2, 64, 32.0f},
+                             {2, 64, (float)NAN}};
+    int count = (int)(sizeof bad / sizeof bad[0]);
+    swZone* zone = NULL;
+    for (int i = 0; i < count; ++i)
+    {
+        assert_int_equal(swAddZone(sea.world, &bad[i], &zone), SW_ERROR_INVALID);
+        assert_null(zone);
+        assert_int_equal(atomic_load(&memory.messages), i + 1);
+    }
+    swZoneDef def = MakeZoneDef();
+    for (int i = 1; i < SW_MAX_ZONES; ++i)
+    {
+        assert_int_equal(swAddZone(sea.world, &def, &zone), SW_SUCCESS);
+    }
+    assert_int_equal(swAddZone(sea.world, &def, &zone), SW_ERROR_LIMIT);
+    swDestroyWorld(sea.world);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
 
 static void AnAllocationThatFailsIsSurvived(void** state)
 {
@@ -461,8 +520,10 @@ int main(void)
         cmocka_unit_test(InkIsPartOfTheDigest),
         cmocka_unit_test(BothGoOnInARestoredWorld),
         cmocka_unit_test(AWorldThatIsRewoundHasItsInkAgain),
+        cmocka_unit_test(AZoneThatHasNotSteppedYetIsSavedAsSuch),
         cmocka_unit_test(OtherZonesAreRefusedAndNothingChanges),
         cmocka_unit_test(TexelsThatCannotBeAreRefused),
+        cmocka_unit_test(AZoneThatCannotBeIsRefused),
         cmocka_unit_test(AnAllocationThatFailsIsSurvived),
         cmocka_unit_test(AWarmStepAllocatesNothing),
         cmocka_unit_test(WetnessHasADefThatIsCheckedAndSaved),

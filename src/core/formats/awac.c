@@ -354,5 +354,5 @@ static swResult read(void* context)
 
 swResult swParseAwac(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "AWAC sentences", sizeof(Reader), read, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "AWAC sentences", sizeof(Reader), read, sea);
 }

@@ -20,8 +20,14 @@ typedef swResult (*swReadSeaFcn)(void* reader);
 
 // Runs a reader of one format on a text, all from opening it to a finished sea. The reader's struct begins with a
 // swSeaReader; it is cleared, and too large for a stack.
-swResult swRunSeaReader(const swHost* host, const char* text, size_t size, const char* name, size_t readerSize,
-                        swReadSeaFcn read, swMeasuredSea** sea);
+swResult swRunReader(const swHost* host, const char* text, size_t size, const char* name, size_t readerSize,
+                     swReadSeaFcn read, swMeasuredSea** sea);
+
+// A sea that a function fills, finished; nothing if that fails. For formats that are read before it is known what they
+// hold.
+typedef swResult (*swFillSeaFcn)(const swHost* host, const void* file, swMeasuredSea* sea);
+swResult swMakeFilledSea(const swHost* host, const char* name, swFillSeaFcn fill, const void* file,
+                         swMeasuredSea** sea);
 
 // After each record: leaves it out with its line if it failed, see swJudgeTrial().
 swResult swJudgeRecord(swSeaReader* reader, swResult result, int line);

@@ -16,6 +16,7 @@
 #include "core/base/misuse.h"
 #include "core/math/scalar.h"
 #include "core/records/measured.h"
+#include "core/formats/measured_readers.h"
 #include "core/formats/ndbc.h"
 #include "core/spectra/spreading.h"
 
@@ -237,8 +238,9 @@ static swResult addRecord(const Files* files, const swNdbcRow* row, swMeasuredSe
     return result;
 }
 
-static swResult fillSea(const swHost* host, const Files* files, swMeasuredSea* sea)
+static swResult fillSea(const swHost* host, const void* context, swMeasuredSea* sea)
 {
+    const Files* files = context;
     const swNdbcFile* energy = &files->energy;
     const swNdbcRow* rows = energy->rows.data;
     size_t momentsSize = SW_NDBC_MAX_FREQUENCIES * sizeof(swSeaMoments); // too large for a stack
@@ -344,34 +346,13 @@ swResult swParseNdbc(const swHost* host, const swNdbcTexts* texts, swMeasuredSea
     }
     Files files;
     memset(&files, 0, sizeof(files));
-    swMeasuredSea* made = NULL;
     swResult result = readFiles(host, texts, &files);
-    if (result == SW_SUCCESS)
-    {
-        result = checkSlopes(host, &files.energy);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateMeasuredSea(host, files.energy.name, &made);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = fillSea(host, &files, made);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swMeasuredSea_Finish(made);
-    }
+    result = result == SW_SUCCESS ? checkSlopes(host, &files.energy) : result;
+    result = result == SW_SUCCESS ? swMakeFilledSea(host, files.energy.name, fillSea, &files, sea) : result;
     swFreeNdbcFile(host, &files.energy);
     swFreeNdbcFile(host, &files.alpha1);
     swFreeNdbcFile(host, &files.alpha2);
     swFreeNdbcFile(host, &files.r1);
     swFreeNdbcFile(host, &files.r2);
-    if (result != SW_SUCCESS)
-    {
-        swDestroyMeasuredSea(made);
-        return result;
-    }
-    *sea = made;
-    return SW_SUCCESS;
+    return result;
 }

@@ -324,5 +324,5 @@ static swResult read(void* context)
 
 swResult swParseObscape(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "Obscape file", sizeof(Reader), read, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "Obscape file", sizeof(Reader), read, sea);
 }

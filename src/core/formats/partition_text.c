@@ -509,10 +509,10 @@ static swResult readTable(void* context)
 swResult swParseWavewatchPartitions(const swHost* host, const char* text, size_t size, const char* name,
                                     swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "partitions", sizeof(Reader), readWavewatch, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "partitions", sizeof(Reader), readWavewatch, sea);
 }
 
 swResult swParsePartitionTable(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "partitions", sizeof(Reader), readTable, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "partitions", sizeof(Reader), readTable, sea);
 }

@@ -10,6 +10,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/octopus.c
     ${CMAKE_CURRENT_LIST_DIR}/partition_sea.c
     ${CMAKE_CURRENT_LIST_DIR}/partition_text.c
+    ${CMAKE_CURRENT_LIST_DIR}/run_reader.c
     ${CMAKE_CURRENT_LIST_DIR}/spotter_csv.c
     ${CMAKE_CURRENT_LIST_DIR}/summary.c
     ${CMAKE_CURRENT_LIST_DIR}/summary_sea.c

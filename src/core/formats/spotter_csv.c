@@ -275,5 +275,5 @@ static swResult read(void* context)
 
 swResult swParseSpotterCsv(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "Spotter table", sizeof(Reader), read, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "Spotter table", sizeof(Reader), read, sea);
 }

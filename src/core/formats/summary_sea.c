@@ -23,6 +23,7 @@
 #include "core/math/scalar.h"
 #include "core/records/measured.h"
 #include "core/spectra/spreading.h"
+#include "core/formats/measured_readers.h"
 #include "core/formats/summary.h"
 #include "core/records/summary_shape.h"
 
@@ -412,8 +413,9 @@ static swResult checkCount(const swHost* host, const swSummaryFile* file)
     return SW_SUCCESS;
 }
 
-static swResult fillSea(const swHost* host, const swSummaryFile* file, swMeasuredSea* sea)
+static swResult fillSea(const swHost* host, const void* context, swMeasuredSea* sea)
 {
+    const swSummaryFile* file = context;
     Sea* scratch = swAllocate(host, sizeof(*scratch));
     if (scratch == NULL)
     {
@@ -461,30 +463,9 @@ swResult swParseNdbcSummary(const swHost* host, const char* text, size_t size, c
         return swFail(host, SW_ERROR_INVALID, "swParseNdbcSummary() needs the text of a summary.");
     }
     swSummaryFile file;
-    swMeasuredSea* made = NULL;
     swResult result = swReadSummaryFile(host, text, size, name != NULL ? name : "summary", &file);
-    if (result == SW_SUCCESS)
-    {
-        result = checkCount(host, &file);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swCreateMeasuredSea(host, file.name, &made);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = fillSea(host, &file, made);
-    }
-    if (result == SW_SUCCESS)
-    {
-        result = swMeasuredSea_Finish(made);
-    }
+    result = result == SW_SUCCESS ? checkCount(host, &file) : result;
+    result = result == SW_SUCCESS ? swMakeFilledSea(host, file.name, fillSea, &file, sea) : result;
     swFreeSummaryFile(host, &file);
-    if (result != SW_SUCCESS)
-    {
-        swDestroyMeasuredSea(made);
-        return result;
-    }
-    *sea = made;
-    return SW_SUCCESS;
+    return result;
 }

@@ -335,5 +335,5 @@ static swResult read(void* context)
 
 swResult swParseTriaxys(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "TriAxys file", sizeof(Reader), read, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "TriAxys file", sizeof(Reader), read, sea);
 }

@@ -291,5 +291,5 @@ static swResult read(void* context)
 
 swResult swParseWavewatch(const swHost* host, const char* text, size_t size, const char* name, swMeasuredSea** sea)
 {
-    return swRunSeaReader(host, text, size, name != NULL ? name : "WAVEWATCH III file", sizeof(Reader), read, sea);
+    return swRunReader(host, text, size, name != NULL ? name : "WAVEWATCH III file", sizeof(Reader), read, sea);
 }

@@ -240,7 +240,7 @@ void swCheckLayers(swStream* stream, const swLayerStack* layers)
     {
         if (isSaved(layers, i))
         {
-            swLayerClock clock;
+            swLayerClock clock = {.isRunning = false};
             streamClock(stream, swGetLayerInfo(i), &clock);
             streamTexels(stream, swGetLayerInfo(i), countFloats(layers, i), NULL);
         }

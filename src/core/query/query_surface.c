@@ -236,16 +236,15 @@ void swQueryHeightMap(const swQuery* query, const swHeightMapDef* map, float* he
         int count = map->width - column < SW_QUERY_BLOCK ? map->width - column : SW_QUERY_BLOCK;
         for (int row = 0; row < map->height; ++row)
         {
-            swPosXZ points[SW_QUERY_BLOCK];
+            Block block; // its places are the points first: none is written before it has been read
             for (int i = 0; i < count; ++i)
             {
-                points[i].x = map->originX + map->spacing * (column + i);
-                points[i].z = map->originZ + map->spacing * row;
+                block.places[i].x = map->originX + map->spacing * (column + i);
+                block.places[i].z = map->originZ + map->spacing * row;
             }
             float* stretch = heights + (size_t)row * (size_t)map->width + (size_t)column;
             const swSurfaceSamples samples = {.height = stretch};
-            Block block;
-            fillBlock(query, 0, count, points, &samples, NULL, &block, &total);
+            fillBlock(query, 0, count, block.places, &samples, NULL, &block, &total);
             if (block.count > 0)
             {
                 querySurfaceBlock(query, &block, &samples, &total);

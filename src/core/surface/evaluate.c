@@ -250,45 +250,33 @@ static void evaluateFrame(const swQuery* query, int count, const swPosXZ* rest, 
 // Points of which both ends are held at once; it bounds the stack of a query.
 #define BETWEEN_BLOCK 4
 
-// Add a part of the way to what another frame has at a few points, of displacement with gradients or of one field of
-// motion; the others are NULL.
-static void blendPart(const swQuery* to, float part, int count, const swPosXZ* rest, const swEvaluation* out)
+// Part of the way from what `out` has of a few points to what another frame has: of displacement and gradients (field
+// 0), velocity (1) or acceleration (2).
+static void blendField(const swQuery* to, float part, int field, int count, const swPosXZ* rest, int first,
+                       const swEvaluation* out)
 {
-    float rows[BETWEEN_BLOCK * 12];
-    float* gradients = rows + BETWEEN_BLOCK * 4;
-    float* from = out->displacement != NULL ? out->displacement[0]
-                  : out->velocity != NULL   ? out->velocity[0]
-                                            : out->acceleration[0];
+    float rows[BETWEEN_BLOCK][4], gradients[BETWEEN_BLOCK][8];
+    float(*from)[4] = field == 0 ? out->displacement : field == 1 ? out->velocity : out->acceleration;
     const swEvaluation end = {
-        .displacement = out->displacement != NULL ? (float(*)[4])rows : NULL,
-        .gradients = out->gradients != NULL ? (float(*)[8])gradients : NULL,
-        .velocity = out->velocity != NULL ? (float(*)[4])rows : NULL,
-        .acceleration = out->acceleration != NULL ? (float(*)[4])rows : NULL,
+        .displacement = field == 0 ? rows : NULL,
+        .gradients = field == 0 && out->gradients != NULL ? gradients : NULL,
+        .velocity = field == 1 ? rows : NULL,
+        .acceleration = field == 2 ? rows : NULL,
         .shortest = out->shortest,
         .longest = out->longest,
     };
-    evaluateFrame(to, count, rest, &end);
-    for (int i = 0; i < 4 * count; ++i)
+    evaluateFrame(to, count, rest + first, &end);
+    for (int i = 0; i < count; ++i)
     {
-        from[i] += part * (rows[i] - from[i]);
+        for (int k = 0; k < 4; ++k)
+        {
+            from[first + i][k] += part * (rows[i][k] - from[first + i][k]);
+        }
+        for (int k = 0; k < 8 && end.gradients != NULL; ++k)
+        {
+            out->gradients[first + i][k] += part * (gradients[i][k] - out->gradients[first + i][k]);
+        }
     }
-    for (int i = 0; i < 8 * count && out->gradients != NULL; ++i)
-    {
-        out->gradients[0][i] += part * (gradients[i] - out->gradients[0][i]);
-    }
-}
-
-// Field 0 is displacement with gradients, 1 velocity, 2 acceleration.
-static swEvaluation chooseField(const swEvaluation* out, int field, int first)
-{
-    return (swEvaluation){
-        .displacement = field == 0 && out->displacement != NULL ? out->displacement + first : NULL,
-        .gradients = field == 0 && out->gradients != NULL ? out->gradients + first : NULL,
-        .velocity = field == 1 && out->velocity != NULL ? out->velocity + first : NULL,
-        .acceleration = field == 2 && out->acceleration != NULL ? out->acceleration + first : NULL,
-        .shortest = out->shortest,
-        .longest = out->longest,
-    };
 }
 
 // Texels of both frames; waves that are summed are of the query's own time on both sides, so that only their amplitudes
@@ -300,15 +288,12 @@ static void evaluateBetween(const swQuery* query, int count, const swPosXZ* rest
     at.isNow = true;
     evaluateFrame(&at, count, rest, out);
     useFrame(&at, query->after);
+    const bool isAsked[3] = {out->displacement != NULL, out->velocity != NULL, out->acceleration != NULL};
     for (int field = 0; field < 3; ++field)
     {
-        for (int i = 0; i < count; i += BETWEEN_BLOCK)
+        for (int i = 0; i < count && isAsked[field]; i += BETWEEN_BLOCK)
         {
-            const swEvaluation some = chooseField(out, field, i);
-            if (some.displacement != NULL || some.velocity != NULL || some.acceleration != NULL)
-            {
-                blendPart(&at, part, count - i < BETWEEN_BLOCK ? count - i : BETWEEN_BLOCK, rest + i, &some);
-            }
+            blendField(&at, part, field, count - i < BETWEEN_BLOCK ? count - i : BETWEEN_BLOCK, rest, i, out);
         }
     }
 }

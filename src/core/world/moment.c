@@ -16,6 +16,11 @@
 #define MOMENT_VERSION 1u
 #define ALIGNMENT 64
 
+// Of any legal tile, m.
+#define LEAST_SIDE 0.01
+#define LARGEST_SIDE 1e7
+#define HIGHEST_SEA 1e6
+
 typedef struct Head
 {
     uint64_t mark;
@@ -200,6 +205,20 @@ static uint64_t hashHead(const char* block, const Head* head)
     return swEndHash(&hash);
 }
 
+static bool areCountsGood(const Head* head)
+{
+    return head->tileCount >= 0 && head->tileCount <= SW_MAX_TILES && head->waveCount >= 0 &&
+           head->waveCount <= SW_MAX_FREE_WAVES;
+}
+
+void swSignMoment(void* block)
+{
+    Head head;
+    memcpy(&head, block, sizeof head);
+    head.hash = areCountsGood(&head) ? hashHead(block, &head) : 0;
+    memcpy(block, &head, sizeof head);
+}
+
 // The head, last: what stands behind it is there.
 static void writeHead(swOwnMoment* moment)
 {
@@ -241,8 +260,7 @@ static void writeHead(swOwnMoment* moment)
         stored->tile.response = stored->tile.texels = stored->tile.velocity = stored->tile.acceleration = NULL;
     }
     memcpy(block + head.waves, list->waves, (size_t)list->waveCount * sizeof(swFreeWave));
-    head.hash = hashHead(block, &head);
-    memcpy(block, &head, sizeof head);
+    swSignMoment(block);
 }
 
 static swResult reserve(swOwnMoment* moment, const swWaves* waves, size_t needed)
@@ -403,9 +421,7 @@ static swResult readHead(const swHost* host, const char* block, size_t size, Hea
     {
         return refuse(host, "was made by another build of this library");
     }
-    bool isCount = head->tileCount >= 0 && head->tileCount <= SW_MAX_TILES && head->waveCount >= 0 &&
-                   head->waveCount <= SW_MAX_FREE_WAVES;
-    if (!isCount || head->size > size || head->size < getHeadSize(head->tileCount, head->waveCount) ||
+    if (!areCountsGood(head) || head->size > size || head->size < getHeadSize(head->tileCount, head->waveCount) ||
         head->hash != hashHead(block, head))
     {
         return refuse(host, "is damaged, or not all there");
@@ -450,8 +466,8 @@ static bool mapTile(const swOwnMoment* moment, const StoredTile* stored, swTile*
     *tile = stored->tile;
     int n = tile->resolution;
     bool isFine = n >= 16 && n <= SW_LIMIT_RESOLUTION && (n & (n - 1)) == 0 && tile->maxBin >= 0 &&
-                  tile->maxBin <= n / 4 && tile->side > 0.0 && tile->modeCount > 0 && tile->modeCount <= n * n &&
-                  (unsigned)tile->band < SW_MAX_BANDS;
+                  tile->maxBin <= n / 4 && tile->side >= LEAST_SIDE && tile->side <= LARGEST_SIDE &&
+                  tile->modeCount > 0 && tile->modeCount <= n * n && (unsigned)tile->band < SW_MAX_BANDS;
     if (!isFine)
     {
         return false;

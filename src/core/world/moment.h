@@ -7,6 +7,9 @@
 #include "core/waves/waves.h"
 #include "seaway/moment.h"
 
+// Farthest that the host's origin may be from the sea's, m.
+#define SW_FARTHEST_ORIGIN 1e9
+
 // All that queries look at.
 struct swMoment
 {
@@ -53,3 +56,5 @@ swResult swMakeMoment(const swMomentSource* source, const swMomentDef* def, swOw
 swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double time);
 swResult swMapMomentBlock(const swHost* host, const void* memory, size_t size, swOwnMoment** moment);
 void swFreeMoment(swOwnMoment* moment);
+// Bring the hash of a block's head up to date.
+void swSignMoment(void* block);

@@ -13,9 +13,8 @@
 #include "core/waves/waves.h"
 #include "core/world/moment.h"
 
-// Farthest that a viewpoint may be from the host's origin, and the host's origin from the sea's, m.
+// Farthest that a viewpoint may be from the host's origin, m.
 #define SW_FARTHEST_VIEWPOINT 1e12
-#define SW_FARTHEST_ORIGIN 1e9
 
 struct swView
 {

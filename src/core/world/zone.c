@@ -6,20 +6,31 @@
 
 #include "core/base/host.h"
 
+#define SW_DEF swZoneDef
+static const swField zoneFields[] = {
+    SW_NUMBER(levelCount, "", SW_WITHIN(1.0, SW_MAX_SLICES), 4.0, .key = "level_count", .label = "levels",
+              SW_KNOB(1.0, SW_MAX_SLICES)),
+    SW_NUMBER(resolution, "", SW_WITHIN(16.0, 1024.0), 256.0, .key = "resolution", .label = "resolution",
+              .tip = "Texels along a level's side, a multiple of 16", SW_KNOB(16.0, 1024.0)),
+    SW_NUMBER(finestTexel, "m", SW_WITHIN(0.015625, 16.0), 0.25, .key = "finest_texel_m", .label = "finest texel",
+              .tip = "Of the finest level, a power of two", SW_LOG_KNOB(0.015625, 16.0)),
+};
+#undef SW_DEF
+
+const swFields swZoneFields = SW_PART_FIELDS(swZoneDef, "zone", "zone", zoneFields);
+
 swResult swCheckZoneDef(const swHost* host, const swZoneDef* def)
 {
     int exponent;
-    bool isTexel =
-        def->finestTexel >= 1.0f / 64.0f && def->finestTexel <= 16.0f && frexpf(def->finestTexel, &exponent) == 0.5f;
-    bool isSide = def->resolution >= 16 && def->resolution <= 1024 && def->resolution % 16 == 0;
-    if (!isTexel || !isSide || def->levelCount < 1 || def->levelCount > SW_MAX_SLICES)
+    swResult result = swCheckDef(host, &swZoneFields, def);
+    if (result == SW_SUCCESS && (def->resolution % 16 != 0 || frexpf(def->finestTexel, &exponent) != 0.5f))
     {
-        return swFail(host, SW_ERROR_INVALID,
-                      "a zone has %d levels of %d texels, the finest %g m wide; it needs 1 to %d levels, a multiple of "
-                      "16 in [16, 1024], and a power of two in [1/64, 16]",
-                      def->levelCount, def->resolution, (double)def->finestTexel, SW_MAX_SLICES);
+        return swFail(
+            host, SW_ERROR_INVALID,
+            "swZoneDef::resolution is %d and finestTexel %g m; they must be a multiple of 16 and a power of two.",
+            def->resolution, (double)def->finestTexel);
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 static swLayerStack describeLayers(const swZoneDef* def)
@@ -147,8 +158,7 @@ void swHashZones(swHash* hash, const swWorld* world)
     for (int i = 0; i < world->zoneCount; ++i)
     {
         const swZone* zone = world->zones[i];
-        swAddHash(hash, (uint64_t)zone->def.levelCount | (uint64_t)zone->def.resolution << 32);
-        swAddHashDouble(hash, (double)zone->def.finestTexel);
+        swHashDef(hash, &swZoneFields, &zone->def);
         swAddHashDouble(hash, zone->centre.x);
         swAddHashDouble(hash, zone->centre.z);
         swHashLayers(hash, &zone->layers);

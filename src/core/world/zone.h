@@ -5,15 +5,16 @@
 // point. Simulated fields live in zones: their texels decide what the sea does, so they are saved, digested and rolled
 // back with the world. Levels are snapped to texels and scroll with the zone, see core/lod/layer_stack.h.
 
-#include "core/base/hash.h"
+#include "core/base/field.h"
 #include "core/world/world.h"
 
 typedef struct swZoneDef
 {
-    int levelCount;    // 1 .. SW_MAX_SLICES
-    int resolution;    // texels along a level's side: a multiple of 16 in [16, 1024]
-    float finestTexel; // m, a power of two in [1/64, 16]
+    int levelCount;
+    int resolution;    // texels along a level's side
+    float finestTexel; // m
 } swZoneDef;
+extern const swFields swZoneFields;
 
 struct swZone
 {

@@ -23,9 +23,7 @@ static void streamPlace(swStream* stream, swPosXZ* place)
 
 static void streamState(swStream* stream, ZoneState* state)
 {
-    swStreamI32(stream, &state->def.levelCount);
-    swStreamI32(stream, &state->def.resolution);
-    swStreamF32(stream, &state->def.finestTexel);
+    swStreamDef(stream, &swZoneFields, &state->def);
     streamPlace(stream, &state->centre);
     streamPlace(stream, &state->last);
     swStreamBool(stream, &state->isPlaced);
@@ -95,11 +93,6 @@ swResult swStreamZones(swWorld* world, swStream* stream)
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
 
-static bool isSameDef(const swZoneDef* a, const swZoneDef* b)
-{
-    return a->levelCount == b->levelCount && a->resolution == b->resolution && a->finestTexel == b->finestTexel;
-}
-
 swResult swCheckZones(const swWorld* world, swStream* stream)
 {
     int count = 0;
@@ -115,7 +108,7 @@ swResult swCheckZones(const swWorld* world, swStream* stream)
     {
         ZoneState state;
         streamState(stream, &state);
-        if (!stream->isBroken && !isSameDef(&state.def, &world->zones[i]->def))
+        if (!stream->isBroken && !swIsSameDef(&swZoneFields, &state.def, &world->zones[i]->def))
         {
             return SW_ERROR_UNSUPPORTED;
         }
