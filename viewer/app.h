@@ -41,6 +41,7 @@ typedef struct App
     int64_t sceneStamp; // when the scene file was last written
     double nextStampCheck;
     bool wantsReload;    // with the next frame
+    bool wantsSave;      // likewise
     bool hasSceneFailed; // the last reload; the sea before it is still shown
     int messagesBefore;  // how many there were when it began
     Asked question;      // that stands
@@ -87,6 +88,9 @@ void UpdateTitle(App* app);
 
 // Draw the question that stands, if one does, and do what is answered. Inside the panel's frame.
 void AskQuestion(App* app);
+
+// Write what was changed into the scene file, or, where there is none, into a new one. Between two frames.
+void SaveScene(App* app);
 
 // Read the scene again, or quit; what would drop changes is asked first.
 void WishReload(App* app);

@@ -9,6 +9,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app.h"
+#include "save.h"
 #include "text.h"
 #include "tuning.h"
 
@@ -125,6 +126,33 @@ static void ReloadSea(App* app)
     app->sea = fresh;
     app->jumpExposure = true;
     ShowNote(app, "scene read");
+}
+
+// The file is read again at once: then it is the file's values that stand.
+void SaveScene(App* app)
+{
+    char made[64] = "";
+    const char* path = app->options.scenePath;
+    if (path == NULL && !NameScene(made, sizeof(made)))
+    {
+        ShowNote(app, "not saved: seaway_0001.yaml to seaway_9999.yaml are all there");
+        return;
+    }
+    app->messagesBefore = CountMessages(&app->messages);
+    if (SaveSea(&app->sea, path, path != NULL ? path : made) != SW_SUCCESS)
+    {
+        ShowNote(app, "not saved; see Messages");
+        return;
+    }
+    if (path != NULL)
+    {
+        app->question = ASKED_NOTHING;
+        ReloadSea(app);
+    }
+    if (!app->hasSceneFailed)
+    {
+        ShowNote(app, "saved to %s", path != NULL ? GetSceneName(app) : made);
+    }
 }
 
 // Changes that a user could lose; nobody is there to be asked where frames are counted.

@@ -57,8 +57,14 @@ static void ScaleUi(App* app, float factor)
     ShowNote(app, "panel x %.2f", (double)factor);
 }
 
-static void PressKey(App* app, int key, bool hasShift)
+static void PressKey(App* app, int key, int modifiers)
 {
+    bool hasShift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    if ((modifiers & GLFW_MOD_CONTROL) != 0)
+    {
+        app->wantsSave = app->wantsSave || key == GLFW_KEY_S;
+        return;
+    }
     switch (key)
     {
     case GLFW_KEY_ESCAPE:
@@ -205,7 +211,7 @@ void HandleInput(App* app)
         FeedUi(app->window, event);
         if (event->kind == INPUT_KEY && event->action == GLFW_PRESS && !hasKeyboard)
         {
-            PressKey(app, event->code, (event->modifiers & GLFW_MOD_SHIFT) != 0);
+            PressKey(app, event->code, event->modifiers);
         }
         if (event->kind == INPUT_WHEEL && !hasMouse)
         {
@@ -240,7 +246,9 @@ CameraInput ReadCameraInput(App* app)
     CameraInput input = {.wheel = app->wheel};
     app->wheel = 0.0f;
     UpdateLooking(app);
-    if (!HasUiKeyboard())
+    bool isCommand = glfwGetKey(window, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
+                     glfwGetKey(window, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS; // Ctrl+S does not fly backwards
+    if (!HasUiKeyboard() && !isCommand)
     {
         input.right = GetAxis(window, GLFW_KEY_D, GLFW_KEY_A);
         input.up = GetAxis(window, GLFW_KEY_E, GLFW_KEY_Q);

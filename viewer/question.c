@@ -18,13 +18,13 @@ void WriteQuestion(Asked question, int changeCount, const char* fileName, char* 
     switch (question)
     {
     case ASKED_QUIT:
-        snprintf(text, size, "%s. The viewer cannot save yet: quitting loses what you changed.", values);
+        snprintf(text, size, "%s. Quitting loses what you changed; Ctrl+S saves it.", values);
         break;
     case ASKED_FOLLOW_FILE:
         snprintf(text, size, "The file has changed on disk. %s, and reading it loses what you changed.", values);
         break;
     default:
-        snprintf(text, size, "%s. Reading the file again loses what you changed.", values);
+        snprintf(text, size, "%s. Reading the file again loses what you changed; Ctrl+S saves it.", values);
         break;
     }
 }

@@ -2,89 +2,46 @@
 #include "tuning.h"
 
 #include <math.h>
-#include <stddef.h>
 #include <string.h>
 
-typedef struct Field
-{
-    size_t offset, size;
-} Field;
+static int CountDifferentParts(const swField* field, const char* value, const char* filed);
 
-#define FIELD(type, member)                                                                                            \
-    {                                                                                                                  \
-        offsetof(type, member), sizeof(((type*)0)->member)                                                             \
-    }
-#define COUNT(list) ((int)(sizeof(list) / sizeof((list)[0])))
-
-#define SYSTEM(member) FIELD(swWaveSystemDef, member)
-static const Field systemFields[] = {
-    SYSTEM(spectrum.kind),
-    SYSTEM(spectrum.windSpeed),
-    SYSTEM(spectrum.fetch),
-    SYSTEM(spectrum.gamma),
-    SYSTEM(spectrum.growth),
-    SYSTEM(spectrum.significantHeight),
-    SYSTEM(spectrum.peakPeriod),
-    SYSTEM(spectrum.direction),
-    SYSTEM(spectrum.spreading),
-    SYSTEM(spectrum.spreadExponent),
-    SYSTEM(spectrum.turbulence),
-    SYSTEM(spectrum.swell),
-    SYSTEM(spectrum.depth),
-    SYSTEM(spectrum.extendTail),
-    SYSTEM(spectrum.octaves.multiplier),
-    SYSTEM(spectrum.octaves.chop),
-    SYSTEM(spectrum.octaves.gravityScale),
-    SYSTEM(spectrum.octaves.limitByWind),
-    SYSTEM(method),
-    SYSTEM(componentsPerOctave),
-    SYSTEM(reverseWeight),
-    SYSTEM(leastJacobian),
-    SYSTEM(directionVariance),
-    SYSTEM(chop),
-    SYSTEM(weight),
-    SYSTEM(seed),
-};
-
-#define OCTAVE(member) FIELD(swOctave, member)
-static const Field octaveFields[] = {OCTAVE(power), OCTAVE(isEnabled), OCTAVE(chop), OCTAVE(gravityScale)};
-
-#define ROW(member) FIELD(swWaveComponent, member)
-static const Field rowFields[] = {ROW(wavelength), ROW(direction), ROW(amplitude), ROW(phase)};
-
-#define REPLAY(member) FIELD(swSeaReplayDef, member)
-static const Field replayFields[] = {REPLAY(location), REPLAY(startTime), REPLAY(startSeconds), REPLAY(speed)};
-
-#define LOOK(member) FIELD(SeaLook, member)
-static const Field lookFields[] = {
-    LOOK(sky.sunAzimuth),     LOOK(sky.sunElevation),   LOOK(sky.haze),           LOOK(sky.clouds),
-    LOOK(exposureEv),         LOOK(water.absorption.x), LOOK(water.absorption.y), LOOK(water.absorption.z),
-    LOOK(water.scattering.x), LOOK(water.scattering.y), LOOK(water.scattering.z), LOOK(water.refractiveIndex),
-    LOOK(water.foamAlbedo),   LOOK(water.windSpeed),    LOOK(foam.fadeRate),      LOOK(foam.threshold),
-    LOOK(foam.coverage),      LOOK(foam.windSpeed),     LOOK(foam.minWavelength),
-};
-
-static int CountDifferent(const void* value, const void* filed, const Field* fields, int count)
-{
-    int different = 0;
-    for (int i = 0; i < count; i++)
-    {
-        const char* a = (const char*)value + fields[i].offset;
-        different += memcmp(a, (const char*)filed + fields[i].offset, fields[i].size) != 0;
-    }
-    return different;
-}
-
-static int CountOctaveChanges(const swSpectrumDef* spectrum, const swSpectrumDef* filed)
+// Numbers that differ, one by one. Lists and what is given are counted elsewhere.
+static int CountDifferent(const swFields* fields, const void* value, const void* filed)
 {
     int count = 0;
-    // Octaves that neither spectrum uses, as where the kind went from one formula to another, are nobody's values.
-    for (int i = 0; i < SW_OCTAVE_COUNT && spectrum->kind == filed->kind; i++)
+    for (int i = 0; i < fields->count; i++)
     {
-        count += CountDifferent(&spectrum->octaves.octaves[i], &filed->octaves.octaves[i], octaveFields,
-                                COUNT(octaveFields));
+        const swField* field = &fields->fields[i];
+        count += CountDifferentParts(field, (const char*)value + field->offset, (const char*)filed + field->offset);
     }
     return count;
+}
+
+static int CountDifferentParts(const swField* field, const char* value, const char* filed)
+{
+    if (field->type > SW_FIELD_DEFS || field->type == SW_FIELD_TEXT)
+    {
+        return 0;
+    }
+    size_t size = field->size / (size_t)field->count;
+    int count = 0;
+    for (int i = 0; i < field->count; i++, value += size, filed += size)
+    {
+        count += field->fields != NULL ? CountDifferent(field->fields, value, filed) : memcmp(value, filed, size) != 0;
+    }
+    return count;
+}
+
+// Octaves that neither spectrum uses, as where the kind went from one formula to another, are nobody's values.
+static int CountSystemChanges(const swWaveSystemDef* def, const swWaveSystemDef* filed)
+{
+    swWaveSystemDef other = *filed;
+    if (def->spectrum.kind != filed->spectrum.kind)
+    {
+        memcpy(other.spectrum.octaves.octaves, def->spectrum.octaves.octaves, sizeof(other.spectrum.octaves.octaves));
+    }
+    return CountDifferent(swGetWaveSystemFields(), def, &other);
 }
 
 int CountMissingRows(const SeaWaves* waves)
@@ -104,14 +61,16 @@ static int CountRowChanges(const SeaWaves* waves)
     for (int i = 0; hand != NULL && i < waves->def.componentCount; i++)
     {
         int row = hand->filedRows[i];
-        count += row < 0 ? 1 : CountDifferent(&hand->waves[i], &hand->filed[row], rowFields, COUNT(rowFields));
+        count += row < 0 ? 1 : CountDifferent(swGetWaveComponentFields(), &hand->waves[i], &hand->filed[row]);
     }
     return count;
 }
 
 bool HasReplayChanged(const SeaWaves* waves)
 {
-    return CountDifferent(&waves->replayDef, &waves->filedReplay, replayFields, COUNT(replayFields)) > 0;
+    const swSeaReplayDef *replay = &waves->replayDef, *filed = &waves->filedReplay;
+    return replay->location != filed->location || replay->startTime != filed->startTime ||
+           memcmp(&replay->startSeconds, &filed->startSeconds, sizeof(double)) != 0 || replay->speed != filed->speed;
 }
 
 int CountWavesChanges(const SeaWaves* waves)
@@ -120,14 +79,16 @@ int CountWavesChanges(const SeaWaves* waves)
     {
         return 1;
     }
-    return CountDifferent(&waves->def, &waves->filedDef, systemFields, COUNT(systemFields)) +
-           CountOctaveChanges(&waves->def.spectrum, &waves->filedDef.spectrum) + CountRowChanges(waves) +
+    return CountSystemChanges(&waves->def, &waves->filedDef) + CountRowChanges(waves) +
            (waves->record != waves->filedRecord) + HasReplayChanged(waves);
 }
 
 int CountChanges(const Sea* sea)
 {
-    int count = CountDifferent(&sea->look, &sea->filedLook, lookFields, COUNT(lookFields));
+    const SeaLook *look = &sea->look, *filed = &sea->filedLook;
+    int count = CountDifferent(swGetSkyFields(), &look->sky, &filed->sky) +
+                CountDifferent(swGetWaterFields(), &look->water, &filed->water) +
+                CountDifferent(swGetFoamFields(), &look->foam, &filed->foam) + (look->exposureEv != filed->exposureEv);
     for (int i = 0; i < sea->wavesCount; i++)
     {
         count += CountWavesChanges(&sea->waves[i]);

@@ -313,6 +313,11 @@ static bool RunFrames(App* app)
     {
         glfwPollEvents();
         FollowSceneFile(app);
+        if (app->wantsSave)
+        {
+            app->wantsSave = false;
+            SaveScene(app);
+        }
         if (app->wantsReload)
         {
             app->wantsReload = false;

@@ -57,7 +57,12 @@ static void RunOperations(const float* pa, const float* pb, const uint32_t* pm, 
     float texels[16];
     swStoreR(texels, row);
     memcpy(out + PROBE_LANES * 22, texels, sizeof texels);
-    swStoreQ(out + PROBE_LANES * 24, swFoldR(row, pb + 2));
+    swFours fours;
+    for (int i = 0; i < 16; i += SW_WIDTH)
+    {
+        swStoreFours(&fours, i, swLoadW(pa + i % 8), swLoadW(pb + i % 8), swLoadW(pb + i % 8), swLoadW(pa + i % 8));
+    }
+    swStoreQ(out + PROBE_LANES * 24, swMulQ(swFoldR(row, &fours, 5), swSplatQ(swGetOfFour(&fours, 3, 1), pb[3])));
     swStorePairsQ(out + PROBE_LANES * 25, left, right);
 }
 

@@ -68,10 +68,10 @@ static void EveryValueOfTheLookCounts(void** state)
 {
     (void)state;
     Sea* sea = MakeSea();
-    const Part left[] = {PART(SeaLook, sky.sunIlluminance), PART(SeaLook, sky.internalValue),
-                         PART(SeaLook, water.internalValue), PART(SeaLook, foam.internalValue)};
+    const Part left[] = {PART(SeaLook, sky.internalValue), PART(SeaLook, water.internalValue),
+                         PART(SeaLook, foam.internalValue)};
     assert_int_equal(CountChanges(sea), 0);
-    CheckWords(sea, &sea->look, sizeof(SeaLook), left, 4);
+    CheckWords(sea, &sea->look, sizeof(SeaLook), left, 3);
     free(sea);
 }
 
@@ -83,11 +83,6 @@ static void EveryValueOfASystemCounts(void** state)
     const Part left[] = {
         {table, sizeof(void*)},
         PART(swWaveSystemDef, spectrum.internalValue),
-        PART(swWaveSystemDef, resolution),
-        PART(swWaveSystemDef, tileWaves),
-        PART(swWaveSystemDef, minWavelength),
-        PART(swWaveSystemDef, maxWavelength),
-        PART(swWaveSystemDef, loopPeriod),
         PART(swWaveSystemDef, internalValue),
         {offsetof(swWaveSystemDef, components), sizeof(void*)},
         PART(swWaveSystemDef, componentCount),
@@ -106,13 +101,13 @@ static void EveryValueOfASystemCounts(void** state)
         // Another kind of spectrum has other octaves, which then do not count one by one.
         assert_true(count <= 1);
         counted += count;
-        if (count == 1 && IsInParts(4 * i, left, 10))
+        if (count == 1 && IsInParts(4 * i, left, 5))
         {
             fail_msg("the word at %zu should not count", 4 * i);
         }
     }
     size_t uncounted = 0;
-    for (int i = 0; i < 10; i++)
+    for (int i = 0; i < 5; i++)
     {
         uncounted += left[i].size / 4;
     }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "picture.h"
+#include "save.h"
 #include "tuning.h"
 
 static swGpu* s_gpu;
@@ -377,6 +378,134 @@ static void AReplayGoesBackToTheFile(void** state)
     CloseSea(&sea);
 }
 
+#define TWO_SEAS                                                                                                       \
+    "# kept\nname: two seas # kept\nview: {slice_count: 2, resolution: 64}\nwaves:\n"                                  \
+    "  - spectrum: 'jonswap' # kept\n    wind_speed_mps: 8\n    resolution: 64\n    tile_waves: 16\n"                  \
+    "  - method: gerstner\n    components: # kept\n      - {wavelength_m: 30, amplitude_m: 0.5, direction_from_deg: "  \
+    "90, phase_deg: 0}\n      - {wavelength_m: 20, amplitude_m: 0.25, direction_from_deg: 80, phase_deg: 10}\n"
+
+// Every number that counts to another one in its range.
+static void TurnAll(const swFields* fields, void* def)
+{
+    for (int i = 0; i < fields->count; i++)
+    {
+        const swField* field = &fields->fields[i];
+        bool isNumber = field->type == SW_FIELD_FLOAT || field->type == SW_FIELD_FLOATS || field->type == SW_FIELD_BOOL;
+        for (int k = 0; isNumber && k < field->count && swFields_Counts(fields, field, def); k++)
+        {
+            double part = 0.3 + 0.1 * k, span = field->knobHigh - field->knobLow;
+            swField_SetNumber(field, def, k,
+                              field->type == SW_FIELD_BOOL ? 1.0 - swField_GetNumber(field, def, k)
+                                                           : swField_Read(field, field->knobLow + part * span));
+        }
+    }
+}
+
+static void WhatIsSavedReadsBackAsThePanelHadIt(void** state)
+{
+    (void)state;
+    char path[] = "/tmp/seaway_save_XXXXXX";
+    int file = mkstemp(path);
+    assert_int_equal(write(file, TWO_SEAS, strlen(TWO_SEAS)), (ssize_t)strlen(TWO_SEAS));
+    close(file);
+    Sea sea;
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, path));
+    TurnAll(swGetSkyFields(), &sea.look.sky);
+    TurnAll(swGetWaterFields(), &sea.look.water);
+    TurnAll(swGetFoamFields(), &sea.look.foam);
+    sea.look.exposureEv = 1.5f;
+    TurnAll(swGetSpectrumFields(), &sea.waves[0].def.spectrum);
+    sea.waves[0].def.spectrum.peakPeriod = 9.0f;
+    sea.waves[0].def.chop = 0.75f;
+    sea.waves[0].def.seed = 12;
+    assert_true(AddRow(&sea, 1, 0));
+    sea.waves[1].hand->waves[1].wavelength = 25.0f;
+    assert_true(AddWaves(&sea, NEW_SWELL));
+    if (SaveSea(&sea, path, path) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_message);
+    }
+    swScene* scene = NULL;
+    assert_int_equal(swReadScene(&s_host, path, &scene), SW_SUCCESS);
+    assert_true(swFields_AreEqual(swGetSkyFields(), &scene->sky, &sea.look.sky));
+    assert_true(swFields_AreEqual(swGetWaterFields(), &scene->water, &sea.look.water));
+    assert_true(swFields_AreEqual(swGetFoamFields(), &scene->world.foam, &sea.look.foam));
+    assert_true(scene->exposureEv == 1.5f);
+    assert_int_equal(scene->wavesCount, 3);
+    for (int i = 0; i < 3; i++)
+    {
+        swWaveSystemDef other = sea.waves[i].def;
+        other.spectrum.table = scene->waves[i].def.spectrum.table;
+        assert_true(swFields_AreEqual(swGetWaveSystemFields(), &scene->waves[i].def, &other));
+    }
+    assert_int_equal(scene->waves[1].componentCount, 3);
+    assert_true(scene->waves[1].components[1].wavelength == 25.0f);
+    swDestroyScene(scene);
+    CloseSea(&sea);
+    // Comments and quotes of what was not changed are where they were.
+    char text[4096] = "";
+    FILE* read = fopen(path, "rb");
+    assert_non_null(read);
+    assert_true(fread(text, 1, sizeof(text) - 1, read) > 0);
+    fclose(read);
+    int kept = 0;
+    for (const char* at = text; (at = strstr(at, "# kept")) != NULL; at++)
+    {
+        kept++;
+    }
+    assert_int_equal(kept, 4);
+    assert_non_null(strstr(text, "spectrum: 'jonswap' # kept"));
+    remove(path);
+}
+
+static void RemovedSystemsLeaveTheFile(void** state)
+{
+    (void)state;
+    char path[] = "/tmp/seaway_save_XXXXXX";
+    int file = mkstemp(path);
+    assert_int_equal(write(file, TWO_SEAS, strlen(TWO_SEAS)), (ssize_t)strlen(TWO_SEAS));
+    close(file);
+    Sea sea;
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, path));
+    RemoveWaves(&sea, 0);
+    assert_int_equal(SaveSea(&sea, path, path), SW_SUCCESS);
+    swScene* scene = NULL;
+    assert_int_equal(swReadScene(&s_host, path, &scene), SW_SUCCESS);
+    assert_int_equal(scene->wavesCount, 1);
+    assert_int_equal(scene->waves[0].componentCount, 2);
+    swDestroyScene(scene);
+    CloseSea(&sea);
+    remove(path);
+}
+
+static void AnOpenSeaWithoutAFileIsSavedAsANewScene(void** state)
+{
+    (void)state;
+    char path[] = "/tmp/seaway_save_XXXXXX";
+    close(mkstemp(path));
+    Sea sea;
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, NULL));
+    sea.waves[0].def.spectrum.windSpeed = 17.0f;
+    assert_int_equal(SaveSea(&sea, NULL, path), SW_SUCCESS);
+    swScene* scene = NULL;
+    assert_int_equal(swReadScene(&s_host, path, &scene), SW_SUCCESS);
+    assert_int_equal(scene->wavesCount, 1);
+    assert_true(scene->waves[0].def.spectrum.windSpeed == 17.0f);
+    swDestroyScene(scene);
+    CloseSea(&sea);
+    remove(path);
+}
+
+static void WhatCannotBeSavedLeavesTheFile(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(BREEZE);
+    s_message[0] = '\0';
+    assert_int_not_equal(SaveSea(&sea, NULL, "/nowhere/at/all.yaml"), SW_SUCCESS);
+    assert_non_null(strstr(s_message, "/nowhere/at/all.yaml"));
+    CloseSea(&sea);
+}
+
 int main(void)
 {
     s_host = swDefaultHost();
@@ -389,6 +518,10 @@ int main(void)
         return 77;
     }
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(WhatIsSavedReadsBackAsThePanelHadIt),
+        cmocka_unit_test(RemovedSystemsLeaveTheFile),
+        cmocka_unit_test(AnOpenSeaWithoutAFileIsSavedAsANewScene),
+        cmocka_unit_test(WhatCannotBeSavedLeavesTheFile),
         cmocka_unit_test(ASoftwareDeviceDrawsFewerPixelsThanTheWindowHas),
         cmocka_unit_test(ChangesRunOverTheTransition),
         cmocka_unit_test(ABrokenSceneLeavesTheSeaBeforeIt),

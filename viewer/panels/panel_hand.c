@@ -15,37 +15,17 @@ static void NextCell(const swWaveComponent* filed, bool isFirst)
 
 static bool DrawHandWave(swWaveComponent* wave, const swWaveComponent* filed)
 {
-    NextCell(filed, true);
-    bool hasChanged = TurnKnob(&(Knob){.label = "##length",
-                                       .low = 0.0625f,
-                                       .high = 4096.0f,
-                                       .format = "%.3g",
-                                       .isLogarithmic = true,
-                                       .tip = "wavelength, m"},
-                               &wave->wavelength, filed != NULL ? &filed->wavelength : NULL);
-    NextCell(filed, false);
-    hasChanged |= TurnKnob(&(Knob){.label = "##height",
-                                   .low = 1e-3f,
-                                   .high = 40.0f,
-                                   .format = "%.3g",
-                                   .isLogarithmic = true,
-                                   .tip = "amplitude, half the height, m"},
-                           &wave->amplitude, filed != NULL ? &filed->amplitude : NULL);
-    NextCell(filed, false);
-    hasChanged |= TurnKnob(&(Knob){.label = "##from",
-                                   .high = 360.0f,
-                                   .format = "%.0f",
-                                   .isBearing = true,
-                                   .tip = "where it comes from, degrees clockwise from north"},
-                           &wave->direction, filed != NULL ? &filed->direction : NULL);
-    NextCell(filed, false);
-    hasChanged |= TurnKnob(&(Knob){.label = "##phase",
-                                   .low = -360.0f,
-                                   .high = 360.0f,
-                                   .format = "%.0f",
-                                   .unit = DEGREE,
-                                   .tip = "phase at the origin at time 0, degrees"},
-                           &wave->phase, filed != NULL ? &filed->phase : NULL);
+    static const char* const members[4] = {"wavelength", "amplitude", "direction", "phase"};
+    static const char* const labels[4] = {"##length", "##height", "##from", "##phase"};
+    bool hasChanged = false;
+    for (int i = 0; i < 4; i++)
+    {
+        const swField* field = swFields_Find(swGetWaveComponentFields(), members[i]);
+        const char* other = (const char*)filed;
+        NextCell(filed, i == 0);
+        hasChanged |=
+            TurnValue(field, labels[i], (char*)wave + field->offset, other != NULL ? other + field->offset : NULL);
+    }
     return hasChanged;
 }
 

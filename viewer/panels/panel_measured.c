@@ -173,7 +173,6 @@ bool DrawMeasured(Sea* sea, int index)
     hasChanged |=
         TurnKnob(&(Knob){.label = "turned by", .low = -180.0f, .high = 180.0f, .format = "%.0f deg", .unit = DEGREE},
                  &spectrum->direction, &filed->direction);
-    hasChanged |= TurnSwitch("add short waves", &spectrum->extendTail, &filed->extendTail);
-    UiTip("Continues the record with an f^-5 tail; a buoy does not feel short waves");
+    hasChanged |= TurnMember(swGetSpectrumFields(), "extendTail", spectrum, filed);
     return hasChanged;
 }

@@ -106,13 +106,8 @@ static bool DrawContents(App* app, int index)
     {
         hasChanged |= DrawMethod(def, filed);
     }
-    hasChanged |= TurnKnob(&(Knob){.label = "weight", .high = 2.0f, .format = "%.2f"}, &def->weight,
-                           filed != NULL ? &filed->weight : NULL);
-    hasChanged |= TurnKnob(&(Knob){.label = "chop",
-                                   .high = 2.0f,
-                                   .format = "%.2f",
-                                   .tip = "Horizontal motion; 1 is that of a trochoidal wave"},
-                           &def->chop, filed != NULL ? &filed->chop : NULL);
+    hasChanged |= TurnMember(swGetWaveSystemFields(), "weight", def, filed);
+    hasChanged |= TurnMember(swGetWaveSystemFields(), "chop", def, filed);
     return hasChanged;
 }
 

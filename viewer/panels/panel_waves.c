@@ -2,71 +2,19 @@
 // What a spectrum is, how waves are made of it, and the equaliser.
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "panels.h"
 
 const char* GetKindName(void* context, int index)
 {
     (void)context;
-    static const char* const names[] = {"JONSWAP", "Pierson-Moskowitz", "TMA", "Elfouhaily", "Phillips", "octaves"};
-    return names[index];
+    return swFields_Find(swGetSpectrumFields(), "kind")->names[index];
 }
 
 // The address of a member of the file's twin, if there is a file.
 #define FILED(member) (filed != NULL ? &filed->member : NULL)
-
-static const char* GetSpreadingName(void* context, int index)
-{
-    (void)context;
-    static const char* const names[] = {"cos^2s", "Mitsuyasu", "Hasselmann", "Donelan-Banner", "flat", "Elfouhaily"};
-    return names[index];
-}
-
-static const char* GetGrowthName(void* context, int index)
-{
-    (void)context;
-    static const char* const names[] = {"Hasselmann 1973", "cube root"};
-    return names[index];
-}
-
-static bool DrawGrowth(swSpectrumDef* spectrum, const swSpectrumDef* filed)
-{
-    int growth = (int)spectrum->growth, other = filed != NULL ? (int)filed->growth : 0;
-    bool hasChanged =
-        TurnChoice("growth law", &growth, filed != NULL ? &other : NULL, SW_GROWTH_LAW_COUNT, GetGrowthName, NULL);
-    UiTip(
-        "How the peak follows from wind and fetch: as printed in 1973, or by the rounded law that many programs take");
-    spectrum->growth = (swGrowthLaw)growth;
-    return hasChanged;
-}
-
-static bool DrawSpreading(swSpectrumDef* spectrum, const swSpectrumDef* filed)
-{
-    int spreading = (int)spectrum->spreading, other = filed != NULL ? (int)filed->spreading : 0;
-    bool hasChanged = TurnChoice("spreading", &spreading, filed != NULL ? &other : NULL, SW_SPREADING_KIND_COUNT,
-                                 GetSpreadingName, NULL);
-    spectrum->spreading = (swSpreadingKind)spreading;
-    if (spreading == SW_SPREADING_COSINE_2S)
-    {
-        hasChanged |=
-            TurnKnob(&(Knob){.label = "spreading s",
-                             .high = 75.0f,
-                             .format = "%.0f",
-                             .tip = "cos^2s of half the angle: 0 is from all sides, 8 a wind sea, 75 a swell"},
-                     &spectrum->spreadExponent, FILED(spreadExponent));
-    }
-    hasChanged |= TurnKnob(&(Knob){.label = "turbulence",
-                                   .high = 1.0f,
-                                   .format = "%.2f",
-                                   .tip = "Part of the energy that goes in all directions alike"},
-                           &spectrum->turbulence, FILED(turbulence));
-    hasChanged |= TurnKnob(&(Knob){.label = "swell",
-                                   .high = 1.0f,
-                                   .format = "%.2f",
-                                   .tip = "Draws the longest waves out into parallel crests"},
-                           &spectrum->swell, FILED(swell));
-    return hasChanged;
-}
 
 // One number that sets wind, height and period; it follows them where they are set by themselves.
 static bool DrawBeaufort(swSpectrumDef* spectrum)
@@ -95,39 +43,48 @@ static bool DrawKind(swSpectrumDef* spectrum, const swSpectrumDef* filed)
     return hasChanged;
 }
 
+static bool IsOneOf(const swField* field, const char* const* members)
+{
+    while (*members != NULL && strcmp(*members, field->member) != 0)
+    {
+        members++;
+    }
+    return *members != NULL;
+}
+
+// Whether a field has a widget here: the kind has its own, and some fields count only where others have a value.
+static bool IsTurned(const swField* field, const swSpectrumDef* spectrum)
+{
+    static const char* const others[] = {"kind", "octaves", "table", "hasWind", NULL};
+    bool isIdle = (strcmp(field->member, "growth") == 0 && spectrum->peakPeriod > 0.0f) ||
+                  (strcmp(field->member, "spreadExponent") == 0 && spectrum->spreading != SW_SPREADING_COSINE_2S);
+    return !isIdle && !IsOneOf(field, others) && swFields_Counts(swGetSpectrumFields(), field, spectrum);
+}
+
+static bool TurnSpectrum(swSpectrumDef* spectrum, const swSpectrumDef* filed, bool directions)
+{
+    static const char* const spreads[] = {"spreading", "spreadExponent", "turbulence", "swell", NULL};
+    const swFields* fields = swGetSpectrumFields();
+    bool hasChanged = false;
+    for (int i = 0; i < fields->count; i++)
+    {
+        const swField* field = &fields->fields[i];
+        if (IsOneOf(field, spreads) == directions && IsTurned(field, spectrum))
+        {
+            hasChanged |= TurnField(field, spectrum, filed);
+        }
+    }
+    return hasChanged;
+}
+
 bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 {
     bool hasChanged = DrawKind(spectrum, filed);
     hasChanged |= spectrum->kind != SW_SPECTRUM_OCTAVES && DrawBeaufort(spectrum);
-    hasChanged |= TurnKnob(&(Knob){.label = "wind", .low = 1.0f, .high = 40.0f, .format = "%.1f m/s"},
-                           &spectrum->windSpeed, FILED(windSpeed));
-    bool hasGamma = spectrum->kind == SW_SPECTRUM_JONSWAP || spectrum->kind == SW_SPECTRUM_TMA;
-    if (hasGamma || spectrum->kind == SW_SPECTRUM_ELFOUHAILY)
-    {
-        hasChanged |= TurnKnob(&(Knob){.label = "fetch",
-                                       .low = 1.0f,
-                                       .high = 2000.0f,
-                                       .format = "%.0f km",
-                                       .unit = 1e3f,
-                                       .isLogarithmic = true},
-                               &spectrum->fetch, FILED(fetch));
-    }
-    if (hasGamma)
-    {
-        hasChanged |= spectrum->peakPeriod <= 0.0f && DrawGrowth(spectrum, filed);
-        hasChanged |= TurnKnob(&(Knob){.label = "peak enhancement", .low = 1.0f, .high = 10.0f, .format = "%.2f"},
-                               &spectrum->gamma, FILED(gamma));
-    }
-    hasChanged |= TurnKnob(&(Knob){.label = "height Hs", .high = 20.0f, .format = "%.2f m", .zero = "from the wind"},
-                           &spectrum->significantHeight, FILED(significantHeight));
-    hasChanged |=
-        TurnKnob(&(Knob){.label = "peak period Tp", .high = 25.0f, .format = "%.1f s", .zero = "from the wind"},
-                 &spectrum->peakPeriod, FILED(peakPeriod));
-    hasChanged |= TurnKnob(&(Knob){.label = "comes from", .high = 360.0f, .format = "%.0f deg", .isBearing = true},
-                           &spectrum->direction, FILED(direction));
+    hasChanged |= TurnSpectrum(spectrum, filed, false);
     if (BeginUiGroup("Directions", false))
     {
-        hasChanged |= DrawSpreading(spectrum, filed);
+        hasChanged |= TurnSpectrum(spectrum, filed, true);
     }
     if (spectrum->kind == SW_SPECTRUM_OCTAVES && BeginUiGroup("Octaves", true))
     {
@@ -138,18 +95,18 @@ bool DrawFormula(swSpectrumDef* spectrum, const swSpectrumDef* filed)
 
 static bool DrawOctave(swOctave* octave, const swOctave* filed, int index)
 {
+    const swFields* fields = swGetOctaveFields();
     PushUiScope(index);
     UiLabelCell("%.4g", (double)ldexpf(1.0f, index - 4));
     UiNextCell();
-    bool hasChanged = TurnSwitch("##on", &octave->isEnabled, FILED(isEnabled));
+    bool hasChanged = TurnValue(swFields_Find(fields, "isEnabled"), "##on", &octave->isEnabled, FILED(isEnabled));
     UiNextCell();
-    hasChanged |= TurnKnob(&(Knob){.label = "##power", .low = -10.0f, .high = 5.0f, .format = "%.1f"}, &octave->power,
-                           FILED(power));
+    hasChanged |= TurnValue(swFields_Find(fields, "power"), "##power", &octave->power, FILED(power));
     UiNextCell();
-    hasChanged |= TurnKnob(&(Knob){.label = "##chop", .high = 4.0f, .format = "%.2f"}, &octave->chop, FILED(chop));
+    hasChanged |= TurnValue(swFields_Find(fields, "chop"), "##chop", &octave->chop, FILED(chop));
     UiNextCell();
-    hasChanged |= TurnKnob(&(Knob){.label = "##gravity", .high = 4.0f, .format = "%.2f"}, &octave->gravityScale,
-                           FILED(gravityScale));
+    hasChanged |=
+        TurnValue(swFields_Find(fields, "gravityScale"), "##gravity", &octave->gravityScale, FILED(gravityScale));
     PopUiScope();
     return hasChanged;
 }
@@ -168,52 +125,58 @@ bool DrawEqualiser(swSpectrumDef* spectrum, const swSpectrumDef* filed)
         }
         EndUiTable();
     }
-    hasChanged |= TurnKnob(&(Knob){.label = "all heights", .high = 10.0f, .format = "x %.2f"}, &octaves->multiplier,
-                           FILED(octaves.multiplier));
-    hasChanged |=
-        TurnKnob(&(Knob){.label = "all chops", .high = 4.0f, .format = "x %.2f"}, &octaves->chop, FILED(octaves.chop));
-    hasChanged |= TurnKnob(&(Knob){.label = "all gravities", .high = 25.0f, .format = "x %.2f"}, &octaves->gravityScale,
-                           FILED(octaves.gravityScale));
-    hasChanged |= TurnSwitch("limited by the wind", &octaves->limitByWind, FILED(octaves.limitByWind));
-    UiTip("Takes away waves that are too long for the wind");
-    return hasChanged;
+    return TurnFields(swGetOctavesFields(), octaves, FILED(octaves)) || hasChanged;
 }
 
-static const char* GetMethodName(void* context, int index)
+// A tile's samples along a side: a power of two.
+#define LEAST_RESOLUTION 16
+
+static const char* GetResolutionName(void* context, int index)
 {
+    static char text[16];
     (void)context;
-    static const char* const names[] = {"Fourier transforms", "few waves (Gerstner)"};
-    return names[index];
+    snprintf(text, sizeof(text), "%d", LEAST_RESOLUTION << index);
+    return text;
+}
+
+static int FindResolution(int resolution)
+{
+    int index = 0;
+    while (LEAST_RESOLUTION << index < resolution)
+    {
+        index++;
+    }
+    return index;
+}
+
+static bool DrawResolution(swWaveSystemDef* def, const swWaveSystemDef* filed)
+{
+    const swField* field = swFields_Find(swGetWaveSystemFields(), "resolution");
+    int index = FindResolution(def->resolution), other = filed != NULL ? FindResolution(filed->resolution) : 0;
+    bool hasChanged = TurnChoice(field->label, &index, filed != NULL ? &other : NULL,
+                                 FindResolution((int)field->high) + 1, GetResolutionName, NULL);
+    UiTip(field->tip);
+    def->resolution = LEAST_RESOLUTION << index;
+    return hasChanged;
 }
 
 bool DrawMethod(swWaveSystemDef* def, const swWaveSystemDef* filed)
 {
-    int method = (int)def->method, other = filed != NULL ? (int)filed->method : 0;
-    bool hasChanged =
-        TurnChoice("made by", &method, filed != NULL ? &other : NULL, SW_WAVE_METHOD_COUNT, GetMethodName, NULL);
-    def->method = (swWaveMethod)method;
-    if (def->method == SW_WAVES_GERSTNER)
+    // Weight and chop are drawn for every system, the components as rows.
+    static const char* const others[] = {"spectrum", "resolution", "components", "weight", "chop", NULL};
+    const swFields* fields = swGetWaveSystemFields();
+    bool hasChanged = false;
+    for (int i = 0; i < fields->count; i++)
     {
-        hasChanged |= TurnCount("waves an octave", &def->componentsPerOctave, FILED(componentsPerOctave), 1, 32, "%d");
-        hasChanged |=
-            TurnKnob(&(Knob){.label = "twins back",
-                             .high = 1.0f,
-                             .format = "%.2f",
-                             .tip = "Height of a twin of each wave that runs the other way: 1 makes standing waves"},
-                     &def->reverseWeight, FILED(reverseWeight));
-        hasChanged |= TurnKnob(&(Knob){.label = "directions within",
-                                       .high = 180.0f,
-                                       .format = "%.0f deg",
-                                       .unit = DEGREE,
-                                       .zero = "as it spreads"},
-                               &def->directionVariance, FILED(directionVariance));
-        hasChanged |=
-            TurnKnob(&(Knob){.label = "least Jacobian",
-                             .low = -1.0f,
-                             .high = 0.9f,
-                             .format = "%.2f",
-                             .tip = "Sideways motion is held back where water would fold more: 1 is flat, 0 a fold"},
-                     &def->leastJacobian, FILED(leastJacobian));
+        const swField* field = &fields->fields[i];
+        if (swFields_Counts(fields, field, def) && strcmp(field->member, "resolution") == 0)
+        {
+            hasChanged |= DrawResolution(def, filed);
+        }
+        else if (swFields_Counts(fields, field, def) && !IsOneOf(field, others))
+        {
+            hasChanged |= TurnField(field, def, filed);
+        }
     }
     return hasChanged;
 }

@@ -9,6 +9,9 @@ static void DrawChanges(App* app)
         UiFaint("As in %s", GetSceneName(app));
         return;
     }
+    app->wantsSave = UiSmallButton("save") || app->wantsSave;
+    UiTip("Write what was changed into the scene file (Ctrl+S); the rest of it stays as it is");
+    UiSameLine();
     if (UiSmallButton("reset") && !ResetChanges(&app->sea))
     {
         ShowNote(app, "not all came back; see Messages");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tuned.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -90,6 +91,142 @@ bool TurnColor(const char* label, swVec3* rgb, const swVec3* filed)
     Mark(rgb, filed, sizeof(*rgb), text);
     bool hasChanged = UiColor(label, rgb);
     return TakeBack(rgb, filed, sizeof(*rgb)) || hasChanged;
+}
+
+static void WriteFormat(const swField* field, char* format, size_t size)
+{
+    double span = field->knobHigh - field->knobLow;
+    const char* number = field->isLogarithmic ? (field->knobHigh > 1e4 ? "%.0f" : "%.3g")
+                         : span > 100.0       ? "%.0f"
+                         : span > 20.0        ? "%.1f"
+                                              : "%.2f";
+    snprintf(format, size, "%s%s%s", number, field->unit[0] != '\0' ? " " : "", field->unit);
+}
+
+static bool TurnNumber(const swField* field, const char* label, float* value, const float* filed)
+{
+    char format[48] = "infinite";
+    if (isfinite(*value))
+    {
+        WriteFormat(field, format, sizeof(format));
+    }
+    Knob knob = {.label = label,
+                 .low = (float)field->knobLow,
+                 .high = (float)field->knobHigh,
+                 .format = format,
+                 .unit = field->form == SW_FORM_DEGREES ? DEGREE : 0.0f,
+                 .isLogarithmic = field->isLogarithmic,
+                 .isBearing = field->form == SW_FORM_BEARING,
+                 .zero = field->zero,
+                 .tip = field->tip};
+    return TurnKnob(&knob, value, filed);
+}
+
+// Doubles, and whole numbers without a sign, by way of what the widgets have.
+static bool TurnDouble(const swField* field, const char* label, double* value, const double* filed)
+{
+    float single = (float)*value, other = filed != NULL ? (float)*filed : 0.0f;
+    bool hasChanged = TurnNumber(field, label, &single, filed != NULL ? &other : NULL);
+    *value = hasChanged ? (double)single : *value;
+    return hasChanged;
+}
+
+static bool TurnWhole(const swField* field, const char* label, int* value, const int* filed)
+{
+    bool hasChanged = TurnCount(label, value, filed, (int)field->knobLow, (int)field->knobHigh, "%d");
+    if (field->tip != NULL)
+    {
+        UiTip(field->tip);
+    }
+    return hasChanged;
+}
+
+static const char* GetFieldName(void* context, int index)
+{
+    const swField* const* field = context;
+    return (*field)->names[index];
+}
+
+static bool TurnFieldChoice(const swField* field, const char* label, int* value, const int* filed)
+{
+    bool hasChanged = TurnChoice(label, value, filed, (int)field->high + 1, GetFieldName, &field);
+    if (field->tip != NULL)
+    {
+        UiTip(field->tip);
+    }
+    return hasChanged;
+}
+
+// Three knobs for what has a unit, a colour for what has none.
+static bool TurnThree(const swField* field, const char* label, swVec3* value, const swVec3* filed)
+{
+    static const char* const parts[3] = {"red", "green", "blue"};
+    if (field->form == SW_FORM_COLOR && field->unit[0] == '\0')
+    {
+        return TurnColor(label, value, filed);
+    }
+    float* values[3] = {&value->x, &value->y, &value->z};
+    bool hasChanged = false;
+    for (int i = 0; i < 3; i++)
+    {
+        const float* others[3] = {&filed->x, &filed->y, &filed->z};
+        char text[64];
+        snprintf(text, sizeof(text), "%s %s", label, parts[i]);
+        hasChanged |= TurnNumber(field, text, values[i], filed != NULL ? others[i] : NULL);
+    }
+    return hasChanged;
+}
+
+bool TurnValue(const swField* field, const char* label, void* value, const void* filed)
+{
+    const char* text = label != NULL ? label : field->label;
+    switch (field->type)
+    {
+    case SW_FIELD_BOOL:
+    {
+        bool hasChanged = TurnSwitch(text, value, filed);
+        if (field->tip != NULL)
+        {
+            UiTip(field->tip);
+        }
+        return hasChanged;
+    }
+    case SW_FIELD_INT:
+    case SW_FIELD_UINT:
+        return TurnWhole(field, text, value, filed);
+    case SW_FIELD_CHOICE:
+        return TurnFieldChoice(field, text, value, filed);
+    case SW_FIELD_FLOAT:
+        return TurnNumber(field, text, value, filed);
+    case SW_FIELD_DOUBLE:
+        return TurnDouble(field, text, value, filed);
+    case SW_FIELD_FLOATS:
+        return field->count == 3 && TurnThree(field, text, value, filed);
+    default:
+        return false;
+    }
+}
+
+bool TurnField(const swField* field, void* def, const void* filed)
+{
+    const char* other = filed;
+    return TurnValue(field, NULL, (char*)def + field->offset, other != NULL ? other + field->offset : NULL);
+}
+
+bool TurnMember(const swFields* fields, const char* member, void* def, const void* filed)
+{
+    return TurnField(swFields_Find(fields, member), def, filed);
+}
+
+bool TurnFields(const swFields* fields, void* def, const void* filed)
+{
+    bool hasChanged = false;
+    for (int i = 0; i < fields->count; i++)
+    {
+        const swField* field = &fields->fields[i];
+        hasChanged |= swFields_Counts(fields, field, def) && TurnField(field, def, filed);
+    }
+    return hasChanged;
 }
 
 float ToDegrees(float radians)

@@ -13,6 +13,17 @@ bool TurnCount(const char* label, int* value, const int* filed, int low, int hig
 bool TurnChoice(const char* label, int* index, const int* filed, int count, UiItemFcn getName, void* context);
 bool TurnColor(const char* label, swVec3* rgb, const swVec3* filed);
 
+// A value by its field of a table, see seaway/field.h: the widget, its range, unit and tip are the field's. `label`
+// NULL: the field's too.
+bool TurnValue(const swField* field, const char* label, void* value, const void* filed);
+
+// The same of a def. Fields that are defs, lists or no values have no widget.
+bool TurnField(const swField* field, void* def, const void* filed);
+bool TurnMember(const swFields* fields, const char* member, void* def, const void* filed);
+
+// Every field of a def that counts, in the order of its table.
+bool TurnFields(const swFields* fields, void* def, const void* filed);
+
 float ToDegrees(float radians);
 
 // Where waves come from, degrees clockwise from north, of a direction they go.

@@ -8,7 +8,7 @@
 //
 //   swWide   SW_WIDTH floats                    swWideI  SW_WIDTH 32-bit integers
 //   swQuads  two groups of four floats, whatever SW_WIDTH is: for texels of four floats, two at a time
-//   swRow    four groups of four floats: a row of a tile's window
+//   swRow    four groups of four floats: a row of a tile's window; swFours, weights for its groups
 
 #define SW_WIDE_SCALAR 1
 #define SW_WIDE_SSE2 2
@@ -64,10 +64,30 @@ static inline swRow swScaleR(swRow a, float b)
     return (swRow){swMulQ(a.left, swSplatQ(b, b)), swMulQ(a.right, swSplatQ(b, b))};
 }
 
-// Each group times its weight, the last two added to the first two.
-static inline swQuads swFoldR(swRow a, const float weights[4])
+// Sixteen times four weights, laid out as folds like it.
+typedef struct swFours
 {
-    return swAddQ(swMulQ(swSplatQ(weights[0], weights[1]), a.left), swMulQ(swSplatQ(weights[2], weights[3]), a.right));
+    float v[4][16];
+} swFours;
+
+static inline void swStoreFours(swFours* fours, int i, swWide a, swWide b, swWide c, swWide d)
+{
+    swStoreW(fours->v[0] + i, a);
+    swStoreW(fours->v[1] + i, b);
+    swStoreW(fours->v[2] + i, c);
+    swStoreW(fours->v[3] + i, d);
+}
+
+static inline float swGetOfFour(const swFours* fours, int i, int which)
+{
+    return fours->v[which][i];
+}
+
+// Each group times its weight of four, the last two added to the first two.
+static inline swQuads swFoldR(swRow a, const swFours* fours, int i)
+{
+    const float(*v)[16] = fours->v;
+    return swAddQ(swMulQ(swSplatQ(v[0][i], v[1][i]), a.left), swMulQ(swSplatQ(v[2][i], v[3][i]), a.right));
 }
 #endif
 

@@ -385,8 +385,7 @@ static void findCells(const double* u, int count, double scale, int size, Cells*
 // Weights of four neighbours for sixteen fractions, as swSplineWeights() has them.
 typedef struct Weights
 {
-    float value[16][4];
-    float slope[16][4];
+    swFours value, slope;
 } Weights;
 
 static void findWeights(const float* fraction, Weights* weights)
@@ -402,7 +401,7 @@ static void findWeights(const float* fraction, Weights* weights)
         swWide s = swSubW(one, t);
         swWide t2 = swMulW(t, t);
         swWide s2 = swMulW(s, s);
-        swStoreRows4(weights->value[i], swMulW(swMulW(s2, s), sixth),
+        swStoreFours(&weights->value, i, swMulW(swMulW(s2, s), sixth),
                      swSubW(twoThirds, swMulW(swMulW(t2, swSubW(two, t)), half)),
                      swSubW(twoThirds, swMulW(swMulW(s2, swSubW(two, s)), half)), swMulW(swMulW(t2, t), sixth));
     }
@@ -424,18 +423,20 @@ static void findSlopes(const float* fraction, float scale, Weights* weights)
         swWide second = swMulW(t, swSubW(swMulW(oneAndHalf, t), two));
         swWide third = swMulW(s, swSubW(two, swMulW(oneAndHalf, s)));
         swWide fourth = swMulW(swMulW(t, t), half);
-        swStoreRows4(weights->slope[i], swMulW(first, perMetre), swMulW(second, perMetre), swMulW(third, perMetre),
+        swStoreFours(&weights->slope, i, swMulW(first, perMetre), swMulW(second, perMetre), swMulW(third, perMetre),
                      swMulW(fourth, perMetre));
     }
 }
 
-// Sum over the four rows of a window.
-static inline swRow sumRows(const float* window, int pitch4, const float weights[4])
+// Sum over the four rows of a window, with the weights of coordinate i.
+static inline swRow sumRows(const float* window, int pitch4, const swFours* weights, int i)
 {
-    swRow sum = swScaleR(swLoadR(window), weights[0]);
-    sum = swAddR(sum, swScaleR(swLoadR(window + pitch4), weights[1]));
-    sum = swAddR(sum, swScaleR(swLoadR(window + 2 * pitch4), weights[2]));
-    return swAddR(sum, swScaleR(swLoadR(window + 3 * pitch4), weights[3]));
+    swRow sum = swScaleR(swLoadR(window), swGetOfFour(weights, i, 0));
+    for (int row = 1; row < 4; ++row)
+    {
+        sum = swAddR(sum, swScaleR(swLoadR(window + row * pitch4), swGetOfFour(weights, i, row)));
+    }
+    return sum;
 }
 
 static inline void addQuads(float* sum, swQuads a)
@@ -445,29 +446,48 @@ static inline void addQuads(float* sum, swQuads a)
 
 static inline void addValue(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
 {
-    addQuads(sums->value, swFoldR(sumRows(window, pitch4, w->value[z]), w->value[x]));
+    addQuads(sums->value, swFoldR(sumRows(window, pitch4, &w->value, z), &w->value, x));
+}
+
+#ifdef SW_HAS_ROWS
+
+// There are registers to sum up rows for value and slope at once.
+static inline void sumRowsTwice(const float* window, int pitch4, const Weights* w, int z, swRow* row, swRow* slope)
+{
+    swRow texels = swLoadR(window);
+    *row = swScaleR(texels, swGetOfFour(&w->value, z, 0));
+    *slope = swScaleR(texels, swGetOfFour(&w->slope, z, 0));
+    for (int i = 1; i < 4; ++i)
+    {
+        texels = swLoadR(window + i * pitch4);
+        *row = swAddR(*row, swScaleR(texels, swGetOfFour(&w->value, z, i)));
+        *slope = swAddR(*slope, swScaleR(texels, swGetOfFour(&w->slope, z, i)));
+    }
 }
 
 static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
 {
-    const float* values = w->value[z];
-    const float* slopes = w->slope[z];
-    swRow texels = swLoadR(window);
-    swRow row = swScaleR(texels, values[0]);
-    swRow slope = swScaleR(texels, slopes[0]);
-    for (int i = 1; i < 4; ++i)
-    {
-        texels = swLoadR(window + i * pitch4);
-        row = swAddR(row, swScaleR(texels, values[i]));
-        slope = swAddR(slope, swScaleR(texels, slopes[i]));
-    }
-    swQuads value = swFoldR(row, w->value[x]);
-    swQuads alongX = swFoldR(row, w->slope[x]);
-    swQuads alongZ = swFoldR(slope, w->value[x]);
+    swRow row, slope;
+    sumRowsTwice(window, pitch4, w, z, &row, &slope);
+    swQuads value = swFoldR(row, &w->value, x);
+    swQuads alongX = swFoldR(row, &w->slope, x);
+    swQuads alongZ = swFoldR(slope, &w->value, x);
     addQuads(sums->value, value);
     addQuads(sums->alongX, alongX);
     addQuads(sums->alongZ, alongZ);
 }
+
+#else
+
+static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
+{
+    swRow row = sumRows(window, pitch4, &w->value, z);
+    addQuads(sums->value, swFoldR(row, &w->value, x));
+    addQuads(sums->alongX, swFoldR(row, &w->slope, x));
+    addQuads(sums->alongZ, swFoldR(sumRows(window, pitch4, &w->slope, z), &w->value, x));
+}
+
+#endif
 
 // Where points are, interleaved, on to a multiple of eight of them.
 static void listPlaces(int count, const swPosXZ* points, double* u)

@@ -35,10 +35,10 @@ static void sumColumns(const swTile* tile, const float* texels, double z, int co
         int texel = columns->first + column;
         texel -= texel >= tile->resolution ? tile->resolution : 0; // beyond the tile it begins again
         const float* window = row + texel * 4;
-        swStoreR(columns->value + column * 4, sumRows(window, pitch4, weights.value[0]));
+        swStoreR(columns->value + column * 4, sumRows(window, pitch4, &weights.value, 0));
         if (withSlopes)
         {
-            swStoreR(columns->alongZ + column * 4, sumRows(window, pitch4, weights.slope[0]));
+            swStoreR(columns->alongZ + column * 4, sumRows(window, pitch4, &weights.slope, 0));
         }
     }
 }
@@ -56,11 +56,11 @@ static inline void addPoint(const Columns* columns, int column, const Weights* w
                             swPointSums* sums)
 {
     swRow row = swLoadR(columns->value + column * 4);
-    swQuads value = swFoldR(row, w->value[i]);
+    swQuads value = swFoldR(row, &w->value, i);
     if (withSlopes)
     {
-        swQuads alongX = swFoldR(row, w->slope[i]);
-        swQuads alongZ = swFoldR(swLoadR(columns->alongZ + column * 4), w->value[i]);
+        swQuads alongX = swFoldR(row, &w->slope, i);
+        swQuads alongZ = swFoldR(swLoadR(columns->alongZ + column * 4), &w->value, i);
         addQuads(sums->alongX, alongX);
         addQuads(sums->alongZ, alongZ);
     }

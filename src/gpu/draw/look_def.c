@@ -9,10 +9,10 @@
 #define SW_DEF swSkyDef
 static const swField skyFields[] = {
     SW_NUMBER(sunAzimuth, "deg", SW_WITHIN(-1000.0, 1000.0), DEGREES(135.0), .key = "azimuth_deg", .section = "sun",
-              .label = "from", .tip = "Clockwise from north", .form = SW_FORM_DEGREES, .use = SW_USE_HERE,
+              .label = "sun azimuth", .tip = "Clockwise from north", .form = SW_FORM_DEGREES, .use = SW_USE_HERE,
               SW_KNOB(0.0, 360.0)),
     SW_NUMBER(sunElevation, "deg", SW_WITHIN(DEGREES(-90.0), DEGREES(90.0)), DEGREES(40.0), .key = "elevation_deg",
-              .section = "sun", .label = "above the horizon", .form = SW_FORM_DEGREES, .use = SW_USE_HERE,
+              .section = "sun", .label = "sun elevation", .form = SW_FORM_DEGREES, .use = SW_USE_HERE,
               SW_KNOB(-10.0, 90.0)),
     SW_NUMBER(sunIlluminance, "lux", SW_WITHIN(0.0, 1e6), 128e3, .key = "illuminance_lux", .section = "sun",
               .label = "illuminance", .tip = "Above the atmosphere", .use = SW_USE_HERE, SW_KNOB(0.0, 200e3)),
@@ -28,14 +28,14 @@ static const swFields sky = SW_FIELDS(swSkyDef, "sky", "sun and air", skyFields,
 #define SW_DEF swWaterDef
 static const swField waterFields[] = {
     SW_NUMBERS(absorption, float, "1/m", SW_WITHIN(0.0, 100.0), SW_EACH(0.30, 0.066, 0.040), .key = "absorption_per_m",
-               .label = "absorption", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_KNOB(0.0, 2.0)),
+               .label = "absorption", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_LOG_KNOB(1e-3, 5.0)),
     SW_NUMBERS(scattering, float, "1/m", SW_WITHIN(0.0, 100.0), SW_EACH(0.22, 0.26, 0.30), .key = "scattering_per_m",
-               .label = "scattering", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_KNOB(0.0, 2.0)),
-    SW_NUMBER(refractiveIndex, "", SW_WITHIN(1.0, 3.0), 1.34, .key = "refractive_index", .label = "refraction",
+               .label = "scattering", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_LOG_KNOB(1e-4, 1.0)),
+    SW_NUMBER(refractiveIndex, "", SW_WITHIN(1.0, 3.0), 1.34, .key = "refractive_index", .label = "refractive index",
               .use = SW_USE_HERE, SW_KNOB(1.0, 2.0)),
     SW_NUMBERS(foamAlbedo, float, "", SW_WITHIN(0.0, 1.0), SW_EACH(0.9, 0.9, 0.9), .key = "foam_albedo",
-               .label = "foam", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_KNOB(0.0, 1.0)),
-    SW_NUMBER(windSpeed, "m/s", SW_WITHIN(0.0, 100.0), 7.0, .key = "wind_speed_mps", .label = "wind",
+               .label = "foam colour", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_KNOB(0.0, 1.0)),
+    SW_NUMBER(windSpeed, "m/s", SW_WITHIN(0.0, 100.0), 7.0, .key = "wind_speed_mps", .label = "wind on ripples",
               .tip = "Roughens what no wave resolves; it makes no waves", .use = SW_USE_HERE, SW_KNOB(0.0, 40.0)),
 };
 #undef SW_DEF

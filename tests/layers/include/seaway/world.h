@@ -17,4 +17,5 @@ typedef struct swWetnessDef
 SW_API swWetnessDef swDefaultWetnessDef(void);
 
 //@ before /// Default SW_ISA_BEST: the widest that this machine has.
-swWetnessDef wetness;
+    swWetnessDef wetness;
+

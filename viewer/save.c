@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "save.h"
+
+#include <stdio.h>
+#include <string.h>
+
+// A view may have brought a sun of its own; the scene's is only changed if the user has moved it.
+static void PutLook(const Sea* sea, swScene* scene)
+{
+    const SeaLook *look = &sea->look, *filed = &sea->filedLook;
+    bool isSunMoved = look->sky.sunAzimuth != filed->sky.sunAzimuth || look->sky.sunElevation != filed->sky.sunElevation;
+    float azimuth = scene->sky.sunAzimuth, elevation = scene->sky.sunElevation;
+    scene->sky = look->sky;
+    scene->sky.sunAzimuth = isSunMoved ? look->sky.sunAzimuth : azimuth;
+    scene->sky.sunElevation = isSunMoved ? look->sky.sunElevation : elevation;
+    scene->water = look->water;
+    scene->world.foam = look->foam;
+    scene->exposureEv = look->exposureEv;
+}
+
+// One system that the file has, whose measured sea is the scene's own.
+static swResult PutWaves(const SeaWaves* waves, swScene* scene, int index)
+{
+    swSceneWaves* to = &scene->waves[index];
+    swWaveSystemDef def = waves->def;
+    def.spectrum.table = to->def.spectrum.table;
+    swResult result = swScene_SetWaves(scene, index, &def);
+    if (result == SW_SUCCESS && to->measured != NULL)
+    {
+        to->record = waves->record;
+        to->replay.location = waves->replayDef.location;
+        to->replay.startTime = waves->replayDef.startTime;
+        to->replay.startSeconds = waves->replayDef.startSeconds;
+        to->replay.speed = waves->replayDef.speed;
+    }
+    return result;
+}
+
+static swResult PutAllWaves(const Sea* sea, swScene* scene)
+{
+    int filedCount = 0;
+    for (int i = 0; i < sea->wavesCount; i++)
+    {
+        filedCount += sea->waves[i].isAdded ? 0 : 1;
+    }
+    // The open sea without a file has waves of its own, which no file has.
+    bool isNew = scene->wavesCount == 0;
+    if (!isNew && filedCount != scene->wavesCount)
+    {
+        return SW_ERROR_INVALID;
+    }
+    swResult result = SW_SUCCESS;
+    for (int i = 0, at = 0; i < sea->wavesCount && result == SW_SUCCESS; i++)
+    {
+        const SeaWaves* waves = &sea->waves[i];
+        bool isFiled = !waves->isAdded && !isNew;
+        if (waves->isRemoved)
+        {
+            if (isFiled)
+            {
+                swScene_RemoveWaves(scene, at);
+            }
+            continue;
+        }
+        result = isFiled ? PutWaves(waves, scene, at) : swScene_AddWaves(scene, &waves->def);
+        at += isFiled ? 1 : 0;
+    }
+    return result;
+}
+
+swResult SaveSea(const Sea* sea, const char* from, const char* path)
+{
+    swScene* scene = NULL;
+    swResult result = from != NULL ? swReadScene(sea->host, from, &scene) : swCreateScene(sea->host, &scene);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    PutLook(sea, scene);
+    result = PutAllWaves(sea, scene);
+    if (result == SW_ERROR_INVALID)
+    {
+        SayInSea(sea, "the scene was not saved: the file has other wave systems than when it was read; read it again");
+    }
+    result = result == SW_SUCCESS ? swWriteScene(scene, path) : result;
+    swDestroyScene(scene);
+    return result;
+}
+
+bool NameScene(char* path, size_t size)
+{
+    for (int i = 1; i < 10000; i++)
+    {
+        snprintf(path, size, "seaway_%04d.yaml", i);
+        FILE* file = fopen(path, "rb");
+        if (file == NULL)
+        {
+            return true;
+        }
+        fclose(file);
+    }
+    return false;
+}
