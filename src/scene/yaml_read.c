@@ -229,8 +229,7 @@ static const char* printRange(const swField* field, char text[80])
 {
     double low = 0.0, high = 0.0;
     swField_GetShownRange(field, &low, &high);
-    snprintf(text, 80, "%s%.7g to %s%.7g", field->isLowOpen ? "above " : "", low, field->isHighOpen ? "below " : "",
-             high);
+    snprintf(text, 80, "%s%g to %s%g", field->isLowOpen ? "above " : "", low, field->isHighOpen ? "below " : "", high);
     return text;
 }
 

@@ -365,7 +365,7 @@ static void BadHintsDoNoHarm(void** state)
     {
         const swSurfaceHint bad[] = {
             {.time = time, .offsetX = NAN, .searchCount = 3},
-            {.time = NAN, .offsetX = 1.0f, .searchCount = 3},
+            {.time = (double)NAN, .offsetX = 1.0f, .searchCount = 3},
             {.time = time, .offsetX = 2.0f, .offsetZ = -3.0f, .searchCount = 1},
             {.time = time - 0.1, .rateX = INFINITY, .searchCount = 2},
             {.time = time - 0.1, .bendZ = 1e30f, .lastStep = -0.1f, .searchCount = 3},

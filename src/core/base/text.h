@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "core/base/number.h"
+#include "core/base/seam.h"
 #include "seaway/base.h"
 
 // A text and the place in it.
@@ -28,6 +29,8 @@ typedef struct swToken
     const char* text;
     int size; // at most 80
 } swToken;
+
+SW_SEAM_BEGIN
 
 // Passes over the byte order mark that some editors write. Lines end in LF, CR LF or CR; the last may lack its end.
 swText swOpenText(const swHost* host, const char* text, size_t size, const char* name);
@@ -66,3 +69,5 @@ swResult swReadCount(swText* text, const char* what, int low, int high, int* val
 
 // To the next line that holds something; fails if the text ends, saying what is missing.
 swResult swNeedLine(swText* text, const char* what);
+
+SW_SEAM_END
