@@ -26,9 +26,9 @@ SW_API swCamera swMakeCamera(swPos position, float heading, float pitch, float r
 /// Sun and air. Must be initialized with swDefaultSkyDef().
 typedef struct swSkyDef
 {
-    float sunAzimuth;     ///< bearing of the sun, radians clockwise from north. Default 135 degrees
-    float sunElevation;   ///< radians. Default 40 degrees
-    float sunIlluminance; ///< above the atmosphere, lux. Default 128e3
+    float sunAzimuth;   ///< bearing of the sun, radians clockwise from north. Range [-1000, 1000]. Default 135 degrees
+    float sunElevation; ///< radians. Range [-90 degrees, 90 degrees]. Default 40 degrees
+    float sunIlluminance; ///< above the atmosphere, lux. Range [0, 1e6]. Default 128e3
     float haze;           ///< aerosol relative to clear air. Range [0, 20]. Default 1
     float clouds;         ///< high cloud cover. Range [0, 1]. Default 0.35
     int internalValue;
@@ -39,11 +39,11 @@ SW_API const swFields* swGetSkyFields(void);
 /// Look of the water. Must be initialized with swDefaultWaterDef().
 typedef struct swWaterDef
 {
-    swVec3 absorption;     ///< per metre, linear sRGB primaries. Default clear ocean
-    swVec3 scattering;     ///< per metre
-    float refractiveIndex; ///< Default 1.34
-    swVec3 foamAlbedo;     ///< Default 0.9 grey
-    float windSpeed;       ///< for the roughness of ripples that no band holds [Cox 1954], m/s. Default 7
+    swVec3 absorption;     ///< per metre, linear sRGB primaries. Range [0, 100]. Default clear ocean
+    swVec3 scattering;     ///< per metre. Range [0, 100]. Default clear ocean
+    float refractiveIndex; ///< Range [1, 3]. Default 1.34
+    swVec3 foamAlbedo;     ///< Range [0, 1]. Default 0.9 grey
+    float windSpeed; ///< for the roughness of ripples that no band holds [Cox 1954], m/s. Range [0, 100]. Default 7
     int internalValue;
 } swWaterDef;
 SW_API swWaterDef swDefaultWaterDef(void);

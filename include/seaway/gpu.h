@@ -3,6 +3,7 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include "field.h"
 #include "query.h"
 #include "view.h"
 #include "world.h"
@@ -41,17 +42,17 @@ typedef struct swGpuDef
     VkPhysicalDevice physicalDevice;
     VkDevice device;
     VkQueue queue;
-    uint32_t queueFamily;
+    uint32_t queueFamily; ///< Range [0, UINT32_MAX]. Default 0
 
     /// When Seaway creates the device: which one. Default SW_DEVICE_AUTO.
     swDeviceChoice choice;
-    int deviceIndex;
+    int deviceIndex; ///< Range [0, INT32_MAX]. Default 0
 
     /// When Seaway creates the device: extra instance extensions (a window system's), device extensions are added when
     /// `presentable`. Read only during the call.
     const char* const* instanceExtensions;
-    uint32_t instanceExtensionCount;
-    bool presentable; ///< enable VK_KHR_swapchain. Default false
+    uint32_t instanceExtensionCount; ///< Range [0, UINT32_MAX]. Default 0
+    bool presentable;                ///< enable VK_KHR_swapchain. Default false
 
     /// When Seaway creates the device: enable the Khronos validation layer and send its messages to the log.
     /// Default false.
@@ -67,13 +68,14 @@ typedef struct swGpuDef
 
     /// Pipeline cache of an earlier run, see swGpu_GetPipelineCache(). May be NULL; bad data are ignored.
     const void* pipelineCache;
-    size_t pipelineCacheSize;
+    size_t pipelineCacheSize; ///< bytes. Range [0, SIZE_MAX]. Default 0
 
     /// Set by swDefaultGpuDef().
     int internalValue;
 } swGpuDef;
 
 SW_API swGpuDef swDefaultGpuDef(void);
+SW_API const swFields* swGetGpuFields(void);
 
 /// @return SW_ERROR_NO_DEVICE (the log names each device and what it lacks), SW_ERROR_UNSUPPORTED (the host's device
 /// lacks something), SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
@@ -202,14 +204,12 @@ typedef struct swGpuQueryDef
     /// Most points. Range [1, 4194304]. Default 1024.
     int capacity;
 
-    /// Bits of swGpuQueryOutput. Each costs memory and time of the bus. Default 0.
+    /// Bits of swGpuQueryOutput. Each costs memory and time of the bus. Range [0, 15]. Default 0.
     uint32_t outputs;
 
-    /// As in swQueryDef. minWavelength: m, default 0. tolerance: m, range [1e-5, 1e9], default 0.0005. maxIterations:
-    /// range [1, 64], default 24.
-    float minWavelength;
-    float tolerance;
-    int maxIterations;
+    float minWavelength; ///< as in swQueryDef, m. Range [0, inf]. Default 0
+    float tolerance;     ///< as in swQueryDef, m. Range [1e-5, 1e9]. Default 0.0005
+    int maxIterations;   ///< as in swQueryDef. Range [1, 64]. Default 24
 
     /// Of the water below, as in swQueryDef. Default SW_STRETCHING_WHEELER.
     swStretching stretching;
@@ -222,6 +222,7 @@ typedef struct swGpuQueryDef
 } swGpuQueryDef;
 
 SW_API swGpuQueryDef swDefaultGpuQueryDef(void);
+SW_API const swFields* swGetGpuQueryFields(void);
 
 /// A world may have any number of queries, made and destroyed at any time.
 /// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE, SW_ERROR_INVALID

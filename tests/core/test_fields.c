@@ -14,6 +14,9 @@
 #include "core/base/field.h"
 #include "core/frame/asked.h"
 #include "seaway/seaway.h"
+#if FIELDS_GPU
+#include "seaway/draw.h"
+#endif
 
 #define LARGEST_DEF 16384
 #define COUNT(items) ((int)(sizeof(items) / sizeof((items)[0])))
@@ -233,11 +236,11 @@ static void HeadersSayWhatTablesSay(void** state)
             const swField* field = &fields->fields[k];
             const Said* words = FindSaid(fields, field->member);
             assert_non_null(words);
-            bool isWrong = words->hasRange && (words->low != field->low || words->high != field->high ||
-                                               words->isLowOpen != field->isLowOpen ||
-                                               words->isHighOpen != field->isHighOpen);
-            bool isSame = words->standard == field->defaults[0] ||
-                          (isnan(words->standard) && isnan(field->defaults[0]));
+            bool isWrong =
+                words->hasRange && (words->low != field->low || words->high != field->high ||
+                                    words->isLowOpen != field->isLowOpen || words->isHighOpen != field->isHighOpen);
+            bool isSame =
+                words->standard == field->defaults[0] || (isnan(words->standard) && isnan(field->defaults[0]));
             if (isWrong || (words->hasDefault && IsNumber(field) && !isSame))
             {
                 fail_msg("the header's words on %s::%s are not the table's: [%.10g, %.10g], default %.10g",
@@ -453,14 +456,10 @@ static void RaysAreGoodWhereTheirTableSaysSo(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(EveryMemberOfADefIsInItsTable),
-        cmocka_unit_test(HeadersSayWhatTablesSay),
-        cmocka_unit_test(EveryDefaultIsInItsRange),
-        cmocka_unit_test(EveryFieldIsRefusedOutsideItsRange),
-        cmocka_unit_test(EveryFieldIsComparedSavedAndHashed),
-        cmocka_unit_test(PeoplesNumbersAreThoseOfTheStruct),
-        cmocka_unit_test(WhatWasNotMadeByItsDefaultIsNamed),
-        cmocka_unit_test(RaysAreGoodWhereTheirTableSaysSo),
+        cmocka_unit_test(EveryMemberOfADefIsInItsTable),      cmocka_unit_test(HeadersSayWhatTablesSay),
+        cmocka_unit_test(EveryDefaultIsInItsRange),           cmocka_unit_test(EveryFieldIsRefusedOutsideItsRange),
+        cmocka_unit_test(EveryFieldIsComparedSavedAndHashed), cmocka_unit_test(PeoplesNumbersAreThoseOfTheStruct),
+        cmocka_unit_test(WhatWasNotMadeByItsDefaultIsNamed),  cmocka_unit_test(RaysAreGoodWhereTheirTableSaysSo),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <string.h>
 
+#include "core/base/field.h"
 #include "core/base/misuse.h"
 #include "gpu/record/record.h"
-
-swGpuDef swDefaultGpuDef(void)
-{
-    return (swGpuDef){
-        .choice = SW_DEVICE_AUTO,
-        .framesInFlight = 2,
-        .layers = SW_LAYERS_AUTO,
-        .internalValue = SW_DEF_COOKIE,
-    };
-}
 
 static const swHost* findHost(const swGpu* gpu)
 {
@@ -27,24 +18,9 @@ static const swHost* findWorldHost(const swGpuWorld* gpuWorld)
 swResult swCreateGpu(const swHost* host, const swGpuDef* def, swGpu** gpu)
 {
     SW_REQUIRE_PLACE(host, gpu, "swCreateGpu()");
-    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, host,
-               "swCreateGpu() needs a def made by swDefaultGpuDef()");
-    if ((unsigned)def->choice > SW_DEVICE_INDEX)
-    {
-        return swFail(host, SW_ERROR_INVALID, "swGpuDef::choice is %d; it must be one of swDeviceChoice",
-                      (int)def->choice);
-    }
-    if (def->framesInFlight < 1 || def->framesInFlight > SW_MAX_FRAMES_IN_FLIGHT)
-    {
-        return swFail(host, SW_ERROR_INVALID, "swGpuDef::framesInFlight is %d; its range is [1, %d]",
-                      def->framesInFlight, SW_MAX_FRAMES_IN_FLIGHT);
-    }
-    if (def->layers < SW_LAYERS_AUTO || def->layers > SW_LAYERS_CORE)
-    {
-        return swFail(host, SW_ERROR_INVALID, "swGpuDef::layers is %d; it must be one of swLayerSource",
-                      (int)def->layers);
-    }
-    return swCreateDevice(host, def, gpu);
+    SW_REQUIRE(def != NULL, SW_ERROR_INVALID, host, "swCreateGpu() needs a def");
+    swResult result = swCheckDef(host, swGetGpuFields(), def);
+    return result == SW_SUCCESS ? swCreateDevice(host, def, gpu) : result;
 }
 
 void swDestroyGpu(swGpu* gpu)

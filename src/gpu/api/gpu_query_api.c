@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <math.h>
 
+#include "core/base/field.h"
 #include "core/base/misuse.h"
 #include "core/frame/asked.h"
 #include "gpu/record/record.h"
-
-#define SW_MAX_QUERY_POINTS (1 << 22)
-
-swGpuQueryDef swDefaultGpuQueryDef(void)
-{
-    return (swGpuQueryDef){
-        .capacity = 1024,
-        .tolerance = 0.0005f,
-        .maxIterations = 24,
-        .readBack = true,
-        .internalValue = SW_DEF_COOKIE,
-    };
-}
 
 static uint32_t getKnownOutputs(swGpuQueryKind kind)
 {
@@ -29,14 +17,15 @@ static uint32_t getKnownOutputs(swGpuQueryKind kind)
     return known[kind];
 }
 
-// Comparisons are written so that NaN fails them.
-static bool isDefValid(const swGpuQueryDef* def)
+static swResult checkDef(const swHost* host, const swGpuQueryDef* def)
 {
-    return def != NULL && def->internalValue == SW_DEF_COOKIE && def->capacity >= 1 &&
-           def->capacity <= SW_MAX_QUERY_POINTS && (unsigned)def->kind <= SW_GPU_QUERY_KIND_RAYS &&
-           (def->outputs & ~getKnownOutputs(def->kind)) == 0 && (unsigned)def->stretching <= SW_STRETCHING_LINEAR &&
-           def->minWavelength >= 0.0f && def->tolerance >= 1e-5f && def->tolerance <= 1e9f && def->maxIterations >= 1 &&
-           def->maxIterations <= 64;
+    swResult result = swCheckDef(host, swGetGpuQueryFields(), def);
+    if (result == SW_SUCCESS && (def->outputs & ~getKnownOutputs(def->kind)) != 0)
+    {
+        return swFail(host, SW_ERROR_INVALID, "swGpuQueryDef::outputs is %u; a query of its kind has %u at most.",
+                      def->outputs, getKnownOutputs(def->kind));
+    }
+    return result;
 }
 
 static const swHost* findQueryHost(const swGpuQuery* query)
@@ -77,11 +66,9 @@ swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQ
     const swHost* host = gpuWorld != NULL ? &gpuWorld->gpu->host : NULL;
     SW_REQUIRE(gpuWorld != NULL && query != NULL, SW_ERROR_INVALID, host,
                "swCreateGpuQuery() needs a swGpuWorld and a place for the query");
-    SW_REQUIRE(
-        isDefValid(def), SW_ERROR_INVALID, host,
-        "swCreateGpuQuery() needs a def made by swDefaultGpuQueryDef() with its fields in range and outputs that "
-        "its kind has");
-    return swMakeGpuQuery(gpuWorld, def, query);
+    SW_REQUIRE(def != NULL, SW_ERROR_INVALID, host, "swCreateGpuQuery() needs a def");
+    swResult result = checkDef(host, def);
+    return result == SW_SUCCESS ? swMakeGpuQuery(gpuWorld, def, query) : result;
 }
 
 void swDestroyGpuQuery(swGpuQuery* query)
