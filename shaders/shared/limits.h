@@ -13,19 +13,17 @@
 // Columns that one workgroup of the FFT's second axis transforms, see waves_columns.comp.
 #define SW_COLUMN_BLOCK 4
 
-// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_RUNS runs of SW_SLICE_RUN (4) texels
-// along z. See slices.comp.
+// Texels of a slice that one workgroup makes: a thread owns a column of SW_SLICE_HEIGHT texels along z. See
+// slices.comp.
 #define SW_SLICE_WIDTH 128
-#define SW_SLICE_RUN 4
-#define SW_SLICE_RUNS 2
-#define SW_SLICE_HEIGHT 8
-// Tiles that are laid out in shared memory at once (at most 32, the bits of a mask), tile rows that a run may touch,
-// tile columns that a block may touch (laid out by a thread a row), and the vec4s that a tile takes: 2 a run and row,
-// or 3 a column.
-#define SW_SLICE_BATCH 16
-#define SW_SLICE_ROWS 6
-#define SW_SLICE_COLUMNS SW_SLICE_HEIGHT
-#define SW_SLICE_LAYOUT 24
+#define SW_SLICE_HEIGHT 16
+// Tiles that are added as cubics (at most 32, the bits of a mask); columns of them that are laid out in shared memory
+// at once, and knots of columns.
+#define SW_SLICE_TILES 24
+#define SW_SLICE_COLUMNS 180
+#define SW_SLICE_JUMPS 960
+// Spline units a texel of such a tile, at most.
+#define SW_SLICE_STEP 0.75f
 
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32

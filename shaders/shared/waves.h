@@ -41,9 +41,8 @@ SW_PARAMS(swWavesParams)
 };
 SW_PARAMS_SIZE(swWavesParams, 16);
 
-// A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column baseX.
-// A tile so much finer than the slice that a run of texels would touch more than SW_SLICE_ROWS rows is there once for
-// each texel of a run.
+// A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column baseX. What a block
+// of texels lays out of it in shared memory has places of its own, see slices.comp.
 SW_PARAMS(swSliceTile)
 {
     float fractionX, fractionZ; // in [0, 1)
@@ -52,9 +51,15 @@ SW_PARAMS(swSliceTile)
     sw_uint base;               // baseX in the low half, baseZ in the high one; in [0, resolution)
     sw_uint firstTexel;
     sw_uint resolution;
-    sw_uint runMask; // bit t: texel t of a run is meant
+    sw_uint columnCount; // the most that a block touches
+    sw_uint firstColumn; // among those of its batch
+    sw_uint firstOfAll;  // among those of all tiles
+    sw_uint batchEnd;    // of the tiles that are laid out together: one past the last
+    sw_uint firstJump;
+    float texelsPerUnit; // 1 / step
+    float waveNumber;    // in the middle of the tile's waves, rad/m
 };
-SW_PARAMS_SIZE(swSliceTile, 32);
+SW_PARAMS_SIZE(swSliceTile, 56);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -70,15 +75,22 @@ SW_PARAMS(swSliceWave)
 };
 SW_PARAMS_SIZE(swSliceWave, 48);
 
-// The waves of a slice: tiles[first .. first + count) and waves[firstWave .. firstWave + waveCount).
+// The waves of a slice: tiles[first .. first + count) as cubics, windowCount tiles behind them texel by texel, and
+// waves[firstWave .. firstWave + waveCount).
 SW_PARAMS(swSliceList)
 {
     sw_uint first;
     sw_uint count;
+    sw_uint windowCount;
     sw_uint firstWave;
     sw_uint waveCount;
     float texelsPerMetre;
-    sw_uint unused0, unused1, unused2;
+    sw_uint groupRows; // rows of texels whose knots are laid out together
+    // Where waves differ from place to place: rows whose blocks are added in general, and the depth of the first texel,
+    // m, and its change from column to column and row to row.
+    sw_uint generalRows;
+    float depth, depthAlongX, depthAlongZ;
+    sw_uint unused;
 };
-SW_PARAMS_SIZE(swSliceList, 32);
+SW_PARAMS_SIZE(swSliceList, 48);
 #endif

@@ -11,6 +11,8 @@
 // [0, resolution) would start at -1: therefore texel (i, j) stores sample (i - 1, j - 1) mod resolution and the window
 // starts at column floor(s). The surface is the spline, not the coefficients: f(s) = sum B3(s - n) c_n.
 
+#include <math.h>
+
 #include <string.h>
 
 #include "seaway/view.h"
@@ -155,6 +157,12 @@ typedef struct swZoneFrame
     swPosXZ centre;       // in the sea
     swStackFrame stack;   // its levels
 } swZoneFrame;
+
+// A wave number in the middle of a tile's waves, rad/m.
+static inline float swGetTileWaveNumber(const swTile* tile)
+{
+    return 6.2831853f / sqrtf(tile->minWavelength * tile->maxWavelength);
+}
 
 // Ticks to multiply a tile's frequencies with, on either half.
 static inline int64_t swGetTileTicks(const swTile* tile, int64_t ticks)

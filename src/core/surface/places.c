@@ -81,11 +81,6 @@ void swFindShape(swPlaceBlock* block, int system, float k, swShape* shape)
     }
 }
 
-float swGetTileWaveNumber(const swTile* tile)
-{
-    return 6.2831853f / sqrtf(tile->minWavelength * tile->maxWavelength);
-}
-
 static void findSomeLevels(const swPlaces* places, int64_t ticks, int count, const swPosXZ* rest,
                            float (*displacement)[4], float* levels, float (*gradients)[8])
 {

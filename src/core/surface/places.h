@@ -64,9 +64,6 @@ void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, int64_t ticks, i
 // For waves of a system with wave number k, rad/m.
 void swFindShape(swPlaceBlock* block, int system, float k, swShape* shape);
 
-// A wave number in the middle of a tile's waves.
-float swGetTileWaveNumber(const swTile* tile);
-
 // Levels where particles are, and, where there are gradients of the surface by rest position, the level's part added to
 // them. `places` may be NULL: levels are 0.
 void swFindLevels(const swPlaces* places, int64_t ticks, int count, const swPosXZ* rest, float (*displacement)[4],

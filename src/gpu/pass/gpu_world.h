@@ -24,8 +24,17 @@ typedef struct swPassRun
     bool isNeeded; // it has something to record in this frame
 } swPassRun;
 
+// A plane bottom under the waves of slices, for tests and benchmarks of what places will do: depths are to be layers of
+// a view. Depth at the sea's origin, m, and its change along x and z; which share of each slice's rows sees it.
+typedef struct swGpuBottom
+{
+    float depth, alongX, alongZ;
+    float share; // 0: none
+} swGpuBottom;
+
 struct swGpuWorld
 {
+    swGpuBottom bottom;
     swGpu* gpu;
     const swWorld* world;
 

@@ -3,6 +3,7 @@
 // double here, so that the shader sees small numbers wherever in the world the viewer is.
 
 #include <math.h>
+#include <string.h>
 
 #include "core/math/scalar.h"
 #include "gpu/pass/passes.h"
@@ -14,11 +15,12 @@ typedef struct ViewState
     swUpload lists; // swSliceList[sliceCount]
     swUpload tiles; // swSliceTile[]
     swUpload waves; // swSliceWave[]
+    swSlicesConstants constants;
 } ViewState;
 
 typedef struct State
 {
-    swPipeline pipeline;
+    swVariants pipelines;
     ViewState views[SW_MAX_VIEWS];
 } State;
 
@@ -39,7 +41,8 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .perMetre = (float)(tile->resolution / tile->side),
         .firstTexel = firstTexel,
         .resolution = (uint32_t)tile->resolution,
-        .runMask = (1u << SW_SLICE_RUN) - 1,
+        .texelsPerUnit = (float)(tile->side / (slice->texel * tile->resolution)),
+        .waveNumber = swGetTileWaveNumber(tile),
     };
     uint32_t baseX, baseZ;
     reduceOffset(slice->firstX, slice->texel, tile, &out.fractionX, &baseX);
@@ -48,10 +51,64 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
     return out;
 }
 
-// Everything is written once, in order: uploads are slow to read.
-static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice,
-                               swSliceTile* tiles)
+// The most columns of a tile that a block of texels touches: its texels lie floor(texels * step) + 1 cells apart at
+// most, and rounding may add one.
+static uint32_t countColumns(const swSliceTile* tile)
 {
+    return (uint32_t)((float)(SW_SLICE_WIDTH - 1) * tile->step * 1.0001f) + 5;
+}
+
+// The most knots that a group of rows passes. All rows have one gap less between them.
+static uint32_t countKnots(const swSliceTile* tile, uint32_t rows)
+{
+    uint32_t gaps = rows < SW_SLICE_HEIGHT ? rows : SW_SLICE_HEIGHT - 1;
+    return (uint32_t)((float)gaps * tile->step) + 1;
+}
+
+// Gives the tiles of a list their places among the columns that are laid out together.
+static void placeColumns(uint32_t count, swSliceTile* tiles)
+{
+    uint32_t begin = 0, columns = 0, all = 0;
+    for (uint32_t i = 0; i < count; ++i)
+    {
+        if (columns + tiles[i].columnCount > SW_SLICE_COLUMNS)
+        {
+            begin = i;
+            columns = 0;
+        }
+        tiles[i].firstColumn = columns;
+        tiles[i].firstOfAll = all;
+        columns += tiles[i].columnCount;
+        all += tiles[i].columnCount;
+        for (uint32_t j = begin; j <= i; ++j)
+        {
+            tiles[j].batchEnd = i + 1;
+        }
+    }
+}
+
+// Likewise among the knots of a group of rows. Returns how many tiles there is room for.
+static uint32_t placeJumps(uint32_t count, swSliceTile* tiles, uint32_t rows)
+{
+    uint32_t jumps = 0;
+    for (uint32_t i = 0; i < count; ++i)
+    {
+        uint32_t jumpCount = countKnots(&tiles[i], rows) * tiles[i].columnCount;
+        if (jumps + jumpCount > SW_SLICE_JUMPS)
+        {
+            return i;
+        }
+        tiles[i].firstJump = jumps;
+        jumps += jumpCount;
+    }
+    return count;
+}
+
+// The slice's tiles: first those that are added as cubics, as many as a block has room for, then the others.
+static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice, swSliceTile* tiles,
+                           swSliceList* list)
+{
+    swSliceTile others[SW_MAX_TILES];
     uint32_t count = 0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
@@ -60,14 +117,36 @@ static uint32_t fillSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame,
             continue;
         }
         swSliceTile tile = makeSliceTile(slice, &frame->tiles[i], gpuWorld->tiles.params[i].firstTexel);
-        bool isSparse = (SW_SLICE_RUN - 1) * tile.step > SW_SLICE_ROWS - 4;
-        for (uint32_t t = 0; t < (isSparse ? SW_SLICE_RUN : 1); ++t)
+        tile.columnCount = countColumns(&tile);
+        if (tile.step <= SW_SLICE_STEP && count < SW_SLICE_TILES)
         {
-            tile.runMask = isSparse ? 1u << t : tile.runMask;
             tiles[count++] = tile;
         }
+        else
+        {
+            others[list->windowCount++] = tile;
+        }
     }
-    return count;
+    list->groupRows = SW_SLICE_HEIGHT;
+    list->count = placeJumps(count, tiles, list->groupRows);
+    while (list->count < count && list->groupRows > 2)
+    {
+        list->groupRows /= 2;
+        list->count = placeJumps(count, tiles, list->groupRows);
+    }
+    placeColumns(list->count, tiles);
+    memcpy(tiles + count, others, list->windowCount * sizeof(swSliceTile));
+    list->windowCount += count - list->count;
+}
+
+// The bottom that shapes waves, as the slice's texels see it.
+static void placeBottom(const swGpuBottom* bottom, const swSlice* slice, int resolution, swSliceList* list)
+{
+    double x = (double)slice->firstX * slice->texel, z = (double)slice->firstZ * slice->texel;
+    list->generalRows = (uint32_t)(bottom->share * (float)resolution);
+    list->depth = (float)((double)bottom->depth + x * (double)bottom->alongX + z * (double)bottom->alongZ);
+    list->depthAlongX = (float)(slice->texel * (double)bottom->alongX);
+    list->depthAlongZ = (float)(slice->texel * (double)bottom->alongZ);
 }
 
 // Turns as a fraction of 2^32.
@@ -109,7 +188,7 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
     swGpu* gpu = gpuWorld->gpu;
     swSliceList lists[SW_MAX_SLICES] = {0};
     size_t slices = (size_t)stack->sliceCount;
-    size_t mostTiles = slices * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1) * SW_SLICE_RUN;
+    size_t mostTiles = slices * (size_t)(frame->tileCount > 0 ? frame->tileCount : 1);
     size_t mostWaves = slices * (size_t)(frame->waveCount > 0 ? frame->waveCount : 1);
     swResult result = swReserveUpload(gpu, mostTiles * sizeof(swSliceTile), &view->tiles);
     result = result == SW_SUCCESS ? swReserveUpload(gpu, mostWaves * sizeof(swSliceWave), &view->waves) : result;
@@ -119,18 +198,23 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
     }
     uint32_t tileCount = 0;
     uint32_t waveCount = 0;
+    view->constants = (swSlicesConstants){.withPlaces = gpuWorld->bottom.share > 0.0f ? 1 : 0};
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         const swSlice* slice = &stack->slices[i];
         swSliceList* list = &lists[i];
-        swSliceTile* tiles = (swSliceTile*)view->tiles.data + tileCount;
+        swSliceTile tiles[SW_MAX_TILES]; // uploads are written once, in order: they are slow to read
         list->first = tileCount;
-        list->count = fillSliceTiles(gpuWorld, frame, slice, tiles);
         list->firstWave = waveCount;
-        fillSliceWaves(frame, slice, (swSliceWave*)view->waves.data + waveCount, list);
-        tileCount += list->count;
-        waveCount += list->waveCount;
         list->texelsPerMetre = (float)(1.0 / slice->texel);
+        placeBottom(&gpuWorld->bottom, slice, stack->resolution, list);
+        makeSliceTiles(gpuWorld, frame, slice, tiles, list);
+        uint32_t all = list->count + list->windowCount;
+        memcpy((swSliceTile*)view->tiles.data + tileCount, tiles, all * sizeof(swSliceTile));
+        fillSliceWaves(frame, slice, (swSliceWave*)view->waves.data + waveCount, list);
+        tileCount += all;
+        waveCount += list->waveCount;
+        view->constants.withOthers |= list->windowCount + list->waveCount > 0 ? 1 : 0;
     }
     return swUploadData(gpu, lists, sizeof(lists), &view->lists);
 }
@@ -158,7 +242,17 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
 
 static swResult create(swGpuWorld* gpuWorld, void* state)
 {
-    return swCreateOnce(gpuWorld->gpu, &swSlicesShader, &((State*)state)->pipeline);
+    State* s = state;
+    const swSlicesConstants tilesAlone = {0};
+    swResult result = swCreateVariant(gpuWorld->gpu, &swSlicesShader, &tilesAlone, &s->pipelines);
+    for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
+    {
+        if (isMade(&gpuWorld->views[i]))
+        {
+            result = swCreateVariant(gpuWorld->gpu, &swSlicesShader, &s->views[i].constants, &s->pipelines);
+        }
+    }
+    return result;
 }
 
 static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
@@ -183,7 +277,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
             .waves = swBindUpload(&s->views[i].waves),
         };
         uint32_t resolution = (uint32_t)view->resolution;
-        swBindSlices(gpu, commands, &s->pipeline, &bindings);
+        swBindSlices(gpu, commands, swFindVariant(&s->pipelines, &swSlicesShader, &s->views[i].constants), &bindings);
         gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
                             (uint32_t)view->sliceCount);
     }
@@ -191,7 +285,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
 
 static void destroy(swGpu* gpu, void* state)
 {
-    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+    swDestroyVariants(gpu, &((State*)state)->pipelines);
 }
 
 const swPass swPass_slices = {

@@ -17,7 +17,7 @@ list(APPEND SW_SHADERS
     waves/waves_rows.comp
     waves/waves_columns.comp
     waves/detail.comp
-    sim/slices.comp
+    waves/slices.comp
     sim/foam.comp
     query/surface_query.comp
     query/volume_waves.comp

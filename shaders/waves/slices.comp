@@ -1,0 +1,544 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+// Displacement and its derivatives at every texel of every slice of a view: the sum over the slice's tiles of their
+// cubic B-splines, with exact weights (a texture unit's have 8 bits, which would be millimetres wrong), and of its free
+// waves.
+//
+// The axes of slices and tiles are parallel, so the spline is separable over the whole slice: all texels of a column
+// share their weights along x, all texels of a row their weights along z. A thread owns a column of SW_SLICE_HEIGHT
+// texels. Columns lie side by side, a workgroup's make a block, so a tile's knots along z lie between the same two rows
+// of texels for the whole block.
+//
+// Along z the sum of all tiles is one cubic from knot to knot. Each tile's columns are turned into cubics once for the
+// block, in shared memory, together with what changes at each knot: only the third derivative does, by the fourth
+// difference of the tile's coefficients. A thread weighs four columns of each tile along x (value and slope), which
+// gives the cubic of its middle texel; then it goes along its column, takes in a knot where one is passed, and
+// evaluates the cubic at each texel. A tile costs 12 bytes of shared memory a texel, whatever its resolution, and a
+// little more at each of its knots. It is exact, not an approximation.
+//
+// Tiles that have more than three samples in four texels would have too many knots. They are added texel by texel, and
+// so are free waves, with their phases in integers: four texels at a time, each by turning the sine and cosine of the
+// one before on. Pipelines of views that have neither are compiled without (WITH_OTHERS).
+//
+// Where waves differ from place to place (WITH_PLACES), a block is added in one of two ways: far from all that shapes
+// waves as above; else in general, texel by texel, each tile and free wave with the weight that its place gives it. See
+// findShape().
+//
+// What decides is how many blocks run at once, and the length of the code. A compiler gives a thread as many registers
+// as shared memory leaves it, whatever would fit. Slower on an H100 than what is here (33.6 us): columns of eight
+// texels (40.7), texels that change places, so that stores fill whole pieces of images (36.4; stores alone take 10 us
+// in two rows of sixteen and 21 in rows of thirty-two, but each pair of rows needs barriers), steps written out twice
+// (30 KB of code), blocks of 64, 192 and 384 columns, and cubics and knots laid out one after the other in the same
+// memory.
+
+#include "lib/turns.glsl"
+#include "shared/depth_share.h"
+#include "shared/spline.h"
+#include "shared/surface_normal.h"
+#include "shared/waves.h"
+
+layout(local_size_x = SW_SLICE_WIDTH) in;
+layout(constant_id = 0) const bool WITH_OTHERS = true;  // tiles added texel by texel, and free waves
+layout(constant_id = 1) const bool WITH_PLACES = false; // waves differ from place to place
+
+layout(std430, binding = 0) readonly buffer Lists
+{
+    swSliceList lists[];
+};
+layout(std430, binding = 1) readonly buffer Tiles
+{
+    swSliceTile tiles[];
+};
+layout(std430, binding = 2) readonly buffer Texels
+{
+    vec4 texels[];
+};
+layout(binding = 3, rgba32f) uniform writeonly image2DArray displacement;
+layout(binding = 4, rgba16f) uniform writeonly image2DArray derivatives;
+layout(std430, binding = 5) readonly buffer Waves
+{
+    swSliceWave waves[];
+};
+
+// The slice's tiles that are added as cubics.
+shared swSliceTile blockTiles[SW_SLICE_TILES];
+// Columns of a batch of tiles: x, y and z of each, as cubics along z in powers of texels from the block's middle row.
+shared vec4 laidOut[3 * SW_SLICE_COLUMNS];
+// By how much the coefficient of the third power changes at the knots of each column of all tiles; x, then y, then z.
+shared float jumps[3 * SW_SLICE_JUMPS];
+// Bit b of a row: tile b has a knot between the row before and this one.
+shared uint knotTiles[SW_SLICE_HEIGHT];
+
+// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's middle row, y and z the same; slopeX
+// to slopeZ are its slope along x.
+struct Cubic
+{
+    vec4 x, y, z;
+    vec4 slopeX, slopeY, slopeZ;
+};
+
+const Cubic FLAT = Cubic(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+
+float evaluate(vec4 c, float t)
+{
+    return fma(fma(fma(c.w, t, c.z), t, c.y), t, c.x);
+}
+
+float evaluateSlope(vec4 c, float t)
+{
+    return fma(fma(3.0 * c.w, t, 2.0 * c.z), t, c.y);
+}
+
+// Interpolated along x.
+vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
+{
+    return fma(vec3(weights.w), d, fma(vec3(weights.z), c, fma(vec3(weights.y), b, weights.x * a)));
+}
+
+// What each of four coefficients of the spline adds to its cubic, as Taylor polynomials t beyond a knot.
+mat4 cubicPieces(float t, float step)
+{
+    float halfSquare = 0.5 * step * step;
+    vec4 w1 = swSplineSlopes(t) * step;
+    vec4 w2 = vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t) * halfSquare;
+    vec4 w3 = vec4(-1.0, 3.0, -3.0, 1.0) * (halfSquare * step * (1.0 / 3.0));
+    return transpose(mat4(swSplineWeights(t), w1, w2, w3));
+}
+
+// Spline coordinates. The same bits wherever they are asked for: cells and weights must not disagree.
+float splineZ(swSliceTile tile, uint row)
+{
+    return fma(float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row), tile.step, tile.fractionZ);
+}
+
+float splineX(swSliceTile tile, uint column)
+{
+    return fma(float(column), tile.step, tile.fractionX);
+}
+
+// First tile column that the block touches, not wrapped.
+float firstOfBlock(swSliceTile tile)
+{
+    return floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH));
+}
+
+// Rows are made from the middle to the end, then from the middle back to the beginning: step by step a cubic loses
+// digits with the third power of the way. Of the group of steps that begins with one: the rows between which its knots
+// lie.
+const uint MIDDLE = SW_SLICE_HEIGHT / 2;
+
+uvec2 rowsOfGroup(swSliceList list, uint step)
+{
+    if (list.groupRows == SW_SLICE_HEIGHT)
+    {
+        return uvec2(0, SW_SLICE_HEIGHT - 1);
+    }
+    return step < MIDDLE ? MIDDLE - 1 + uvec2(max(step, 1u), step + list.groupRows)
+                         : SW_SLICE_HEIGHT - step - uvec2(list.groupRows, 0);
+}
+
+// Laying out tiles ---------------------------------------------------------------------------------------------------
+
+vec3 texelOf(swSliceTile tile, uint column, uint row)
+{
+    uint mask = tile.resolution - 1;
+    return texels[tile.firstTexel + (column & mask) + (row & mask) * (tile.resolution + 3)].xyz;
+}
+
+// Lays out by how much the coefficient of the third power changes at a knot, from the five coefficients around it.
+void placeJump(uint at, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e, float cube)
+{
+    vec3 jump = (a + e - 4.0 * (b + d) + 6.0 * c) * cube;
+    jumps[at] = jump.x;
+    jumps[SW_SLICE_JUMPS + at] = jump.y;
+    jumps[2 * SW_SLICE_JUMPS + at] = jump.z;
+}
+
+// The cubic of a column of a tile, at the block's middle.
+void placeCubic(swSliceTile tile, uint column, uint at)
+{
+    float s = splineZ(tile, MIDDLE);
+    float cell = floor(s);
+    uint row = (tile.base >> 16) + uint(cell);
+    vec3 a = texelOf(tile, at, row), b = texelOf(tile, at, row + 1);
+    vec3 c = texelOf(tile, at, row + 2), d = texelOf(tile, at, row + 3);
+    mat4 pieces = cubicPieces(s - cell, tile.step);
+    laidOut[tile.firstColumn + column] = pieces * vec4(a.x, b.x, c.x, d.x);
+    laidOut[SW_SLICE_COLUMNS + tile.firstColumn + column] = pieces * vec4(a.y, b.y, c.y, d.y);
+    laidOut[2 * SW_SLICE_COLUMNS + tile.firstColumn + column] = pieces * vec4(a.z, b.z, c.z, d.z);
+}
+
+// Lays out a column of a tile: its cubic if it is the first time, and what changes at its knots between two rows.
+void placeColumn(swSliceTile tile, uint column, bool isFirst, uvec2 rows)
+{
+    float cell = floor(splineZ(tile, rows.x));
+    uint row = (tile.base >> 16) + uint(cell);
+    uint at = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
+    if (isFirst)
+    {
+        placeCubic(tile, column, at);
+    }
+    vec3 a = texelOf(tile, at, row), b = texelOf(tile, at, row + 1);
+    vec3 c = texelOf(tile, at, row + 2), d = texelOf(tile, at, row + 3);
+    uint knotCount = uint(floor(splineZ(tile, rows.y)) - cell);
+    uint to = tile.firstJump + column;
+    float cube = tile.step * tile.step * tile.step * (1.0 / 6.0);
+    for (uint k = 0; k < knotCount; k += 3) // three loads at a time
+    {
+        vec3 e = texelOf(tile, at, row + k + 4), f = texelOf(tile, at, row + k + 5), g = texelOf(tile, at, row + k + 6);
+        placeJump(to, a, b, c, d, e, cube);
+        if (k + 1 < knotCount)
+        {
+            placeJump(to + tile.columnCount, b, c, d, e, f, cube);
+        }
+        if (k + 2 < knotCount)
+        {
+            placeJump(to + 2 * tile.columnCount, c, d, e, f, g, cube);
+        }
+        a = d;
+        b = e;
+        c = f;
+        d = g;
+        to += 3 * tile.columnCount;
+    }
+}
+
+// Lays out the columns of tiles [first, end), each by a thread.
+void placeColumns(uint first, uint end, bool isFirst, uvec2 rows)
+{
+    uint begin = blockTiles[first].firstOfAll;
+    uint columnCount = blockTiles[end - 1].firstOfAll + blockTiles[end - 1].columnCount - begin;
+    for (uint i = gl_LocalInvocationIndex; i < columnCount; i += SW_SLICE_WIDTH)
+    {
+        uint b = first;
+        for (uint next = first + 1; next < end; ++next)
+        {
+            b += begin + i >= blockTiles[next].firstOfAll ? 1 : 0;
+        }
+        placeColumn(blockTiles[b], begin + i - blockTiles[b].firstOfAll, isFirst, rows);
+    }
+}
+
+void prepareTiles(swSliceList list)
+{
+    uint thread = gl_LocalInvocationIndex;
+    if (thread < list.count)
+    {
+        blockTiles[thread] = tiles[list.first + thread];
+    }
+    if (thread < SW_SLICE_HEIGHT)
+    {
+        knotTiles[thread] = 0;
+    }
+    barrier();
+    for (uint i = thread; i < list.count * SW_SLICE_HEIGHT; i += SW_SLICE_WIDTH)
+    {
+        uint b = i / SW_SLICE_HEIGHT, row = i % SW_SLICE_HEIGHT;
+        if (row > 0 && floor(splineZ(blockTiles[b], row)) != floor(splineZ(blockTiles[b], row - 1)))
+        {
+            atomicOr(knotTiles[row], 1u << b);
+        }
+    }
+}
+
+// A column of texels -------------------------------------------------------------------------------------------------
+
+void addCubic(inout Cubic cubic, vec4 piece, vec3 value, vec3 slope)
+{
+    cubic.x = fma(piece, vec4(value.x), cubic.x);
+    cubic.y = fma(piece, vec4(value.y), cubic.y);
+    cubic.z = fma(piece, vec4(value.z), cubic.z);
+    cubic.slopeX = fma(piece, vec4(slope.x), cubic.slopeX);
+    cubic.slopeY = fma(piece, vec4(slope.y), cubic.slopeY);
+    cubic.slopeZ = fma(piece, vec4(slope.z), cubic.slopeZ);
+}
+
+// Where a column's window of four of the block's tile columns begins, and the window's weights.
+struct Window
+{
+    uint first;
+    vec4 value, slope;
+};
+
+Window makeWindow(swSliceTile tile, uint column)
+{
+    float s = splineX(tile, column);
+    float cell = floor(s);
+    return Window(uint(cell - firstOfBlock(tile)), swSplineWeights(s - cell), swSplineSlopes(s - cell) * tile.perMetre);
+}
+
+// Adds the cubic of a laid-out column, weighted.
+void addColumn(inout Cubic cubic, uint at, float value, float slope)
+{
+    vec4 x = laidOut[at], y = laidOut[SW_SLICE_COLUMNS + at], z = laidOut[2 * SW_SLICE_COLUMNS + at];
+    cubic.x = fma(vec4(value), x, cubic.x);
+    cubic.y = fma(vec4(value), y, cubic.y);
+    cubic.z = fma(vec4(value), z, cubic.z);
+    cubic.slopeX = fma(vec4(slope), x, cubic.slopeX);
+    cubic.slopeY = fma(vec4(slope), y, cubic.slopeY);
+    cubic.slopeZ = fma(vec4(slope), z, cubic.slopeZ);
+}
+
+// Adds a tile to a column's cubic.
+void addTile(inout Cubic cubic, swSliceTile tile, uint column)
+{
+    Window window = makeWindow(tile, column);
+    uint at = tile.firstColumn + window.first;
+    addColumn(cubic, at, window.value.x, window.slope.x);
+    addColumn(cubic, at + 1, window.value.y, window.slope.y);
+    addColumn(cubic, at + 2, window.value.z, window.slope.z);
+    addColumn(cubic, at + 3, window.value.w, window.slope.w);
+}
+
+vec3 readJump(uint at)
+{
+    return vec3(jumps[at], jumps[SW_SLICE_JUMPS + at], jumps[2 * SW_SLICE_JUMPS + at]);
+}
+
+// Takes in the knots between a row and the one before, or leaves them behind (`sign` -1). `origin` is the row from
+// which those laid out are counted.
+void addKnots(inout Cubic cubic, uint row, uint origin, float sign, uint column)
+{
+    for (uint bits = knotTiles[row]; bits != 0; bits &= bits - 1)
+    {
+        swSliceTile tile = blockTiles[findLSB(bits)];
+        float cell = floor(splineZ(tile, row));
+        uint knot = uint(cell - floor(splineZ(tile, origin))) - 1;
+        float t = (cell - splineZ(tile, MIDDLE)) * tile.texelsPerUnit;
+        Window window = makeWindow(tile, column);
+        uint at = tile.firstJump + knot * tile.columnCount + window.first;
+        vec3 a = readJump(at), b = readJump(at + 1), c = readJump(at + 2), d = readJump(at + 3);
+        addCubic(cubic, sign * vec4(-t * t * t, 3.0 * t * t, -3.0 * t, 1.0), weigh(window.value, a, b, c, d),
+                 weigh(window.slope, a, b, c, d));
+    }
+}
+
+// Texels -------------------------------------------------------------------------------------------------------------
+
+// What is known of a texel: displacement, and its slopes; along z those of y and z only.
+struct Texel
+{
+    vec3 sum;
+    vec3 alongX;
+    vec2 alongZ;
+};
+
+Texel evaluateCubic(Cubic cubic, float t, float texelsPerMetre)
+{
+    return Texel(vec3(evaluate(cubic.x, t), evaluate(cubic.y, t), evaluate(cubic.z, t)),
+                 vec3(evaluate(cubic.slopeX, t), evaluate(cubic.slopeY, t), evaluate(cubic.slopeZ, t)),
+                 texelsPerMetre * vec2(evaluateSlope(cubic.y, t), evaluateSlope(cubic.z, t)));
+}
+
+// Adds a tile to one texel, from all sixteen coefficients around it.
+void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
+{
+    float x = splineX(tile, column), z = splineZ(tile, row);
+    float cellX = floor(x), cellZ = floor(z);
+    uint firstX = (tile.base & 0xffffu) + uint(cellX);
+    uint firstZ = (tile.base >> 16) + uint(cellZ);
+    vec4 valueX = swSplineWeights(x - cellX), slopeX = swSplineSlopes(x - cellX) * tile.perMetre;
+    vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
+    for (uint k = 0; k < 4; ++k)
+    {
+        vec3 a = texelOf(tile, firstX, firstZ + k), b = texelOf(tile, firstX + 1, firstZ + k);
+        vec3 c = texelOf(tile, firstX + 2, firstZ + k), d = texelOf(tile, firstX + 3, firstZ + k);
+        vec3 value = weigh(valueX, a, b, c, d);
+        texel.sum = fma(vec3(valueZ[k]), value, texel.sum);
+        texel.alongX = fma(vec3(valueZ[k]), weigh(slopeX, a, b, c, d), texel.alongX);
+        texel.alongZ = fma(vec2(slopeZ[k]), value.yz, texel.alongZ);
+    }
+}
+
+// Adds a free wave, `unit` its amplitude times cosine and sine there.
+void addWave(inout Texel texel, swSliceWave wave, vec2 unit)
+{
+    vec3 rate = vec3(wave.dx * unit.x, unit.y, wave.dz * unit.x);
+    texel.sum -= vec3(wave.dx * unit.y, -unit.x, wave.dz * unit.y);
+    texel.alongX = fma(vec3(-wave.kx), rate, texel.alongX);
+    texel.alongZ = fma(vec2(-wave.kz), rate.yz, texel.alongZ);
+}
+
+// Columns beyond a narrow slice's edge store nothing: Vulkan drops what is outside an image.
+void storeTexel(ivec3 at, Texel texel)
+{
+    float jacobian = swSurfaceJacobian(texel.alongX.x, texel.alongX.z, texel.alongZ.y);
+    float gx = swSurfaceNormalX(texel.alongX.z, texel.alongZ.y, texel.alongX.y, texel.alongZ.x);
+    float gz = swSurfaceNormalZ(texel.alongX.x, texel.alongX.z, texel.alongX.y, texel.alongZ.x);
+    imageStore(displacement, at, vec4(texel.sum, jacobian));
+    imageStore(derivatives, at, vec4(gx, gz, jacobian, 0.0));
+}
+
+vec2 swingOf(swSliceWave wave, uint column, uint row)
+{
+    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + row;
+    return wave.amplitude * unitOf(wave.phase + column * wave.stepX + z * wave.stepZ);
+}
+
+const Texel CALM = Texel(vec3(0.0), vec3(0.0), vec2(0.0));
+
+// Four texels that follow each other. They have names, not indices: an array that is indexed would leave the registers.
+struct Run
+{
+    Texel a, b, c, d;
+};
+
+vec2 turnOn(vec2 unit, vec2 turn)
+{
+    return vec2(unit.x * turn.x - unit.y * turn.y, unit.x * turn.y + unit.y * turn.x);
+}
+
+// The free waves of a run that begins at a row and goes on or back.
+Run sumWaves(swSliceList list, uint column, uint row, bool isBack)
+{
+    Run run = Run(CALM, CALM, CALM, CALM);
+    for (uint i = 0; i < list.waveCount; ++i)
+    {
+        swSliceWave wave = waves[list.firstWave + i];
+        vec2 turn = vec2(wave.cosZ, isBack ? -wave.sinZ : wave.sinZ);
+        vec2 unit = swingOf(wave, column, row);
+        addWave(run.a, wave, unit);
+        unit = turnOn(unit, turn);
+        addWave(run.b, wave, unit);
+        unit = turnOn(unit, turn);
+        addWave(run.c, wave, unit);
+        unit = turnOn(unit, turn);
+        addWave(run.d, wave, unit);
+    }
+    return run;
+}
+
+void addTexel(inout Texel texel, Texel other)
+{
+    texel.sum += other.sum;
+    texel.alongX += other.alongX;
+    texel.alongZ += other.alongZ;
+}
+
+// Tiles that are no cubics, and the free waves of texel `i` of a run.
+void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run run, uint i)
+{
+    for (uint k = list.count; k < list.count + list.windowCount; ++k)
+    {
+        addWindow(texel, tiles[list.first + k], column, row);
+    }
+    if (i < 2)
+    {
+        addTexel(texel, i == 0 ? run.a : run.b);
+    }
+    else
+    {
+        addTexel(texel, i == 2 ? run.c : run.d);
+    }
+}
+
+// Places -------------------------------------------------------------------------------------------------------------
+
+// What a texel's place does to waves of wave number k: the weight that they keep there, and its gradient. The twin of
+// swFindShape() in core/surface/places.c, of depth alone: until the fields are layers of a view, a plane bottom.
+struct Shape
+{
+    float weight;
+    vec2 slope;
+};
+
+Shape findShape(swSliceList list, float k, uint column, uint row)
+{
+    float z = float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
+    float depth = max(list.depth + list.depthAlongX * float(column) + list.depthAlongZ * z, 0.0);
+    float share = swDepthShare(k * depth);
+    return Shape(share, swDepthShareSlope(share) * k * list.texelsPerMetre * vec2(list.depthAlongX, list.depthAlongZ));
+}
+
+// Adds waves of one shape.
+void addShaped(inout Texel texel, Texel own, Shape shape)
+{
+    texel.sum += shape.weight * own.sum;
+    texel.alongX += shape.weight * own.alongX + shape.slope.x * own.sum;
+    texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
+}
+
+// All waves of a texel, each as its place shapes it.
+Texel sumShaped(swSliceList list, uint column, uint row)
+{
+    Texel texel = CALM;
+    for (uint i = 0; i < list.count + list.windowCount; ++i)
+    {
+        swSliceTile tile = tiles[list.first + i];
+        Texel own = CALM;
+        addWindow(own, tile, column, row);
+        addShaped(texel, own, findShape(list, tile.waveNumber, column, row));
+    }
+    for (uint i = 0; i < list.waveCount; ++i)
+    {
+        swSliceWave wave = waves[list.firstWave + i];
+        Texel own = CALM;
+        addWave(own, wave, swingOf(wave, column, row));
+        addShaped(texel, own, findShape(list, length(vec2(wave.kx, wave.kz)), column, row));
+    }
+    return texel;
+}
+
+void makeGeneralBlock(swSliceList list, uint column)
+{
+    for (uint row = 0; row < SW_SLICE_HEIGHT; ++row)
+    {
+        storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z),
+                   sumShaped(list, column, row));
+    }
+}
+
+void main()
+{
+    uint column = gl_GlobalInvocationID.x;
+    swSliceList list = lists[gl_WorkGroupID.z];
+    if (WITH_PLACES && gl_WorkGroupID.y * SW_SLICE_HEIGHT < list.generalRows)
+    {
+        makeGeneralBlock(list, column);
+        return;
+    }
+    prepareTiles(list);
+    Cubic middle = FLAT;
+    Cubic cubic = FLAT;
+    Run run = Run(CALM, CALM, CALM, CALM);
+    for (uint group = 0; group < SW_SLICE_HEIGHT; group += list.groupRows)
+    {
+        uvec2 rows = rowsOfGroup(list, group);
+        for (uint first = 0; first < list.count; first = blockTiles[first].batchEnd)
+        {
+            uint end = blockTiles[first].batchEnd;
+            barrier(); // nobody reads what was laid out
+            placeColumns(first, end, group == 0, rows);
+            barrier();
+            for (uint b = group == 0 ? first : end; b < end; ++b)
+            {
+                addTile(middle, blockTiles[b], column);
+            }
+        }
+        for (uint i = group; i < group + list.groupRows; ++i)
+        {
+            bool isBack = i >= MIDDLE;
+            uint row = isBack ? SW_SLICE_HEIGHT - 1 - i : MIDDLE + i;
+            if (i == 0 || i == MIDDLE)
+            {
+                cubic = middle;
+            }
+            if (i > 0)
+            {
+                addKnots(cubic, isBack ? row + 1 : row, rows.x, isBack ? -1.0 : 1.0, column);
+            }
+            Texel texel = evaluateCubic(cubic, float(row) - float(MIDDLE), list.texelsPerMetre);
+            if (WITH_OTHERS)
+            {
+                if (i % 4 == 0)
+                {
+                    run = sumWaves(list, column, row, isBack);
+                }
+                addOthers(texel, list, column, row, run, i % 4);
+            }
+            storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z), texel);
+        }
+    }
+}
