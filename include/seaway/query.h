@@ -49,7 +49,7 @@ typedef struct swQueryDef
     /// 0.0005.
     float tolerance;
 
-    /// Range [1, 64]. Default 24.
+    /// Evaluations of all waves after a search's first guess. Range [1, 64]. Default 24.
     int maxIterations;
 
     /// s, past or future. Range [-SW_LARGEST_TIME, SW_LARGEST_TIME], or SW_QUERY_NOW. Default SW_QUERY_NOW. At another
@@ -75,7 +75,7 @@ typedef struct swQueryDef
 SW_API swQueryDef swDefaultQueryDef(void);
 
 /// What the last search for a point found, for callers that ask about the same points in each step: the next one then
-/// begins where the particle should have gone by now, and takes a third of the time. All zero: nothing is known.
+/// begins where the particle should have gone by now, and takes half to a third of the time. All zero: nothing is known.
 /// Keep one for each point, also of points that move with a ship; a query reads and writes it. The answer is as exact
 /// with a hint as without, but has other bits within the tolerance; the same hints give the same bits. A hint that is
 /// of no use (older than 0.25 s, of other waves, of another point) costs time and nothing else. Plain data: save it
@@ -123,7 +123,7 @@ typedef struct swSurfaceSamples
 typedef struct swQueryStats
 {
     int convergedCount; ///< points whose residual is within the tolerance; rays that met the water or came to their end
-    int iterationCount; ///< surface evaluations, all points together
+    int iterationCount; ///< surface evaluations, all points together; a search's first guess counts as one
     float worstResidual; ///< m; 0 of particles and rays
     int badCount;        ///< points, places or rays that could not be answered: their answers are NaN
 } swQueryStats;

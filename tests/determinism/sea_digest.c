@@ -464,10 +464,12 @@ static int Expect(const char* path)
     {
         Parts expected = {0, 0, 0};
         const Parts* found = &lines[i].parts;
-        wrongCount += !FindExpected(file, lines[i].name, &expected) ||
-                      !IsExpected(lines[i].name, "waves", expected.waves, found->waves) |
-                          !IsExpected(lines[i].name, "queries", expected.queries, found->queries) |
-                          !IsExpected(lines[i].name, "layers", expected.layers, found->layers);
+        bool isListed = FindExpected(file, lines[i].name, &expected);
+        // Every part is compared, so that each that differs is told.
+        bool areWaves = isListed && IsExpected(lines[i].name, "waves", expected.waves, found->waves);
+        bool areQueries = isListed && IsExpected(lines[i].name, "queries", expected.queries, found->queries);
+        bool areLayers = isListed && IsExpected(lines[i].name, "layers", expected.layers, found->layers);
+        wrongCount += areWaves && areQueries && areLayers ? 0 : 1;
     }
     fclose(file);
     printf("%d seas, %d differ from %s\n", count, wrongCount, path);
