@@ -174,7 +174,7 @@ static void TimeJumpsFromEndToEnd(void** state)
     swWorld_SetTime(world, SW_LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
     assert_true(swWaveSystem_GetWeight(world, FIRST) == 1.0f); // what Set() asked for, long over
-    assert_null(world->waves.systems[0].layers[0].set->mix);
+    assert_null(world->waves.systems[0].parts[0].set->mix);
     assert_true(swFindViewFrame(view)->stack.layers[SW_LAYER_FOAM].isReset);
     swWorld_SetTime(world, -SW_LARGEST_TIME);
     assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
@@ -198,7 +198,7 @@ static void AStateThatCannotBeSavedIsRefused(void** state)
         struct swWorld kept = *world;
         world->origin.x = way == 0 ? (double)NAN : world->origin.x;
         world->waves.systems[0].weight.to = way == 1 ? 11.0f : world->waves.systems[0].weight.to;
-        world->waves.systems[0].layers[0].fade.begin = way == 2 ? INT64_MIN : 0;
+        world->waves.systems[0].parts[0].fade.begin = way == 2 ? INT64_MIN : 0;
         int before = keeper.sentences;
         size_t size = 1;
         assert_int_equal(swWorld_Save(world, NULL, &size), SW_ERROR_LIMIT);
@@ -209,7 +209,7 @@ static void AStateThatCannotBeSavedIsRefused(void** state)
         assert_int_equal(keeper.sentences, before + 2);
         world->origin = kept.origin;
         world->waves.systems[0].weight = kept.waves.systems[0].weight;
-        world->waves.systems[0].layers[0].fade = kept.waves.systems[0].layers[0].fade;
+        world->waves.systems[0].parts[0].fade = kept.waves.systems[0].parts[0].fade;
     }
     print_message("%s\n", keeper.last);
     CheckSaved(&host, world);
@@ -399,10 +399,10 @@ static void ExpectRefusedRewind(const swWaveSystemDef* then, const swWaveSystemD
     swHost host = MakeHost(&keeper);
     swWorld* world = MakeWorld(&host, then);
     Saved saved = Save(world);
-    uint64_t hash = world->waves.systems[0].layers[0].set->hash;
+    uint64_t hash = world->waves.systems[0].parts[0].set->hash;
     assert_int_equal(swWaveSystem_Set(world, FIRST, now, 0.0), SW_SUCCESS);
     assert_int_equal(swWorld_Step(world, 0.5), SW_SUCCESS);
-    bool isSame = world->waves.systems[0].layers[0].set->hash == hash;
+    bool isSame = world->waves.systems[0].parts[0].set->hash == hash;
     print_message("%s: %s waves\n", what, isSame ? "the same" : "other");
     assert_true(isSame || !mustBeSame);
     assert_int_equal(swWorld_Rewind(world, saved.data, saved.size), SW_ERROR_UNSUPPORTED);

@@ -230,7 +230,7 @@ static void EnergyStaysOnTheWay(void** state)
             float variance = GetVariance(sea.world);
             float least = fminf(first, last), most = fmaxf(first, last);
             assert_true(variance > 0.999f * least && variance < 1.001f * most);
-            if (sea.world->waves.systems[0].layerCount == 1)
+            if (sea.world->waves.systems[0].partCount == 1)
             {
                 assert_float_equal(variance / (first + (last - first) * share), 1.0f, 1e-3f);
             }
@@ -325,10 +325,10 @@ static void CrossFadesHaveALimitAndRefusingChangesNothing(void** state)
         swWorld_Step(sea.world, 0.1);
     }
     assert_int_equal(result, SW_ERROR_LIMIT);
-    assert_int_equal(made, SW_MAX_WAVE_LAYERS - 1);
+    assert_int_equal(made, SW_MAX_WAVE_PARTS - 1);
     assert_int_equal(swWaveSystem_Get(sea.world, sea.waves).seed, def.seed - 1);
     swWorld_Step(sea.world, 11.0);
-    assert_int_equal(sea.world->waves.systems[0].layerCount, 1);
+    assert_int_equal(sea.world->waves.systems[0].partCount, 1);
     assert_int_equal(swWaveSystem_Set(sea.world, sea.waves, &def, 10.0), SW_SUCCESS);
     swDestroyWorld(sea.world);
 }

@@ -188,7 +188,7 @@ int swWaveSystem_GetBands(const swWorld* world, swWaveSystemId id, swBandInfo* b
         return 0;
     }
     SW_REQUIRE(bands != NULL, 0, &world->host, "swWaveSystem_GetBands() needs room for SW_MAX_BANDS bands");
-    const swWaveSet* set = system->layers[system->layerCount - 1].set;
+    const swWaveSet* set = system->parts[system->partCount - 1].set;
     float weight = swGetRamp(&system->weight, world->frame.ticks);
     float square = weight * weight;
     return set->def.method == SW_WAVES_FFT ? listBands(set, square, bands) : listOctaves(set, square, bands);

@@ -38,7 +38,7 @@ static void releaseSets(swWaves* waves, swWaveSet* sets[2])
     }
 }
 
-// Make the pair current: its sets, their mix, and the system's only layer.
+// Make the pair current: its sets, their mix, and the system's only part.
 static swResult changePair(swWaves* waves, swReplay* replay, int slot, int before, int after)
 {
     swWaveSet* sets[2] = {NULL, NULL};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A wave system that plays the records of a measured sea. It has one layer: the set of one record, or a mix of two
+// A wave system that plays the records of a measured sea. It has one part: the set of one record, or a mix of two
 // whose share the replay sets. The two sets stay with the replay as long as their pair is current, so that a step
 // forward makes one new set and not two.
 

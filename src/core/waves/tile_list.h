@@ -7,8 +7,8 @@
 
 typedef struct swWaveSet swWaveSet;
 
-#define SW_MAX_WAVE_LAYERS 4
-#define SW_MAX_SHOWN_SETS (SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS)
+#define SW_MAX_WAVE_PARTS 4
+#define SW_MAX_SHOWN_SETS (SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_PARTS)
 
 // Fields of a tile on the CPU: displacement and its derivatives by time.
 enum
@@ -19,16 +19,16 @@ enum
     SW_TEXELS_COUNT
 };
 
-// A set, once, however many systems and layers show it.
+// A set, once, however many systems and parts show it.
 typedef struct swShownSet
 {
     const swWaveSet* set;
-    float weight; // of all systems and layers together
+    float weight; // of all systems and parts together
     int system;   // slot of the first of them that has weight
     float share;  // of a mix
 } swShownSet;
 
-// In order of systems and layers. Sets without weight are among them.
+// In order of systems and parts. Sets without weight are among them.
 typedef struct swShown
 {
     int count;

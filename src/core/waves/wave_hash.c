@@ -110,17 +110,17 @@ static void addRamp(swHash* hash, const swRamp* ramp, int64_t ticks)
 
 void swAddHashSystem(swHash* hash, const swWaveSystem* system, int64_t ticks)
 {
-    swAddHash(hash, (uint64_t)system->layerCount);
+    swAddHash(hash, (uint64_t)system->partCount);
     addRamp(hash, &system->weight, ticks);
-    for (int i = 0; i < system->layerCount; ++i)
+    for (int i = 0; i < system->partCount; ++i)
     {
-        const swWaveLayer* layer = &system->layers[i];
-        swAddHash(hash, layer->set->hash);
-        addRamp(hash, &layer->fade, ticks);
-        if (layer->set->mix != NULL)
+        const swWavePart* part = &system->parts[i];
+        swAddHash(hash, part->set->hash);
+        addRamp(hash, &part->fade, ticks);
+        if (part->set->mix != NULL)
         {
-            addRamp(hash, &layer->share, ticks);
-            swAddHash(hash, (uint64_t)(layer->isMixing ? 1 : 0) | (uint64_t)(layer->isShared ? 2 : 0));
+            addRamp(hash, &part->share, ticks);
+            swAddHash(hash, (uint64_t)(part->isMixing ? 1 : 0) | (uint64_t)(part->isShared ? 2 : 0));
         }
     }
 }

@@ -62,9 +62,9 @@ static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
+        for (int i = 0; i < waves->systems[slot].partCount; ++i)
         {
-            swWaveSet* set = waves->systems[slot].layers[i].set;
+            swWaveSet* set = waves->systems[slot].parts[i].set;
             set = set->mix != NULL ? set->to : set;
             if (swAreSameWaves(&set->def, def))
             {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Wave systems, and how they change. A system's layers add up to its sea: one, unless a cross-fade is under way. What a
-// layer weighs and how far its mix has come are functions of time, so that steps of any length give the same sea.
+// Wave systems, and how they change. A system's parts add up to its sea: one, unless a cross-fade is under way. What a
+// part weighs and how far its mix has come are functions of time, so that steps of any length give the same sea.
 
 #include <math.h>
 #include <string.h>
@@ -13,18 +13,18 @@
 
 // ---- limits ----
 
-// Tiles and free waves of a system that are not also those of an earlier system or layer.
+// Tiles and free waves of a system that are not also those of an earlier system or part.
 static void countWaves(const swWaveSystem* systems, int* tiles, int* waves)
 {
-    const swWaveSet* seen[SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS];
+    const swWaveSet* seen[SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_PARTS];
     int seenCount = 0;
     *tiles = 0;
     *waves = 0;
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < systems[slot].layerCount; ++i)
+        for (int i = 0; i < systems[slot].partCount; ++i)
         {
-            const swWaveSet* set = systems[slot].layers[i].set;
+            const swWaveSet* set = systems[slot].parts[i].set;
             bool isNew = true;
             for (int k = 0; k < seenCount; ++k)
             {
@@ -82,11 +82,11 @@ static void warnOfTwins(swWaves* waves, int slot, const swWaveSet* set)
     for (int other = 0; other < SW_MAX_WAVE_SYSTEMS; ++other)
     {
         const swWaveSystem* system = &waves->systems[other];
-        if (other == slot || system->layerCount == 0)
+        if (other == slot || system->partCount == 0)
         {
             continue;
         }
-        const swWaveSet* twin = system->layers[system->layerCount - 1].set;
+        const swWaveSet* twin = system->parts[system->partCount - 1].set;
         twin = twin->to != NULL ? twin->to : twin;
         if (twin == set || twin->def.seed != set->def.seed)
         {
@@ -111,8 +111,8 @@ swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def)
     {
         return result;
     }
-    swWaveSystem system = {.layerCount = 1, .weight = swMakeConstantRamp(def->weight)};
-    system.layers[0] = (swWaveLayer){.set = set, .fade = swMakeConstantRamp(1.0f)};
+    swWaveSystem system = {.partCount = 1, .weight = swMakeConstantRamp(def->weight)};
+    system.parts[0] = (swWavePart){.set = set, .fade = swMakeConstantRamp(1.0f)};
     result = placeSystem(waves, slot, &system);
     if (result != SW_SUCCESS)
     {
@@ -123,20 +123,20 @@ swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def)
     return result;
 }
 
-static void releaseLayers(swWaves* waves, swWaveSystem* system, int count)
+static void releaseParts(swWaves* waves, swWaveSystem* system, int count)
 {
     for (int i = 0; i < count; ++i)
     {
-        swReleaseSet(waves, system->layers[i].set);
+        swReleaseSet(waves, system->parts[i].set);
     }
-    system->layerCount -= count;
-    memmove(system->layers, system->layers + count, (size_t)system->layerCount * sizeof system->layers[0]);
+    system->partCount -= count;
+    memmove(system->parts, system->parts + count, (size_t)system->partCount * sizeof system->parts[0]);
 }
 
 void swRemoveSystem(swWaves* waves, int slot)
 {
     swWaveSystem* system = &waves->systems[slot];
-    releaseLayers(waves, system, system->layerCount);
+    releaseParts(waves, system, system->partCount);
     *system = (swWaveSystem){0};
     waves->isTileListStale = true;
     waves->isChanged = true;
@@ -146,57 +146,57 @@ void swFreeAllSystems(swWaves* waves)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        releaseLayers(waves, &waves->systems[slot], waves->systems[slot].layerCount);
+        releaseParts(waves, &waves->systems[slot], waves->systems[slot].partCount);
     }
     swFreeRetiredSets(waves);
 }
 
 const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system)
 {
-    const swWaveSet* set = system->layers[system->layerCount - 1].set;
+    const swWaveSet* set = system->parts[system->partCount - 1].set;
     return set->mix != NULL ? &set->to->def : &set->def;
 }
 
 // ---- change ----
 
-// The newest layer turns into `set` wave by wave. SW_ERROR_UNSUPPORTED if their phases differ.
+// The newest part turns into `set` wave by wave. SW_ERROR_UNSUPPORTED if their phases differ.
 static swResult mixLayer(swWaves* waves, int slot, swWaveSet* set, double seconds)
 {
     swWaveSystem changed = waves->systems[slot];
-    swWaveLayer* layer = &changed.layers[changed.layerCount - 1];
-    swWaveSet* before = layer->set;
+    swWavePart* part = &changed.parts[changed.partCount - 1];
+    swWaveSet* before = part->set;
     swWaveSet* mix = NULL;
     swResult result = swMixSets(waves, before, set, &mix);
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    layer->set = mix;
-    layer->share = swMakeRamp(waves->ticks, 0.0f, 1.0f, seconds);
-    layer->isMixing = true;
+    part->set = mix;
+    part->share = swMakeRamp(waves->ticks, 0.0f, 1.0f, seconds);
+    part->isMixing = true;
     result = placeSystem(waves, slot, &changed);
     swReleaseSet(waves, result == SW_SUCCESS ? before : mix);
     return result;
 }
 
-// All layers of now fade out, a new one fades in.
+// All parts of now fade out, a new one fades in.
 static swResult addLayer(swWaves* waves, int slot, swWaveSet* set, double seconds)
 {
     swWaveSystem changed = waves->systems[slot];
-    if (changed.layerCount == SW_MAX_WAVE_LAYERS)
+    if (changed.partCount == SW_MAX_WAVE_PARTS)
     {
         return swFail(&waves->memory->host, SW_ERROR_LIMIT,
                       "a wave system has %d cross-fades under way, which is the most; wait for one to end",
-                      SW_MAX_WAVE_LAYERS - 1);
+                      SW_MAX_WAVE_PARTS - 1);
     }
-    for (int i = 0; i < changed.layerCount; ++i)
+    for (int i = 0; i < changed.partCount; ++i)
     {
-        swWaveLayer* layer = &changed.layers[i];
-        layer->fade = swMakeRamp(waves->ticks, swGetFade(&layer->fade, waves->ticks), 0.0f, seconds);
+        swWavePart* part = &changed.parts[i];
+        part->fade = swMakeRamp(waves->ticks, swGetFade(&part->fade, waves->ticks), 0.0f, seconds);
     }
     set->useCount += 1;
-    changed.layers[changed.layerCount++] =
-        (swWaveLayer){.set = set, .fade = swMakeRamp(waves->ticks, 0.0f, 1.0f, seconds)};
+    changed.parts[changed.partCount++] =
+        (swWavePart){.set = set, .fade = swMakeRamp(waves->ticks, 0.0f, 1.0f, seconds)};
     swResult result = placeSystem(waves, slot, &changed);
     if (result != SW_SUCCESS)
     {
@@ -210,17 +210,17 @@ static swResult replaceLayers(swWaves* waves, int slot, swWaveSet* set)
     swWaveSystem before = waves->systems[slot];
     swWaveSystem changed = before;
     set->useCount += 1;
-    changed.layerCount = 1;
-    changed.layers[0] = (swWaveLayer){.set = set, .fade = swMakeConstantRamp(1.0f)};
+    changed.partCount = 1;
+    changed.parts[0] = (swWavePart){.set = set, .fade = swMakeConstantRamp(1.0f)};
     swResult result = placeSystem(waves, slot, &changed);
     if (result != SW_SUCCESS)
     {
         set->useCount -= 1;
         return result;
     }
-    for (int i = 0; i < before.layerCount; ++i)
+    for (int i = 0; i < before.partCount; ++i)
     {
-        swReleaseSet(waves, before.layers[i].set);
+        swReleaseSet(waves, before.parts[i].set);
     }
     return SW_SUCCESS;
 }
@@ -233,10 +233,10 @@ swResult swShowSet(swWaves* waves, int slot, swWaveSet* set)
 void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records)
 {
     swWaveSystem* system = &waves->systems[slot];
-    swWaveLayer* layer = &system->layers[system->layerCount - 1];
-    layer->share = swMakeConstantRamp(share);
-    layer->isShared = layer->set->mix != NULL;
-    layer->records = *records;
+    swWavePart* part = &system->parts[system->partCount - 1];
+    part->share = swMakeConstantRamp(share);
+    part->isShared = part->set->mix != NULL;
+    part->records = *records;
     waves->isChanged = true;
 }
 
@@ -259,13 +259,13 @@ swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, do
     {
         return result;
     }
-    const swWaveSet* newest = system->layers[system->layerCount - 1].set;
+    const swWaveSet* newest = system->parts[system->partCount - 1].set;
     if (set != newest && set != newest->to)
     {
         result = changeWaves(waves, slot, set, seconds);
         warnOfTwins(waves, slot, set);
     }
-    else if (seconds == 0.0 && (set != newest || system->layerCount > 1))
+    else if (seconds == 0.0 && (set != newest || system->partCount > 1))
     {
         result = replaceLayers(waves, slot, set); // where it was going anyway, but now
     }
@@ -287,32 +287,32 @@ void swRampWeight(swWaves* waves, int slot, float weight, double seconds)
 
 // ---- as time goes on ----
 
-static void finishMix(swWaves* waves, swWaveLayer* layer)
+static void finishMix(swWaves* waves, swWavePart* part)
 {
-    swWaveSet* mix = layer->set;
-    layer->set = mix->to;
-    layer->set->useCount += 1;
-    layer->isMixing = layer->isShared = false;
+    swWaveSet* mix = part->set;
+    part->set = mix->to;
+    part->set->useCount += 1;
+    part->isMixing = part->isShared = false;
     swReleaseSet(waves, mix);
 }
 
 static void advanceSystem(swWaves* waves, swWaveSystem* system)
 {
     int gone = 0;
-    for (int i = 0; i < system->layerCount; ++i)
+    for (int i = 0; i < system->partCount; ++i)
     {
-        swWaveLayer* layer = &system->layers[i];
-        if (layer->isMixing && swIsRampOver(&layer->share, waves->ticks))
+        swWavePart* part = &system->parts[i];
+        if (part->isMixing && swIsRampOver(&part->share, waves->ticks))
         {
-            finishMix(waves, layer);
+            finishMix(waves, part);
         }
-        bool isGone = i == gone && i + 1 < system->layerCount && layer->fade.to == 0.0f &&
-                      swIsRampOver(&layer->fade, waves->ticks);
+        bool isGone =
+            i == gone && i + 1 < system->partCount && part->fade.to == 0.0f && swIsRampOver(&part->fade, waves->ticks);
         gone += isGone ? 1 : 0;
     }
     if (gone > 0)
     {
-        releaseLayers(waves, system, gone);
+        releaseParts(waves, system, gone);
         waves->isTileListStale = true;
     }
 }
@@ -363,21 +363,21 @@ void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* show
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
         const swWaveSystem* system = &waves->systems[slot];
-        for (int i = 0; i < system->layerCount; ++i)
+        for (int i = 0; i < system->partCount; ++i)
         {
-            const swWaveLayer* layer = &system->layers[i];
-            float weight = swGetRamp(&system->weight, ticks) * swGetFade(&layer->fade, ticks);
-            bool isOver = layer->isMixing && swIsRampOver(&layer->share, ticks);
-            float share = swGetRamp(&layer->share, ticks);
-            if (ticks != waves->ticks && layer->records.isRunning && !layer->isMixing)
+            const swWavePart* part = &system->parts[i];
+            float weight = swGetRamp(&system->weight, ticks) * swGetFade(&part->fade, ticks);
+            bool isOver = part->isMixing && swIsRampOver(&part->share, ticks);
+            float share = swGetRamp(&part->share, ticks);
+            if (ticks != waves->ticks && part->records.isRunning && !part->isMixing)
             {
-                share = getRecordShare(&layer->records, time, &shown->isHeld);
+                share = getRecordShare(&part->records, time, &shown->isHeld);
             }
-            else if (ticks != waves->ticks && layer->isShared && !layer->isMixing)
+            else if (ticks != waves->ticks && part->isShared && !part->isMixing)
             {
                 shown->isHeld = true; // of a replay that was saved and has not been taken up
             }
-            showSet(shown, isOver ? layer->set->to : layer->set, share, weight, slot);
+            showSet(shown, isOver ? part->set->to : part->set, share, weight, slot);
         }
     }
 }

@@ -29,14 +29,14 @@ static void shareMixes(swWaves* waves)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
+        for (int i = 0; i < waves->systems[slot].partCount; ++i)
         {
-            const swWaveLayer* layer = &waves->systems[slot].layers[i];
-            if (layer->set->mix != NULL)
+            const swWavePart* part = &waves->systems[slot].parts[i];
+            if (part->set->mix != NULL)
             {
-                swShareMix(layer->set, swGetRamp(&layer->share, waves->ticks));
+                swShareMix(part->set, swGetRamp(&part->share, waves->ticks));
                 waves->version += 1;
-                layer->set->version = waves->version;
+                part->set->version = waves->version;
             }
         }
     }

@@ -19,7 +19,7 @@
 struct swWaveSet
 {
     struct swWaveSet* nextRetired;
-    int useCount; // layers, and mixes made of it
+    int useCount; // parts, and mixes made of it
     uint32_t version;
     uint64_t hash;       // of its waves at weight 1, or of what a mix is made from; part of digests
     uint64_t identity;   // the same and all else that decides what the set answers; by it saved sets are known
@@ -40,7 +40,7 @@ struct swWaveSet
     swModeMix* mix;
 };
 
-// When a replay shows the pair of records that a layer is made of.
+// When a replay shows the pair of records that a part is made of.
 typedef struct swRecordClock
 {
     bool isRunning;
@@ -48,22 +48,22 @@ typedef struct swRecordClock
     double first, last;                    // of the pair; infinite before the first record and after the last
 } swRecordClock;
 
-// A system is a stack of layers: the sea that was asked for on top, below it those that fade out. Waves that share
-// their phases never need a second layer: their set is a mix, whose share runs from 0 to 1.
-typedef struct swWaveLayer
+// A system is a stack of parts: the sea that was asked for on top, below it those that fade out. Waves that share
+// their phases never need a second part: their set is a mix, whose share runs from 0 to 1.
+typedef struct swWavePart
 {
     swWaveSet* set;
     swRamp fade;           // weight, along a quarter of a sine so that energy stays
     swRamp share;          // of a mix
     bool isMixing;         // the share runs to 1, and then the mix is over
     bool isShared;         // the share is set from outside, by a replay
-    swRecordClock records; // of a layer that a replay shows
-} swWaveLayer;
+    swRecordClock records; // of a part that a replay shows
+} swWavePart;
 
 typedef struct swWaveSystem
 {
-    int layerCount;                         // 0: the slot is empty
-    swWaveLayer layers[SW_MAX_WAVE_LAYERS]; // newest last
+    int partCount;                       // 0: the slot is empty
+    swWavePart parts[SW_MAX_WAVE_PARTS]; // newest last
     swRamp weight;
 } swWaveSystem;
 
@@ -117,7 +117,7 @@ swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, do
 void swAdvanceSystems(swWaves* waves); // changes that are over end
 void swFreeAllSystems(swWaves* waves);
 void swRampWeight(swWaves* waves, int slot, float weight, double seconds);
-swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                           // as the only layer, at once
+swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                           // as the only part, at once
 void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records); // by a replay
 const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system);                      // what was asked for last
 // Tiles and free waves of some systems; a sentence in the log if there are too many.

@@ -608,9 +608,9 @@ size_t swGetTileScratchSize(int resolution)
 }
 
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
-                      int64_t ticks, int order, void* scratch)
+                      int64_t ticks, int derivative, void* scratch)
 {
-    kernels->transformTiles(a, texelsA, b, texelsB, ticks, order, scratch);
+    kernels->transformTiles(a, texelsA, b, texelsB, ticks, derivative, scratch);
 }
 
 void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* tiles, int count, const swPosXZ* points,

@@ -71,10 +71,10 @@ size_t swGetTileScratchSize(int resolution);
 
 // Transform one tile, or two of the same resolution at once (b may be NULL; two are cheaper than one and one), at
 // `ticks` into texels ((N + 3)^2 * 4 floats each, 64-byte aligned), times the tile's weight. A tile's bits depend on
-// its partner, so the world pairs the tiles of a system in a fixed order. `order` 1 and 2 make the first and second
-// derivative by time instead: velocity and acceleration.
+// its partner, so the world pairs the tiles of a system in a fixed order. `derivative` 1 and 2 make the first and
+// second derivative by time instead: velocity and acceleration.
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
-                      int64_t ticks, int order, void* scratch);
+                      int64_t ticks, int derivative, void* scratch);
 
 // Which tiles of a list count, and which of their texels. Tiles count whose longest wave is in (shortest, longest],
 // where 0 is no bound.

@@ -9,8 +9,8 @@
 struct swWaveKernels
 {
     swIsa isa;
-    void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
-                           void* scratch);
+    void (*transformTiles)(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks,
+                           int derivative, void* scratch);
     void (*sampleTiles)(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients);
     void (*addTile)(const swTile* tile, int field, int count, const swPosXZ* points, bool withSlopes,
                     swPointSums* sums);

@@ -83,9 +83,10 @@ typedef struct ModeSpectra
     float parts[6][MODE_CHUNK];
 } ModeSpectra;
 
-// `order` times derived by time: with dH/dt of the form that H has, p' = omega (q_im, -q_re) and q' = omega (p_im,
+// Derived `derivative` times by time: with dH/dt of the form that H has, p' = omega (q_im, -q_re) and q' = omega (p_im,
 // -p_re) as (re, im) pairs, and the second derivative is -omega^2 H.
-static void computeSpectra(const swMode* modes, int count, int64_t ticks, float weight, int order, ModeSpectra* spectra)
+static void computeSpectra(const swMode* modes, int count, int64_t ticks, float weight, int derivative,
+                           ModeSpectra* spectra)
 {
     uint32_t phases[MODE_CHUNK];
     float factors[MODE_CHUNK];
@@ -93,10 +94,10 @@ static void computeSpectra(const swMode* modes, int count, int64_t ticks, float 
     {
         uint64_t frequency = ((uint64_t)modes[i].frequencyHigh << 32) | modes[i].frequencyLow;
         phases[i] = (uint32_t)((frequency * (uint64_t)ticks) >> 32);
-        if (order > 0)
+        if (derivative > 0)
         {
             float omega = getModeOmega(frequency);
-            factors[i] = order == 1 ? omega : -omega * omega;
+            factors[i] = derivative == 1 ? omega : -omega * omega;
         }
     }
     const int stride = (int)(sizeof(swMode) / sizeof(float));
@@ -110,7 +111,7 @@ static void computeSpectra(const swMode* modes, int count, int64_t ticks, float 
         swWide dx = direction[0];
         swWide dz = direction[1];
         swWide re, im;
-        if (order == 1)
+        if (derivative == 1)
         {
             re = swSubW(swMulW(amplitude[3], cosine), swMulW(amplitude[0], sine));
             im = swSubW(swSplatW(0.0f), swAddW(swMulW(amplitude[1], sine), swMulW(amplitude[2], cosine)));
@@ -120,7 +121,7 @@ static void computeSpectra(const swMode* modes, int count, int64_t ticks, float 
             re = swAddW(swMulW(amplitude[0], cosine), swMulW(amplitude[3], sine));
             im = swSubW(swMulW(amplitude[1], cosine), swMulW(amplitude[2], sine));
         }
-        if (order > 0)
+        if (derivative > 0)
         {
             swWide factor = swLoadW(factors + i);
             re = swMulW(re, factor);
@@ -175,7 +176,7 @@ static void placeSpectra(const Scratch* s, int firstField, const swMode* modes, 
 }
 
 // First axis of a tile's three fields: spectra at `ticks`, and their transforms along x.
-static void transformRows(const Scratch* s, int firstField, const swTile* tile, int64_t ticks, int order)
+static void transformRows(const Scratch* s, int firstField, const swTile* tile, int64_t ticks, int derivative)
 {
     int usedPanels = countUsedPanels(tile);
     for (int field = firstField; field < firstField + 3; ++field)
@@ -198,7 +199,8 @@ static void transformRows(const Scratch* s, int firstField, const swTile* tile, 
             modes = padded;
         }
         ModeSpectra spectra;
-        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight, order, &spectra);
+        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight, derivative,
+                       &spectra);
         placeSpectra(s, firstField, modes, count, &spectra);
     }
     for (int field = firstField; field < firstField + 3; ++field)
@@ -312,14 +314,14 @@ static void padTexels(int size, float* texels)
     memcpy(texels + (size + 1) * pitch * 4, texels + pitch * 4, 2 * (size_t)pitch * texel);
 }
 
-static void transformTiles(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks, int order,
-                           void* scratch)
+static void transformTiles(const swTile* a, float* texelsA, const swTile* b, float* texelsB, int64_t ticks,
+                           int derivative, void* scratch)
 {
     Scratch s = layOutScratch(a->resolution, scratch);
-    transformRows(&s, FIELD_AX, a, ticks, order);
+    transformRows(&s, FIELD_AX, a, ticks, derivative);
     if (b != NULL)
     {
-        transformRows(&s, FIELD_BX, b, ticks, order);
+        transformRows(&s, FIELD_BX, b, ticks, derivative);
     }
     // Bins that no mode reaches stay zero throughout.
     memset(s.columns, 0, (size_t)(FIELD_COUNT * getColumnRows(s.size)) * ROW_BYTES);

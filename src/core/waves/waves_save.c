@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Waves as bytes. Sets of waves come first, each once: by the def that they are made of, or, of a mix, by its waves,
-// whose first sea may be gone. Then systems, whose layers name the sets by their numbers.
+// whose first sea may be gone. Then systems, whose parts name the sets by their numbers.
 
 #include "core/waves/waves_save.h"
 
@@ -135,9 +135,9 @@ void swListSets(const swWaves* waves, swSetList* list)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < waves->systems[slot].layerCount; ++i)
+        for (int i = 0; i < waves->systems[slot].partCount; ++i)
         {
-            listOnce(list, waves->systems[slot].layers[i].set);
+            listOnce(list, waves->systems[slot].parts[i].set);
         }
     }
 }
@@ -267,35 +267,35 @@ static void streamRamp(swStream* stream, swRamp* ramp)
     stream->isBroken = stream->isBroken || !isFine;
 }
 
-static void streamLayer(swStream* stream, const swSetList* list, swWaveLayer* layer)
+static void streamLayer(swStream* stream, const swSetList* list, swWavePart* part)
 {
-    int index = swIsReading(stream) ? 0 : findInList(list, layer->set);
+    int index = swIsReading(stream) ? 0 : findInList(list, part->set);
     swStreamRange(stream, &index, 0, list->count > 0 ? list->count - 1 : 0);
     stream->isBroken = stream->isBroken || list->count == 0;
-    streamRamp(stream, &layer->fade);
-    streamRamp(stream, &layer->share);
-    swStreamBool(stream, &layer->isMixing);
-    swStreamBool(stream, &layer->isShared);
+    streamRamp(stream, &part->fade);
+    streamRamp(stream, &part->share);
+    swStreamBool(stream, &part->isMixing);
+    swStreamBool(stream, &part->isShared);
     if (swIsReading(stream) && !stream->isBroken && list->count > 0)
     {
-        layer->set = list->sets[index];
-        bool isMix = layer->set->mix != NULL;
-        layer->isMixing = layer->isMixing && isMix;
-        layer->isShared = layer->isShared && isMix;
+        part->set = list->sets[index];
+        bool isMix = part->set->mix != NULL;
+        part->isMixing = part->isMixing && isMix;
+        part->isShared = part->isShared && isMix;
     }
 }
 
 void swStreamSystem(swStream* stream, const swSetList* list, swWaveSystem* system)
 {
-    int count = system->layerCount;
-    swStreamRange(stream, &count, 1, SW_MAX_WAVE_LAYERS);
+    int count = system->partCount;
+    swStreamRange(stream, &count, 1, SW_MAX_WAVE_PARTS);
     streamRamp(stream, &system->weight);
     for (int i = 0; i < count && !stream->isBroken; ++i)
     {
-        streamLayer(stream, list, &system->layers[i]);
+        streamLayer(stream, list, &system->parts[i]);
         if (swIsReading(stream) && !stream->isBroken)
         {
-            system->layerCount = i + 1;
+            system->partCount = i + 1;
         }
     }
 }
@@ -304,9 +304,9 @@ void swUseLayers(const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS])
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < systems[slot].layerCount; ++i)
+        for (int i = 0; i < systems[slot].partCount; ++i)
         {
-            systems[slot].layers[i].set->useCount += 1;
+            systems[slot].parts[i].set->useCount += 1;
         }
     }
 }
@@ -315,9 +315,9 @@ void swUnuseLayers(swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEM
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < systems[slot].layerCount; ++i)
+        for (int i = 0; i < systems[slot].partCount; ++i)
         {
-            swReleaseSet(waves, systems[slot].layers[i].set);
+            swReleaseSet(waves, systems[slot].parts[i].set);
         }
     }
 }

@@ -6,7 +6,7 @@
 #include "core/base/stream.h"
 #include "core/waves/waves.h"
 
-#define SW_MAX_SETS (2 * SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_LAYERS)
+#define SW_MAX_SETS (2 * SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_PARTS)
 #define SW_LARGEST_TICKS ((int64_t)1 << 62) // more than those of SW_LARGEST_TIME
 
 typedef struct swSetList
@@ -16,7 +16,7 @@ typedef struct swSetList
     int tileCount; // of all that were read
 } swSetList;
 
-// Every set of all layers, and what mixes become ahead of the mixes.
+// Every set of all parts, and what mixes become ahead of the mixes.
 void swListSets(const swWaves* waves, swSetList* list);
 
 // Sets that are read belong to the list until they are released.
@@ -25,7 +25,7 @@ swResult swStreamSets(swWaves* waves, swStream* stream, swSetList* list);
 // The sets of a stream among those that there are. SW_ERROR_UNSUPPORTED if one is not.
 swResult swFindSets(const swWaves* waves, swStream* stream, swSetList* found);
 
-// Layers that are read do not yet count as users of their sets.
+// Parts that are read do not yet count as users of their sets.
 void swStreamSystem(swStream* stream, const swSetList* list, swWaveSystem* system);
 void swUseLayers(const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);
 void swUnuseLayers(swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);

@@ -19,13 +19,13 @@ static float findKnownWind(const swWaveSystem* system, int64_t ticks, double gra
 {
     float known = 0.0f, all = 0.0f;
     float levels[SW_MAX_BANDS * SW_WIND_STEPS] = {0};
-    for (int i = 0; i < system->layerCount; ++i)
+    for (int i = 0; i < system->partCount; ++i)
     {
-        const swWaveLayer* layer = &system->layers[i];
-        float weight = swGetRamp(&system->weight, ticks) * swGetFade(&layer->fade, ticks);
-        known += weight * weight * layer->set->bands[0].knownWind;
+        const swWavePart* part = &system->parts[i];
+        float weight = swGetRamp(&system->weight, ticks) * swGetFade(&part->fade, ticks);
+        known += weight * weight * part->set->bands[0].knownWind;
         all += weight * weight;
-        addLevels(layer->set, weight, levels);
+        addLevels(part->set, weight, levels);
     }
     if (!(known > 0.0f))
     {
