@@ -8,7 +8,8 @@
 static void PutLook(const Sea* sea, swScene* scene)
 {
     const SeaLook *look = &sea->look, *filed = &sea->filedLook;
-    bool isSunMoved = look->sky.sunAzimuth != filed->sky.sunAzimuth || look->sky.sunElevation != filed->sky.sunElevation;
+    bool isSunMoved =
+        look->sky.sunAzimuth != filed->sky.sunAzimuth || look->sky.sunElevation != filed->sky.sunElevation;
     float azimuth = scene->sky.sunAzimuth, elevation = scene->sky.sunElevation;
     scene->sky = look->sky;
     scene->sky.sunAzimuth = isSunMoved ? look->sky.sunAzimuth : azimuth;

@@ -60,8 +60,8 @@ SW_API void swDestroyMoment(swMoment* moment);
 SW_API const void* swMoment_GetMemory(const swMoment* moment, size_t* size);
 
 /// A moment of memory that was made by another, in this process or another one of the same build and kind of machine.
-/// The memory is read, never written; it must outlive the moment and stay as it is. A head that is damaged, or leads
-/// beyond `size`, is refused. A moment in shared memory that its maker sets anew must be mapped anew.
+/// The memory is 64-byte aligned, is read, never written, must outlive the moment and stay as it is. A head that is
+/// damaged, or leads beyond `size`, is refused. A moment in shared memory that its maker sets anew must be mapped anew.
 /// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY
 SW_API swResult swMapMoment(const swHost* host, const void* memory, size_t size, swMoment** moment);
 

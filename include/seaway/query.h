@@ -75,11 +75,11 @@ typedef struct swQueryDef
 SW_API swQueryDef swDefaultQueryDef(void);
 
 /// What the last search for a point found, for callers that ask about the same points in each step: the next one then
-/// begins where the particle should have gone by now, and takes half to a third of the time. All zero: nothing is known.
-/// Keep one for each point, also of points that move with a ship; a query reads and writes it. The answer is as exact
-/// with a hint as without, but has other bits within the tolerance; the same hints give the same bits. A hint that is
-/// of no use (older than 0.25 s, of other waves, of another point) costs time and nothing else. Plain data: save it
-/// where a run must be repeated to the bit.
+/// begins where the particle should have gone by now, and takes half to a third of the time. All zero: nothing is
+/// known. Keep one for each point, also of points that move with a ship; a query reads and writes it. The answer is as
+/// exact with a hint as without, but has other bits within the tolerance; the same hints give the same bits. A hint
+/// that is of no use (older than 0.25 s, of other waves, of another point) costs time and nothing else. Plain data:
+/// save it where a run must be repeated to the bit.
 typedef struct swSurfaceHint
 {
     double time;            ///< of the search, s

@@ -124,7 +124,8 @@ SW_API swResult swPrintScene(const swScene* scene, char* text, size_t* size);
 
 /// Write the scene to a file as swPrintScene() has it, and go on from there: the scene counts as read from that text.
 /// The file is replaced when all of the new one is on the disk, so that nothing is lost if it fails. A scene that was
-/// read from this file is refused if the file has changed since.
+/// read from this file is refused if the file has changed since; so is one that names a spectrum file relative to its
+/// folder which is not there from the new path.
 /// @return what swPrintScene() returns, and SW_ERROR_FILE
 SW_API swResult swWriteScene(swScene* scene, const char* path);
 

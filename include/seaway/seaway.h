@@ -2,7 +2,7 @@
 #pragma once
 
 /// @file
-/// The core: everything that a server without a GPU needs. gpu.h and draw.h are included by name.
+/// The core: everything that a server without a GPU needs. gpu.h, layers.h and draw.h are included by name.
 
 #include "base.h"
 #include "clock.h"

@@ -101,6 +101,20 @@ void swFreeText(const swHost* host, swFileText* text)
     memset(text, 0, sizeof(*text));
 }
 
+bool swIsSameFile(const char* a, const char* b)
+{
+    struct stat left, right;
+    return stat(a, &left) == 0 && stat(b, &right) == 0 && left.st_dev == right.st_dev && left.st_ino == right.st_ino;
+}
+
+void swFindFolder(const char* path, char folder[SW_MAX_PATH])
+{
+    const char* slash = strrchr(path, '/');
+    // The root folder keeps its slash.
+    int size = slash == NULL ? 0 : slash > path ? (int)(slash - path) : 1;
+    snprintf(folder, SW_MAX_PATH, "%.*s", size, path);
+}
+
 // ---- writing ----
 
 // The file that a path leads to, also where it is a link, and its permissions; 0 if there is none yet.
@@ -155,13 +169,8 @@ static bool writeAll(int file, const char* text, size_t size)
 static void syncFolder(const char* path)
 {
     char folder[SW_MAX_PATH];
-    const char* slash = strrchr(path, '/');
-    snprintf(folder, sizeof(folder), "%.*s",
-             slash == NULL  ? 1
-             : slash > path ? (int)(slash - path)
-                            : 1,
-             slash == NULL ? "." : path);
-    int file = open(folder, O_RDONLY);
+    swFindFolder(path, folder);
+    int file = open(folder[0] != '\0' ? folder : ".", O_RDONLY);
     if (file >= 0)
     {
         fsync(file);

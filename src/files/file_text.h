@@ -26,6 +26,12 @@ void swFreeText(const swHost* host, swFileText* text);
 // Whether there is a file that can be opened for reading.
 bool swHasFile(const char* path);
 
+// Whether two paths lead to one file or folder that is there, however they are spelled.
+bool swIsSameFile(const char* a, const char* b);
+
+// The folder that a path has before its last slash, empty if there is none.
+void swFindFolder(const char* path, char folder[SW_MAX_PATH]);
+
 // Write a whole file so that the one that is there stays whole whatever happens: into a new file beside it, which takes
 // its place once all of it is on the disk. Permissions stay; a link leads to the file that is replaced.
 // SW_ERROR_FILE and a sentence in the log if it cannot be written.

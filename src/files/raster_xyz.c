@@ -2,6 +2,7 @@
 // Lines of x, y and value, in any order, on a regular lattice of which cells may be missing.
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -170,7 +171,20 @@ static int findCell(const swRasterAxis* axis, double first, double place)
     return fabs(at - cell) <= SLACK && cell >= 0.0 && cell < axis->count ? (int)cell : -1;
 }
 
-static swResult fillCells(const XyzGrid* xyz, double firstEast, float* values)
+// A cell that has a point already may have it again; a point of another place says that the lattice is another one.
+static swResult checkRepeated(const XyzGrid* xyz, const XyzPoint* first, const XyzPoint* point)
+{
+    return first->x == point->x && first->y == point->y
+               ? SW_SUCCESS
+               : swFail(xyz->text.host, SW_ERROR_FORMAT,
+                        "%s:%d: the point at %g, %g is in the cell of that at %g, %g on line %d, if points are on a "
+                        "lattice of %g x %g; points that lie closer here than there must be gridded first.",
+                        xyz->text.name, point->line, point->x, point->y, first->x, first->y, first->line,
+                        xyz->grid.east.spacing, xyz->grid.north.spacing);
+}
+
+// `owners`: for each cell the number of its point, from 1 on; all 0 at first.
+static swResult fillCells(const XyzGrid* xyz, double firstEast, float* values, uint32_t* owners)
 {
     const swRasterAxis *east = &xyz->grid.east, *north = &xyz->grid.north;
     const XyzPoint* points = xyz->points.data;
@@ -194,7 +208,14 @@ static swResult fillCells(const XyzGrid* xyz, double firstEast, float* values)
         {
             continue;
         }
-        float* value = &values[(size_t)(row - north->begin) * width + (size_t)(column - east->begin)];
+        size_t cell = (size_t)(row - north->begin) * width + (size_t)(column - east->begin);
+        float* value = &values[cell];
+        swResult result = owners[cell] > 0 ? checkRepeated(xyz, &points[owners[cell] - 1], &points[i]) : SW_SUCCESS;
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+        owners[cell] = (uint32_t)i + 1;
         repeated += !isnan(*value) && *value != points[i].value ? 1 : 0;
         *value = isnan(*value) ? points[i].value : *value;
     }
@@ -219,13 +240,15 @@ static swResult makeRaster(XyzGrid* xyz, swRaster** raster)
     }
     size_t size = swCountGridCells(&xyz->grid) * sizeof(float);
     float* values = swAllocate(xyz->text.host, size);
-    if (values == NULL)
+    uint32_t* owners = swAllocateZero(xyz->text.host, size);
+    if (values == NULL || owners == NULL)
     {
-        return swFail(xyz->text.host, SW_ERROR_NO_MEMORY, "No memory for the cells of %s, %zu bytes.", xyz->text.name,
-                      size);
+        result = swFail(xyz->text.host, SW_ERROR_NO_MEMORY, "No memory for the cells of %s, %zu bytes.", xyz->text.name,
+                        2 * size);
     }
-    result = fillCells(xyz, firstEast, values);
+    result = result != SW_SUCCESS ? result : fillCells(xyz, firstEast, values, owners);
     result = result != SW_SUCCESS ? result : swMakeGridRaster(&xyz->grid, values, raster);
+    swFree(xyz->text.host, owners, size);
     swFree(xyz->text.host, values, size);
     return result;
 }

@@ -247,18 +247,13 @@ swResult swReadScene(const swHost* host, const char* path, swScene** scene)
 {
     SW_REQUIRE_PLACE(host, scene, "swReadScene()");
     SW_REQUIRE(path != NULL, SW_ERROR_INVALID, host, "swReadScene() needs a path");
-    char folder[SW_MAX_PATH] = "";
-    const char* slash = strrchr(path, '/');
+    char folder[SW_MAX_PATH];
     if (strlen(path) >= sizeof(folder))
     {
         return swFail(host, SW_ERROR_FILE, "The path of a scene has %zu bytes; at most %zu are read.", strlen(path),
                       sizeof(folder) - 1);
     }
-    if (slash != NULL)
-    {
-        // The root folder keeps its slash.
-        snprintf(folder, sizeof(folder), "%.*s", slash > path ? (int)(slash - path) : 1, path);
-    }
+    swFindFolder(path, folder);
     swFileText text;
     swResult result = swReadText(host, path, MAX_SCENE_SIZE, &text);
     if (result == SW_SUCCESS)

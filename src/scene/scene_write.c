@@ -148,6 +148,12 @@ void swScene_RemoveView(swScene* scene, int index)
 // Every value is one that can be read.
 static swResult checkScene(const swScene* scene)
 {
+    if (scene->wavesCount < 0 || scene->wavesCount > SW_MAX_WAVE_SYSTEMS || scene->viewCount < 0 ||
+        scene->viewCount > SW_MAX_SCENE_VIEWS)
+    {
+        return swFail(&scene->host, SW_ERROR_INVALID, "A scene has %d wave systems and %d views; at most %d and %d.",
+                      scene->wavesCount, scene->viewCount, SW_MAX_WAVE_SYSTEMS, SW_MAX_SCENE_VIEWS);
+    }
     swResult result = swCheckDef(&scene->host, swGetSceneFields(), scene);
     for (int i = 0; i < SW_SCENE_PART_COUNT && result == SW_SUCCESS; ++i)
     {
@@ -244,7 +250,7 @@ swResult swPrintScene(const swScene* scene, char* text, size_t* size)
 static swResult checkFile(const swScene* scene, const char* path)
 {
     const swSceneSource* source = scene->source;
-    if (!source->isFile || strcmp(path, source->name) != 0 || !swHasFile(path))
+    if (!source->isFile || !swIsSameFile(path, source->name))
     {
         return SW_SUCCESS;
     }
@@ -269,6 +275,31 @@ static swResult checkFile(const swScene* scene, const char* path)
                         path);
 }
 
+// Relative names of spectrum files must lead there from the new file too.
+static swResult checkNames(const swScene* scene, const char* path)
+{
+    const char* old = scene->source->folder;
+    char folder[SW_MAX_PATH], file[SW_MAX_PATH + 512];
+    swFindFolder(path, folder);
+    if (swIsSameFile(folder[0] != '\0' ? folder : ".", old[0] != '\0' ? old : "."))
+    {
+        return SW_SUCCESS;
+    }
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        const char* name = scene->waves[i].file;
+        snprintf(file, sizeof(file), "%s%s%s", folder, folder[0] != '\0' ? "/" : "", name);
+        if (name[0] != '\0' && name[0] != '/' && !swHasFile(file))
+        {
+            return swFail(&scene->host, SW_ERROR_FILE,
+                          "Cannot write %s: the scene names the spectrum file %s, which is not there beside it; write "
+                          "the scene into the folder %s, or copy that file first.",
+                          path, name, old[0] != '\0' ? old : ".");
+        }
+    }
+    return SW_SUCCESS;
+}
+
 // From now on the scene is the one that was read from the text.
 static void goOn(swScene* scene, swScene* read, const char* path)
 {
@@ -283,7 +314,7 @@ static void goOn(swScene* scene, swScene* read, const char* path)
     {
         scene->views[i].item = i + 1;
     }
-    memcpy(read->source->folder, old->folder, sizeof(old->folder));
+    swFindFolder(path, read->source->folder);
     snprintf(read->source->name, sizeof(read->source->name), "%s", path);
     read->source->isFile = true;
     scene->source = read->source;
@@ -300,6 +331,7 @@ swResult swWriteScene(swScene* scene, const char* path)
     size_t size = 0;
     swScene* read = NULL;
     swResult result = checkFile(scene, path);
+    result = result == SW_SUCCESS ? checkNames(scene, path) : result;
     result = result == SW_SUCCESS ? printScene(scene, &text, &size, &read) : result;
     if (result != SW_SUCCESS)
     {

@@ -392,6 +392,82 @@ static void EveryFieldIsComparedSavedAndHashed(void** state)
     VisitTables(ChangeOne);
 }
 
+// ---- through a saved world ----
+
+// Values that suit the rules which cross fields, and spectra that have energy.
+static const struct
+{
+    const char* member;
+    double value;
+} s_suited[] = {{"kind", 1.0},          {"resolution", 64.0},     {"tileWaves", 16.0},
+                {"minWavelength", 2.0}, {"maxWavelength", 512.0}, {"loopPeriod", 600.0},
+                {"depth", 30.0},        {"peakPeriod", 8.0},      {"spreadExponent", 20.0},
+                {"leastJacobian", 0.2}};
+
+static double ChooseSuited(const swField* field, double now)
+{
+    for (int i = 0; i < COUNT(s_suited); i++)
+    {
+        if (strcmp(s_suited[i].member, field->member) == 0)
+        {
+            return s_suited[i].value;
+        }
+    }
+    return ChooseOther(field, now);
+}
+
+// A system with the field changed comes back with its world. A table's fields need a table.
+static void SaveAndRestore(const Table* table, const Spot* spot)
+{
+    static const float frequencies[2] = {0.1f, 0.2f}, bandwidths[2] = {0.1f, 0.1f};
+    static const float density[8] = {1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f};
+    static const swSpectrumTable measured = {2, 4, frequencies, bandwidths, density, 0.0f};
+    Def def = MakeDef(table);
+    MakeCount(table->getFields(), spot, def.bytes, 0);
+    swWaveSystemDef* waves = (swWaveSystemDef*)(void*)def.bytes;
+    waves->spectrum.table = waves->spectrum.kind == SW_SPECTRUM_TABLE ? &measured : NULL;
+    waves->minWavelength = 1.0f;
+    waves->tileWaves = 8;
+    waves->resolution = strcmp(spot->field->member, "tileWaves") == 0 ? 64 : 32;
+    SetSpot(spot, &def, ChooseSuited(spot->field, GetSpot(spot, &def)));
+
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    worldDef.enableQueries = false;
+    swWorld *world = NULL, *restored = NULL;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    if (swCreateWaveSystem(world, waves, &id) != SW_SUCCESS)
+    {
+        fail_msg("no waves with another %s", spot->field->member);
+    }
+    static uint8_t bytes[1 << 20];
+    size_t size = sizeof(bytes);
+    assert_int_equal(swWorld_Save(world, bytes, &size), SW_SUCCESS);
+    swRestoreDef restoreDef = swDefaultRestoreDef();
+    assert_int_equal(swRestoreWorld(&host, bytes, size, &restoreDef, &restored), SW_SUCCESS);
+    swWaveSystemDef back = swWaveSystem_Get(restored, id);
+    double wanted = GetSpot(spot, &def), got = swField_GetNumber(spot->field, (char*)&back + spot->owner, spot->index);
+    if (wanted != got || !swFields_AreEqual(table->getFields(), waves, &back))
+    {
+        fail_msg("%s was %g and came back as %g", spot->field->member, wanted, got);
+    }
+    swDestroyWorld(restored);
+    swDestroyWorld(world);
+}
+
+static void EveryFieldOfASystemComesBackWithItsWorld(void** state)
+{
+    (void)state;
+    for (int i = 0; i < COUNT(tables); i++)
+    {
+        if (tables[i].getFields() == swGetWaveSystemFields())
+        {
+            VisitFields(&tables[i], tables[i].getFields(), 0, false, SaveAndRestore);
+        }
+    }
+}
+
 static void PeoplesNumbersAreThoseOfTheStruct(void** state)
 {
     (void)state;
@@ -456,10 +532,15 @@ static void RaysAreGoodWhereTheirTableSaysSo(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(EveryMemberOfADefIsInItsTable),      cmocka_unit_test(HeadersSayWhatTablesSay),
-        cmocka_unit_test(EveryDefaultIsInItsRange),           cmocka_unit_test(EveryFieldIsRefusedOutsideItsRange),
-        cmocka_unit_test(EveryFieldIsComparedSavedAndHashed), cmocka_unit_test(PeoplesNumbersAreThoseOfTheStruct),
-        cmocka_unit_test(WhatWasNotMadeByItsDefaultIsNamed),  cmocka_unit_test(RaysAreGoodWhereTheirTableSaysSo),
+        cmocka_unit_test(EveryMemberOfADefIsInItsTable),
+        cmocka_unit_test(HeadersSayWhatTablesSay),
+        cmocka_unit_test(EveryDefaultIsInItsRange),
+        cmocka_unit_test(EveryFieldIsRefusedOutsideItsRange),
+        cmocka_unit_test(EveryFieldIsComparedSavedAndHashed),
+        cmocka_unit_test(EveryFieldOfASystemComesBackWithItsWorld),
+        cmocka_unit_test(PeoplesNumbersAreThoseOfTheStruct),
+        cmocka_unit_test(WhatWasNotMadeByItsDefaultIsNamed),
+        cmocka_unit_test(RaysAreGoodWhereTheirTableSaysSo),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

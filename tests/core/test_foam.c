@@ -516,6 +516,26 @@ static void AChangedLawTakesEffect(void** state)
 
 // ---- the wind, and the law made of it ----
 
+static void ALawOutOfItsRangeIsRefusedAndChangesNothing(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    host.log = NULL;
+    swWorldDef def = swDefaultWorldDef();
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &def, &world), SW_SUCCESS);
+    uint64_t digest = swWorld_GetDigest(world);
+    swFoamDef foam = swDefaultFoamDef();
+    foam.fadeRate = NAN;
+    swWorld_SetFoam(world, &foam); // builds with asserts go on: a number may come from a file
+    assert_int_equal(swWorld_GetDigest(world), digest);
+    foam = swDefaultFoamDef();
+    foam.coverage = 2.0f;
+    swWorld_SetFoam(world, &foam);
+    assert_int_not_equal(swWorld_GetDigest(world), digest);
+    swDestroyWorld(world);
+}
+
 static void AssertNear(double value, double wanted, double error)
 {
     if (!(fabs(value - wanted) <= error))
@@ -713,6 +733,7 @@ int main(void)
         cmocka_unit_test(TheSeaBeyondTheSlicesHasAsMuchFoam),
         cmocka_unit_test(AFoldThatIsSeenWholeBearsAsMuch),
         cmocka_unit_test(AChangedLawTakesEffect),
+        cmocka_unit_test(ALawOutOfItsRangeIsRefusedAndChangesNothing),
         cmocka_unit_test(AKnownWindIsTheWindWhateverTheWaves),
         cmocka_unit_test(ATableKnowsTheWindThatItIsGiven),
         cmocka_unit_test(KnownWindsOfSeveralSystemsAreOneWind),

@@ -2,6 +2,7 @@
 #include "support/cmocka_setup.h"
 #include "support/counting_host.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "core/base/hash.h"
@@ -44,6 +45,23 @@ static void MessagesReachTheHost(void** state)
     host.log = NULL;
     swLog(&host, SW_LOG_ERROR, "nobody listens");
     assert_int_equal(atomic_load(&memory.messages), 2);
+}
+
+static void KeepMessage(void* context, swLogLevel level, const char* message)
+{
+    (void)level;
+    snprintf(context, 64, "%s", message);
+}
+
+static void AMessageIsOneLineWhateverItQuotes(void** state)
+{
+    (void)state;
+    char message[64] = "";
+    swHost host = swDefaultHost();
+    host.log = KeepMessage;
+    host.logContext = message;
+    swFail(&host, SW_ERROR_FORMAT, "the name is '%s'", "a\nb\tc\x1b[31m \xc3\xbc");
+    assert_string_equal(message, "the name is 'a b c [31m \xc3\xbc'");
 }
 
 static void EveryResultHasNameAndText(void** state)
@@ -113,13 +131,10 @@ static void HashDependsOnNothingButTheFloats(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(DefaultHostGivesAlignedMemory),
-        cmocka_unit_test(NothingIsAllocatedForNothing),
-        cmocka_unit_test(MessagesReachTheHost),
-        cmocka_unit_test(EveryResultHasNameAndText),
-        cmocka_unit_test(AnIncompleteHostIsSeen),
-        cmocka_unit_test(HashSeesEveryBitOfEveryFloat),
-        cmocka_unit_test(HashDependsOnNothingButTheFloats),
+        cmocka_unit_test(DefaultHostGivesAlignedMemory), cmocka_unit_test(NothingIsAllocatedForNothing),
+        cmocka_unit_test(MessagesReachTheHost),          cmocka_unit_test(AMessageIsOneLineWhateverItQuotes),
+        cmocka_unit_test(EveryResultHasNameAndText),     cmocka_unit_test(AnIncompleteHostIsSeen),
+        cmocka_unit_test(HashSeesEveryBitOfEveryFloat),  cmocka_unit_test(HashDependsOnNothingButTheFloats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -806,6 +806,46 @@ static void AFileIsReplacedWhole(void** state)
     assert_int_equal(swWriteScene(scene, link), SW_ERROR_FILE);
     assert_non_null(strstr(s_messages, "has changed since it was read"));
     CheckText(path, "waves: []\n");
+    assert_int_equal(swWriteScene(scene, path), SW_ERROR_FILE); // whatever the path is called
+    CheckText(path, "waves: []\n");
+    swDestroyScene(scene);
+}
+
+static void NamesOfFilesLeadThereFromTheNewPlace(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swScene* scene = NULL;
+    assert_int_equal(swReadScene(&host, SCENES "/buoy.yaml", &scene), SW_SUCCESS);
+    char path[256];
+    snprintf(path, sizeof(path), "%s/buoy.yaml", s_folder);
+    int files = CountFiles();
+    assert_int_equal(swWriteScene(scene, path), SW_ERROR_FILE);
+    assert_non_null(strstr(s_messages, "data/harbour_storm.data_spec, which is not there beside it"));
+    assert_int_equal(CountFiles(), files);
+    swScene_RemoveWaves(scene, 0);
+    assert_int_equal(swWriteScene(scene, path), SW_SUCCESS);
+    remove(path);
+    swDestroyScene(scene);
+}
+
+static void CountsOutOfRangeAreRefused(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swScene* scene = Read(&host, "waves: []\nviews:\n  - name: a\n");
+    const int counts[] = {-1, SW_MAX_SCENE_VIEWS + 1};
+    size_t size = 0;
+    for (int i = 0; i < 2; ++i)
+    {
+        scene->wavesCount = counts[i];
+        assert_int_equal(swPrintScene(scene, NULL, &size), SW_ERROR_INVALID);
+        scene->wavesCount = 0;
+        scene->viewCount = counts[i];
+        assert_int_equal(swPrintScene(scene, NULL, &size), SW_ERROR_INVALID);
+        scene->viewCount = 1;
+    }
+    assert_int_equal(swPrintScene(scene, NULL, &size), SW_SUCCESS);
     swDestroyScene(scene);
 }
 
@@ -924,6 +964,8 @@ int main(void)
         cmocka_unit_test(OneFieldOfWavesKeepsTheRest),
         cmocka_unit_test(AThousandEditsReadBackEqual),
         cmocka_unit_test(AFileIsReplacedWhole),
+        cmocka_unit_test(NamesOfFilesLeadThereFromTheNewPlace),
+        cmocka_unit_test(CountsOutOfRangeAreRefused),
         cmocka_unit_test(WhatCannotBeWrittenLosesNothing),
         cmocka_unit_test(WhatIsSharedIsRefusedWithItsLine),
         cmocka_unit_test(FailingMemoryLosesNothing),

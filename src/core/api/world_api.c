@@ -85,9 +85,11 @@ double swWorld_GetTime(const swWorld* world)
 
 void swWorld_SetFoam(swWorld* world, const swFoamDef* foam)
 {
-    SW_REQUIRE_VOID(world != NULL && foam != NULL && swCheckDef(&world->host, &swFoamFields, foam) == SW_SUCCESS,
-                    swFindHost(world),
-                    "swWorld_SetFoam() needs a world, and a def made by swDefaultFoamDef() with its fields in range");
+    SW_REQUIRE_VOID(world != NULL && foam != NULL, swFindHost(world), "swWorld_SetFoam() needs a world and a def");
+    if (swCheckDef(&world->host, &swFoamFields, foam) != SW_SUCCESS)
+    {
+        return;
+    }
     world->def.foam = *foam;
     world->frame.foam = *foam;
 }

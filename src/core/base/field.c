@@ -29,43 +29,50 @@ static bool isFloat(const swField* field)
     return field->type == SW_FIELD_FLOAT || field->type == SW_FIELD_FLOATS;
 }
 
-// SW_FIELD_INT and the like of a part of the field.
+static size_t getPartOffset(const swField* field, int index)
+{
+    return field->offset + (index == 0 ? 0 : (size_t)index * getPartSize(field)); // no division for single numbers
+}
+
+// A number of the def. Sizes are constants here, so that this is a load and not a call.
 static double getNumber(const swField* field, const void* def, int index)
 {
-    const char* at = (const char*)def + field->offset + (size_t)index * getPartSize(field);
-    union
-    {
-        bool flag;
-        int whole;
-        uint32_t word;
-        size_t size;
-        float single;
-        double number;
-    } value = {.number = 0.0};
-    memcpy(&value, at, getPartSize(field));
+    const char* at = (const char*)def + getPartOffset(field, index);
+    bool flag;
+    int whole;
+    uint32_t word;
+    size_t size;
+    float single;
+    double number;
     switch (field->type)
     {
     case SW_FIELD_BOOL:
-        return value.flag ? 1.0 : 0.0;
+        memcpy(&flag, at, sizeof flag);
+        return flag ? 1.0 : 0.0;
     case SW_FIELD_INT:
     case SW_FIELD_CHOICE:
-        return (double)value.whole;
+        memcpy(&whole, at, sizeof whole);
+        return (double)whole;
     case SW_FIELD_UINT:
-        return (double)value.word;
+        memcpy(&word, at, sizeof word);
+        return (double)word;
     case SW_FIELD_SIZE:
-        return (double)value.size;
+        memcpy(&size, at, sizeof size);
+        return (double)size;
     case SW_FIELD_FLOAT:
     case SW_FIELD_FLOATS:
-        return (double)value.single;
+        memcpy(&single, at, sizeof single);
+        return (double)single;
     default:
-        return value.number;
+        memcpy(&number, at, sizeof number);
+        return number;
     }
 }
 
 // A whole number that the member cannot hold is left alone.
 static void setNumber(const swField* field, void* def, int index, double value)
 {
-    char* at = (char*)def + field->offset + (size_t)index * getPartSize(field);
+    char* at = (char*)def + getPartOffset(field, index);
     float single = (float)value;
     bool flag = value != 0.0;
     switch (field->type)
@@ -497,7 +504,7 @@ bool swFields_AreEqual(const swFields* fields, const void* a, const void* b)
 
 static void streamNumber(swStream* stream, const swField* field, void* def, int index)
 {
-    char* at = (char*)def + field->offset + (size_t)index * getPartSize(field);
+    char* at = (char*)def + getPartOffset(field, index);
     switch (field->type)
     {
     case SW_FIELD_BOOL:

@@ -87,12 +87,22 @@ void swFree(const swHost* host, void* memory, size_t size)
     }
 }
 
+// What is quoted from files and names may hold anything; a message is one line.
+static void keepOneLine(char* message)
+{
+    for (char* c = message; *c != '\0'; ++c)
+    {
+        *c = (unsigned char)*c < 0x20 || *c == 0x7f ? ' ' : *c;
+    }
+}
+
 static void logList(const swHost* host, swLogLevel level, const char* format, va_list arguments)
 {
     if (host->log != NULL)
     {
         char message[SW_LONGEST_MESSAGE];
         vsnprintf(message, sizeof message, format, arguments);
+        keepOneLine(message);
         host->log(host->logContext, level, message);
     }
 }

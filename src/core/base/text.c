@@ -234,6 +234,11 @@ swResult swReadCount(swText* text, const char* what, int low, int high, int* val
 {
     double number = 0.0;
     swResult result = swReadRange(text, what, low, high, &number);
+    if (result == SW_SUCCESS && number != (double)(int)number)
+    {
+        result = swFail(text->host, SW_ERROR_FORMAT, "%s:%d: %s is %g; it must be a whole number.", text->name,
+                        text->line, what, number);
+    }
     *value = result == SW_SUCCESS ? (int)number : low;
     return result;
 }

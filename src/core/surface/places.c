@@ -84,7 +84,7 @@ void swFindShape(swPlaceBlock* block, int system, float k, swShape* shape)
 static void findSomeLevels(const swPlaces* places, int64_t ticks, int count, const swPosXZ* rest,
                            float (*displacement)[4], float* levels, float (*gradients)[8])
 {
-    swPosXZ points[SW_PLACE_BLOCK];
+    swPosXZ points[SW_PLACE_BLOCK] = {{0.0, 0.0}};
     float slopes[SW_PLACE_BLOCK][2];
     for (int i = 0; i < count; ++i)
     {

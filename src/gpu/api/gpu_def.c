@@ -26,8 +26,8 @@ static const swField gpuFields[] = {
     SW_GIVEN(queue, .key = NULL, .label = "queue"),
     SW_NUMBER(queueFamily, "", SW_WITHIN(0.0, UINT32_MAX), 0.0, .key = NULL, .label = "queue family",
               .use = SW_USE_HERE),
-    [CHOICE_FIELD] = SW_CHOICE(choice, choiceWords, choiceWords, SW_DEVICE_AUTO, .key = NULL, .label = "device",
-                               .use = SW_USE_HERE),
+    [CHOICE_FIELD] =
+        SW_CHOICE(choice, choiceWords, choiceWords, SW_DEVICE_AUTO, .key = NULL, .label = "device", .use = SW_USE_HERE),
     SW_NUMBER(deviceIndex, "", SW_WITHIN(0.0, INT32_MAX), 0.0, .key = NULL, .label = "number of the device",
               .kinds = SW_KIND(SW_DEVICE_INDEX), .use = SW_USE_HERE),
     SW_GIVEN(instanceExtensions, .key = NULL, .label = "instance extensions"),

@@ -17,5 +17,4 @@ typedef struct swWetnessDef
 SW_API swWetnessDef swDefaultWetnessDef(void);
 
 //@ before /// Default SW_ISA_BEST: the widest that this machine has.
-    swWetnessDef wetness;
-
+swWetnessDef wetness;
