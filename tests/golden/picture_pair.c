@@ -258,7 +258,6 @@ static void APictureOfOtherFormatsIsOfTheSameRenderer(void** state)
     CloseShow(&other);
 }
 
-// Foam of a device that does not filter 32-bit floats: by hand, and as smooth.
 // Shaders write floats, and a stencil holds no depth: Vulkan's rules would be broken without a word.
 static void IntegersAndStencilsAreNoFormatsOfAPicture(void** state)
 {
@@ -299,6 +298,7 @@ static void AnExposureBeyondItsRangeIsRefused(void** state)
 }
 #endif
 
+// Foam of a device that does not filter 32-bit floats: by hand, and as smooth.
 static void FoamIsAsSmoothWithoutFiltersOfFloats(void** state)
 {
     (void)state;
