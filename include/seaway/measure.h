@@ -42,6 +42,8 @@ SW_API void swMakeEqualBins(double low, double high, int count, swSeaBins* bins)
 SW_API void swMakeGrowingBins(double low, double high, double width, double part, swSeaBins* bins);
 
 /// Frequency of a wave over `depth` m (INFINITY: deep water), Hz, and its length, m. With the surface tension of water.
+/// NaN of a wavelength, depth or gravity that is not above 0, and of a frequency below 0. Lengths lie within 1e-4 and
+/// 1e7 m: lower frequencies have the longest.
 /// @param gravity m/s^2
 SW_API double swGetWaveFrequency(double wavelength, double depth, double gravity);
 SW_API double swGetWavelength(double frequency, double depth, double gravity);
@@ -49,7 +51,7 @@ SW_API double swGetWavelength(double frequency, double depth, double gravity);
 /// Gauges that follow particles of the water, spread evenly over a square around the origin, and how long they record.
 typedef struct swSeaGauges
 {
-    /// Side of the square, m, above 0.
+    /// Side of the square, m. Range (0, SW_FARTHEST_POINT].
     double area;
 
     /// Number of gauges, at least 1.
@@ -58,7 +60,7 @@ typedef struct swSeaGauges
     /// Shortest length of a record, s, above 0. It becomes a power of two of samples.
     double duration;
 
-    /// Time of the first sample, s.
+    /// Time of the first sample, s, within SW_LARGEST_TIME of 0.
     double begin;
 } swSeaGauges;
 
@@ -108,7 +110,7 @@ typedef struct swDirectionMoments
 /// Of one bin; zero without energy.
 SW_API swDirectionMoments swEstimateMoments(const swSeaSums* sums, int bin);
 
-/// Variance between two frequencies, m^2; bins are shared out by overlap.
+/// Variance between two frequencies, m^2; bins are shared out by overlap. NaN if one of them is.
 SW_API double swEstimateVariance(const swSeaBins* bins, const swSeaSums* sums, double low, double high);
 
 /// What a still picture of the surface tells, summed over points.

@@ -81,8 +81,17 @@ void swMakeGrowingBins(double low, double high, double width, double part, swSea
     }
 }
 
+static bool isWater(double depth, double gravity)
+{
+    return depth > 0.0 && gravity > 0.0 && isfinite(gravity);
+}
+
 double swGetWaveFrequency(double wavelength, double depth, double gravity)
 {
+    if (!(wavelength > 0.0) || !isWater(depth, gravity))
+    {
+        return (double)NAN;
+    }
     double k = 2.0 * SW_PI / wavelength;
     double omega2 = (gravity * k + SURFACE_TENSION * k * k * k) * (isfinite(depth) ? tanh(k * depth) : 1.0);
     return sqrt(omega2) / (2.0 * SW_PI);
@@ -90,6 +99,10 @@ double swGetWaveFrequency(double wavelength, double depth, double gravity)
 
 double swGetWavelength(double frequency, double depth, double gravity)
 {
+    if (!(frequency >= 0.0) || !isWater(depth, gravity))
+    {
+        return (double)NAN;
+    }
     double shortest = 1e-4, longest = 1e7; // the frequency falls with the length
     for (int i = 0; i < 80; ++i)
     {

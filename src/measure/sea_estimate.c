@@ -57,6 +57,10 @@ swDirectionMoments swEstimateMoments(const swSeaSums* sums, int bin)
 double swEstimateVariance(const swSeaBins* bins, const swSeaSums* sums, double low, double high)
 {
     SW_REQUIRE(bins != NULL && sums != NULL, (double)NAN, NULL, "swEstimateVariance() needs bins and sums");
+    if (isnan(low) || isnan(high))
+    {
+        return (double)NAN;
+    }
     double variance = 0.0;
     for (int i = 0; i < bins->count; ++i)
     {

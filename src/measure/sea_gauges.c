@@ -220,21 +220,26 @@ static swResult recordWithSpace(swWorld* world, const swSeaGauges* gauges, Recor
 
 static bool areGaugesValid(const swSeaGauges* gauges)
 {
-    return gauges != NULL && gauges->area > 0.0 && isfinite(gauges->area) && gauges->gaugeCount > 0 &&
-           gauges->duration > 0.0 && isfinite(gauges->duration) && isfinite(gauges->begin);
+    return gauges != NULL && gauges->area > 0.0 && gauges->area <= SW_FARTHEST_POINT && gauges->gaugeCount > 0 &&
+           gauges->duration > 0.0 && isfinite(gauges->duration) && fabs(gauges->begin) <= SW_LARGEST_TIME;
 }
 
 static bool areBinsValid(const swSeaBins* bins)
 {
-    return bins != NULL && bins->count > 0 && bins->count <= SW_MAX_SEA_BINS && bins->high[bins->count - 1] > 0.0 &&
-           isfinite(bins->high[bins->count - 1]);
+    bool isValid = bins != NULL && bins->count > 0 && bins->count <= SW_MAX_SEA_BINS &&
+                   bins->high[bins->count - 1] > 0.0 && isfinite(bins->high[bins->count - 1]);
+    for (int i = 0; isValid && i < bins->count; ++i)
+    {
+        isValid = bins->low[i] <= bins->high[i] && (i == 0 || bins->high[i - 1] <= bins->high[i]);
+    }
+    return isValid;
 }
 
 swResult swRecordSea(swWorld* world, const swSeaGauges* gauges, const swSeaBins* bins, int groupCount, swSeaSums* sums)
 {
     const swHost* host = swFindHost(world);
     SW_REQUIRE(world != NULL && areGaugesValid(gauges) && areBinsValid(bins), SW_ERROR_INVALID, host,
-               "swRecordSea() needs a world, bins, and gauges over an area and a duration above 0");
+               "swRecordSea() needs a world, ascending bins, and gauges over an area and a duration above 0, in range");
     SW_REQUIRE(sums != NULL && groupCount > 0, SW_ERROR_INVALID, host,
                "swRecordSea() needs a place for the sums of at least one group");
     // Sampled a fifth faster than the last bin needs; a power of two of samples.

@@ -179,8 +179,8 @@ static swResult lookAtOctave(swWorld* world, double begin, double depth, int oct
 swResult swLookAtPatches(swWorld* world, double begin, double depth, int index, swSeaPatches* patches)
 {
     const swHost* told = patches != NULL ? &patches->host : swFindHost(world);
-    SW_REQUIRE(patches != NULL && world != NULL && isfinite(begin) && depth > 0.0, SW_ERROR_INVALID, told,
-               "swLookAtPatches() needs a world, patches, a time and a depth above 0");
+    SW_REQUIRE(patches != NULL && world != NULL && fabs(begin) <= SW_LARGEST_TIME && depth > 0.0, SW_ERROR_INVALID,
+               told, "swLookAtPatches() needs a world, patches, a time and a depth above 0");
     PatchSpace space;
     void* memory = createSpace(&patches->host, &space);
     if (memory == NULL)

@@ -12,7 +12,7 @@
 
 swResult swLookAtSurface(const swWorld* world, double area, int count, swSurfaceSums* sums)
 {
-    SW_REQUIRE(world != NULL && sums != NULL && count > 0 && area > 0.0 && isfinite(area), SW_ERROR_INVALID,
+    SW_REQUIRE(world != NULL && sums != NULL && count > 0 && area > 0.0 && area <= SW_FARTHEST_POINT, SW_ERROR_INVALID,
                swFindHost(world),
                "swLookAtSurface() needs a world, an area and a count above 0, and a place for the sums");
     swPosXZ points[BLOCK];
