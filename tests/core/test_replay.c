@@ -330,6 +330,26 @@ static void AMomentOfAStoppedReplayIsThatOfTheWorld(void** state)
     Stop(&played);
 }
 
+// A replay that is no longer advanced leaves what fades away as it was; so does a moment.
+static void AMomentOfASeaThatLeavesItsReplayIsThatOfTheWorld(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    Played played = Play(&host, 1.0);
+    GoTo(&played, 4000.0);
+    swWaveSystemDef waves = swDefaultWaveSystemDef();
+    waves.seed = 99;
+    assert_int_equal(swWaveSystem_Set(played.world, swSeaReplay_GetSystem(played.replay), &waves, 1000.0), SW_SUCCESS);
+    swMomentDef def = swDefaultMomentDef();
+    def.time = 4500.0;
+    swMoment* moment;
+    assert_int_equal(swCreateMoment(played.world, &def, &moment), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(played.world, 4500.0), SW_SUCCESS);
+    assert_true(IsSameWater(moment, swWorld_GetMoment(played.world)));
+    swDestroyMoment(moment);
+    Stop(&played);
+}
+
 // A world that was saved does not know the records of its replay until that is taken up again.
 static void AReplayThatWasSavedIsHeldUntilItIsTakenUp(void** state)
 {
@@ -385,6 +405,7 @@ int main(void)
         cmocka_unit_test(AMomentKnowsThePresentPairOfRecordsAndSaysSo),
         cmocka_unit_test(AMomentOfAPairThatIsJustCurrentIsThatOfTheWorld),
         cmocka_unit_test(AMomentOfAStoppedReplayIsThatOfTheWorld),
+        cmocka_unit_test(AMomentOfASeaThatLeavesItsReplayIsThatOfTheWorld),
         cmocka_unit_test(AReplayThatWasSavedIsHeldUntilItIsTakenUp),
         cmocka_unit_test(ASeaThatWasReplayedMayBeSetToAnother),
         cmocka_unit_test(AdvancingBetweenRecordsAllocatesNothingAndFailuresChangeNothing),

@@ -193,6 +193,7 @@ static swResult addLayer(swWaves* waves, int slot, swWaveSet* set, double second
     {
         swWaveLayer* layer = &changed.layers[i];
         layer->fade = swMakeRamp(waves->ticks, swGetFade(&layer->fade, waves->ticks), 0.0f, seconds);
+        layer->records = (swRecordClock){0}; // a replay shares out the newest layer only
     }
     set->useCount += 1;
     changed.layers[changed.layerCount++] =
