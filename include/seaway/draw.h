@@ -81,7 +81,7 @@ typedef struct swPicture swPicture;
 /// What a picture is drawn to. Must be initialized with swDefaultPictureDef().
 typedef struct swPictureDef
 {
-    VkFormat colorFormat;  ///< HDR target. Default VK_FORMAT_R16G16B16A16_SFLOAT
+    VkFormat colorFormat;  ///< HDR target, sampled and filtered. Default VK_FORMAT_R16G16B16A16_SFLOAT
     VkFormat depthFormat;  ///< Default VK_FORMAT_D32_SFLOAT
     VkFormat outputFormat; ///< target of swPicture_Tonemap(). Default VK_FORMAT_R8G8B8A8_SRGB
     int internalValue;
@@ -104,7 +104,7 @@ typedef struct swShot
     swWaterDef water;
     swDebugMode debug;
     double time;      ///< for clouds, s
-    float exposureEv; ///< added to automatic exposure, stops. Default 0
+    float exposureEv; ///< added to automatic exposure, stops. Range [-40, 40]. Default 0
 } swShot;
 
 /// After swGpuWorld_Record() and outside of rendering: sky tables, culling, indirect arguments.

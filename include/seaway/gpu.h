@@ -225,7 +225,8 @@ SW_API swGpuQueryDef swDefaultGpuQueryDef(void);
 SW_API const swFields* swGetGpuQueryFields(void);
 
 /// A world may have any number of queries, made and destroyed at any time.
-/// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE, SW_ERROR_INVALID
+/// @return SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE, SW_ERROR_INVALID, SW_ERROR_LIMIT (more points than the device binds at
+/// once: some have room for 3,355,443 rays only)
 SW_API swResult swCreateGpuQuery(swGpuWorld* gpuWorld, const swGpuQueryDef* def, swGpuQuery** query);
 
 /// Frames in flight may still use it. What is left of them is destroyed with the swGpuWorld. NULL is allowed.

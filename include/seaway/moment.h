@@ -70,4 +70,5 @@ SW_API double swMoment_GetTime(const swMoment* moment);
 
 /// Whether a replay's records that count at the moment's time were not the world's present pair: the sea is then that
 /// of the nearer record of the pair. Advance the replay to that time (swSeaReplay_Advance()) and make the moment again.
+/// Also true of a sea that stands still between two records, its replay being stopped or not taken up again.
 SW_API bool swMoment_IsHeld(const swMoment* moment);

@@ -88,9 +88,11 @@ typedef struct swStageImage
     VkImageView otherView;
     VkImageAspectFlags aspect;
     uint32_t width, height;
+    uint32_t texelBytes; ///< of `format`; 0 where the stage does not know it: then swStage_CopyToHost() checks no size
 } swStageImage;
 
-/// @return SW_ERROR_UNSUPPORTED (larger than the device can draw), SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
+/// @return SW_ERROR_UNSUPPORTED (larger than the device can draw, or a format that it cannot use so),
+/// SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
 SW_API swResult swStage_CreateImage(swStage* stage, const swStageImageDef* def, swStageImage* image);
 
 /// The device must be done with it. An image that was never made is allowed.
@@ -118,7 +120,7 @@ SW_API swResult swStage_CreateBuffer(swStage* stage, VkDeviceSize size, VkBuffer
 SW_API void swStage_DestroyBuffer(swStage* stage, swStageBuffer* buffer);
 
 /// Copy an image, tightly packed, to a buffer that the host reads once the commands are done. The image is left in the
-/// same use.
+/// same use. A buffer with too little room is refused: nothing is recorded.
 SW_API void swStage_CopyToHost(swStage* stage, VkCommandBuffer commands, const swStageImage* image, swStageUse use,
                                const swStageBuffer* buffer);
 

@@ -2,6 +2,7 @@
 // Vulkan functions of a stage, without "vk": of the instance, of the device, and of windows, which are looked up only
 // where swGpuDef::presentable asked for them.
 SW_STAGE_INSTANCE(GetDeviceProcAddr)
+SW_STAGE_INSTANCE(GetPhysicalDeviceImageFormatProperties)
 SW_STAGE_INSTANCE(GetPhysicalDeviceMemoryProperties)
 SW_STAGE_INSTANCE(GetPhysicalDeviceProperties)
 

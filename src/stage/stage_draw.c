@@ -83,6 +83,10 @@ void swStage_CopyToHost(swStage* stage, VkCommandBuffer commands, const swStageI
     SW_REQUIRE_VOID(isImage(image) && (unsigned)use < SW_STAGE_USE_COUNT && buffer != NULL &&
                         buffer->buffer != VK_NULL_HANDLE,
                     &stage->host, "swStage_CopyToHost() needs an image, its use and a buffer");
+    VkDeviceSize needed = (VkDeviceSize)image->width * image->height * image->texelBytes;
+    SW_REQUIRE_VOID(buffer->size >= needed, &stage->host,
+                    "swStage_CopyToHost() needs a buffer of %.0f bytes for this image, and was given one of %.0f",
+                    (double)needed, (double)buffer->size);
     const VkBufferImageCopy region = {
         .imageSubresource = {image->aspect, 0, 0, 1},
         .imageExtent = {image->width, image->height, 1},
@@ -151,10 +155,13 @@ void swStage_EndDrawing(swStage* stage, VkCommandBuffer commands)
 swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t height, uint32_t drawnWidth,
                                uint32_t drawnHeight, swStageTargets* targets)
 {
+    if (targets != NULL)
+    {
+        *targets = (swStageTargets){0};
+    }
     SW_REQUIRE(stage != NULL, SW_ERROR_INVALID, NULL, "swStage_CreateTargets() needs a stage");
     SW_REQUIRE(targets != NULL && width > 0 && height > 0, SW_ERROR_INVALID, &stage->host,
                "swStage_CreateTargets() needs a size and a place for the targets");
-    *targets = (swStageTargets){0};
     const swPictureDef formats = swDefaultPictureDef();
     const VkImageUsageFlags drawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     const swStageImageDef hdr = {.name = "the drawn picture",

@@ -54,6 +54,41 @@ static swResult checkSize(const swStage* stage, const swStageImageDef* def)
     return SW_SUCCESS;
 }
 
+// A driver may take a format that it cannot do, and draw anything.
+static swResult checkFormat(const swStage* stage, const swStageImageDef* def, VkFormat format)
+{
+    VkImageFormatProperties properties;
+    VkResult result = stage->vk.GetPhysicalDeviceImageFormatProperties(
+        stage->physicalDevice, format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, def->usage, 0, &properties);
+    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
+    {
+        return swFail(&stage->host, SW_ERROR_UNSUPPORTED, "%s cannot use images of VkFormat %d for %s",
+                      stage->properties.deviceName, (int)format, def->name);
+    }
+    return swCheckStage(stage, result, "asking for an image's format");
+}
+
+// 0 for formats that the stage does not know.
+static uint32_t findTexelBytes(VkFormat format)
+{
+    switch (format)
+    {
+    case VK_FORMAT_R8G8B8A8_UNORM:
+    case VK_FORMAT_R8G8B8A8_SRGB:
+    case VK_FORMAT_B8G8R8A8_UNORM:
+    case VK_FORMAT_B8G8R8A8_SRGB:
+    case VK_FORMAT_D32_SFLOAT:
+    case VK_FORMAT_R32_SFLOAT:
+        return 4;
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+        return 8;
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+        return 16;
+    default:
+        return 0;
+    }
+}
+
 static VkResult createBareImage(const swStage* stage, const swStageImageDef* def, VkImage* image)
 {
     const VkFormat formats[2] = {def->format, def->otherFormat};
@@ -115,14 +150,24 @@ static swResult fillImage(const swStage* stage, const swStageImageDef* def, swSt
 
 swResult swStage_CreateImage(swStage* stage, const swStageImageDef* def, swStageImage* image)
 {
+    if (image != NULL)
+    {
+        *image = (swStageImage){0};
+    }
     SW_REQUIRE(stage != NULL, SW_ERROR_INVALID, NULL, "swStage_CreateImage() needs a stage");
-    SW_REQUIRE(def != NULL && image != NULL && def->name != NULL && def->width > 0 && def->height > 0, SW_ERROR_INVALID,
-               &stage->host, "swStage_CreateImage() needs a def with a name and a size, and a place");
+    SW_REQUIRE(def != NULL && image != NULL && def->name != NULL && def->width > 0 && def->height > 0 &&
+                   def->format != VK_FORMAT_UNDEFINED && def->usage != 0,
+               SW_ERROR_INVALID, &stage->host,
+               "swStage_CreateImage() needs a def with a name, a size, a format and a usage, and a place");
     bool isDepth = (def->usage & VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) != 0;
     *image = (swStageImage){.aspect = isDepth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT,
                             .width = def->width,
-                            .height = def->height};
+                            .height = def->height,
+                            .texelBytes = findTexelBytes(def->format)};
     swResult result = checkSize(stage, def);
+    result = result == SW_SUCCESS ? checkFormat(stage, def, def->format) : result;
+    result = result == SW_SUCCESS && def->otherFormat != VK_FORMAT_UNDEFINED ? checkFormat(stage, def, def->otherFormat)
+                                                                             : result;
     result = result == SW_SUCCESS ? fillImage(stage, def, image) : result;
     if (result != SW_SUCCESS)
     {
@@ -170,6 +215,10 @@ static swResult fillBuffer(const swStage* stage, VkBufferUsageFlags usage, swSta
 
 swResult swStage_CreateBuffer(swStage* stage, VkDeviceSize size, VkBufferUsageFlags usage, swStageBuffer* buffer)
 {
+    if (buffer != NULL)
+    {
+        *buffer = (swStageBuffer){0};
+    }
     SW_REQUIRE(stage != NULL, SW_ERROR_INVALID, NULL, "swStage_CreateBuffer() needs a stage");
     SW_REQUIRE(size > 0 && usage != 0 && buffer != NULL, SW_ERROR_INVALID, &stage->host,
                "swStage_CreateBuffer() needs a size, a usage and a place for the buffer");

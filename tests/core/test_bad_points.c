@@ -468,6 +468,25 @@ static void CellsOfEveryTileCanBeCountedWhereverAPointMayBe(void** state)
 
 // ---- directions ----
 
+static void ADefOutOfItsRangeMakesEveryPointBad(void** state)
+{
+    (void)state;
+    swWorld* world = OpenSea(false, INFINITY);
+    swQueryDef defs[3] = {swDefaultQueryDef(), swDefaultQueryDef(), swDefaultQueryDef()};
+    defs[0].tolerance = NAN;
+    defs[1].maxIterations = 0;
+    defs[2].minWavelength = -1.0f;
+    for (int i = 0; i < 3; ++i)
+    {
+        float height = 0.0f;
+        swQueryStats stats;
+        swMoment_QuerySurface(swWorld_GetMoment(world), &defs[i], 1, &(swPosXZ){1.0, 2.0},
+                              &(swSurfaceSamples){.height = &height}, &stats);
+        assert_true(isnan(height) && stats.badCount == 1);
+    }
+    swDestroyWorld(world);
+}
+
 static void ADirectionMayHaveAnyLength(void** state)
 {
     (void)state;
@@ -532,6 +551,7 @@ int main(void)
         cmocka_unit_test(OneValueIsNaNToo),
         cmocka_unit_test(APointOfAMapMayBeBad),
         cmocka_unit_test(CellsOfEveryTileCanBeCountedWhereverAPointMayBe),
+        cmocka_unit_test(ADefOutOfItsRangeMakesEveryPointBad),
         cmocka_unit_test(ADirectionMayHaveAnyLength),
         cmocka_unit_test(ARayThatComesToNoEndSaysSo),
     };

@@ -288,6 +288,68 @@ static void AMomentKnowsThePresentPairOfRecordsAndSaysSo(void** state)
     }
 }
 
+// Before a step has shown the pair that the replay was advanced to.
+static void AMomentOfAPairThatIsJustCurrentIsThatOfTheWorld(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    Played played = Play(&host, 1.0);
+    const double times[] = {9.0 * 3600.0, -3600.0, 1.5 * 3600.0, 0.0, 3.0 * 3600.0};
+    swMomentDef def = swDefaultMomentDef();
+    swMoment* moment;
+    assert_int_equal(swCreateMoment(played.world, &def, &moment), SW_SUCCESS);
+    for (int i = 0; i < 5; ++i)
+    {
+        GoTo(&played, 1.25 * 3600.0);
+        assert_int_equal(swSeaReplay_Advance(played.replay, times[i]), SW_SUCCESS);
+        assert_int_equal(swMoment_Set(moment, played.world, times[i]), SW_SUCCESS);
+        assert_false(swMoment_IsHeld(moment));
+        assert_int_equal(swWorld_StepTo(played.world, times[i]), SW_SUCCESS);
+        assert_true(IsSameWater(moment, swWorld_GetMoment(played.world)));
+    }
+    swDestroyMoment(moment);
+    Stop(&played);
+}
+
+// The sea stands still when its replay has been stopped, and so it is at every other time.
+static void AMomentOfAStoppedReplayIsThatOfTheWorld(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    Played played = Play(&host, 1.0);
+    GoTo(&played, 4000.0);
+    swDestroySeaReplay(played.replay);
+    played.replay = NULL;
+    swMomentDef def = swDefaultMomentDef();
+    def.time = 5000.0;
+    swMoment* moment;
+    assert_int_equal(swCreateMoment(played.world, &def, &moment), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(played.world, 5000.0), SW_SUCCESS);
+    assert_true(IsSameWater(moment, swWorld_GetMoment(played.world)));
+    swDestroyMoment(moment);
+    Stop(&played);
+}
+
+// A replay that is no longer advanced leaves what fades away as it was; so does a moment.
+static void AMomentOfASeaThatLeavesItsReplayIsThatOfTheWorld(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    Played played = Play(&host, 1.0);
+    GoTo(&played, 4000.0);
+    swWaveSystemDef waves = swDefaultWaveSystemDef();
+    waves.seed = 99;
+    assert_int_equal(swWaveSystem_Set(played.world, swSeaReplay_GetSystem(played.replay), &waves, 1000.0), SW_SUCCESS);
+    swMomentDef def = swDefaultMomentDef();
+    def.time = 4500.0;
+    swMoment* moment;
+    assert_int_equal(swCreateMoment(played.world, &def, &moment), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(played.world, 4500.0), SW_SUCCESS);
+    assert_true(IsSameWater(moment, swWorld_GetMoment(played.world)));
+    swDestroyMoment(moment);
+    Stop(&played);
+}
+
 // A world that was saved does not know the records of its replay until that is taken up again.
 static void AReplayThatWasSavedIsHeldUntilItIsTakenUp(void** state)
 {
@@ -341,6 +403,9 @@ int main(void)
         cmocka_unit_test(TheSeaDependsOnTheTimeAlone),
         cmocka_unit_test(NothingJumpsAtARecord),
         cmocka_unit_test(AMomentKnowsThePresentPairOfRecordsAndSaysSo),
+        cmocka_unit_test(AMomentOfAPairThatIsJustCurrentIsThatOfTheWorld),
+        cmocka_unit_test(AMomentOfAStoppedReplayIsThatOfTheWorld),
+        cmocka_unit_test(AMomentOfASeaThatLeavesItsReplayIsThatOfTheWorld),
         cmocka_unit_test(AReplayThatWasSavedIsHeldUntilItIsTakenUp),
         cmocka_unit_test(ASeaThatWasReplayedMayBeSetToAnother),
         cmocka_unit_test(AdvancingBetweenRecordsAllocatesNothingAndFailuresChangeNothing),

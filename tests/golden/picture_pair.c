@@ -258,6 +258,46 @@ static void APictureOfOtherFormatsIsOfTheSameRenderer(void** state)
     CloseShow(&other);
 }
 
+// Shaders write floats, and a stencil holds no depth: Vulkan's rules would be broken without a word.
+static void IntegersAndStencilsAreNoFormatsOfAPicture(void** state)
+{
+    (void)state;
+    Show show = OpenShow(false, false);
+    swPictureDef defs[3] = {swDefaultPictureDef(), swDefaultPictureDef(), swDefaultPictureDef()};
+    defs[0].colorFormat = VK_FORMAT_R16G16B16A16_UINT;
+    defs[1].depthFormat = VK_FORMAT_S8_UINT;
+    defs[2].outputFormat = VK_FORMAT_R8G8B8A8_UINT;
+    for (int i = 0; i < 3; ++i)
+    {
+        swPicture* none = NULL;
+        assert_int_equal(swCreatePicture(show.renderer, &defs[i], &none), SW_ERROR_UNSUPPORTED);
+        assert_null(none);
+    }
+    CloseShow(&show);
+}
+
+#ifdef NDEBUG // misuse stops the program where asserts are on
+// At a hundred stops and more a float overflows, and a picture that should be white is black.
+static void AnExposureBeyondItsRangeIsRefused(void** state)
+{
+    (void)state;
+    Show show = OpenShow(true, false);
+    swStageFrame frame;
+    assert_int_equal(swStage_BeginFrame(s_set.stage, &frame), SW_SUCCESS);
+    assert_int_equal(swGpuWorld_Record(s_set.gpuWorld, frame.commands, frame.index), SW_SUCCESS);
+    const float stops[] = {-41.0f, 41.0f, 1000.0f, NAN};
+    for (size_t i = 0; i < sizeof(stops) / sizeof(stops[0]); ++i)
+    {
+        swShot shot = MakeShot(LEFT, 0.7f);
+        shot.exposureEv = stops[i];
+        assert_int_equal(swPicture_Prepare(show.pictures[LEFT], frame.commands, &shot, frame.index), SW_ERROR_INVALID);
+    }
+    swStage_DropFrame(s_set.stage, &frame);
+    swGpuWorld_Discard(s_set.gpuWorld, frame.index);
+    CloseShow(&show);
+}
+#endif
+
 // Foam of a device that does not filter 32-bit floats: by hand, and as smooth.
 static void FoamIsAsSmoothWithoutFiltersOfFloats(void** state)
 {
@@ -365,6 +405,10 @@ int main(void)
         cmocka_unit_test(APictureGoesWhileItsFrameIsInFlight),
         cmocka_unit_test(PicturesFollowFramesThatAreThrownAway),
         cmocka_unit_test(APictureOfOtherFormatsIsOfTheSameRenderer),
+        cmocka_unit_test(IntegersAndStencilsAreNoFormatsOfAPicture),
+#ifdef NDEBUG
+        cmocka_unit_test(AnExposureBeyondItsRangeIsRefused),
+#endif
         cmocka_unit_test(FoamIsAsSmoothWithoutFiltersOfFloats),
         cmocka_unit_test(WithoutMemoryThereIsNoRendererAndNoPicture),
     };

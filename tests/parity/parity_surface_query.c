@@ -628,6 +628,49 @@ static void AMillionPointsAreAnsweredToTheLast(void** state)
     FreeParity(&parity);
 }
 
+// All outputs of the most points are more bytes than a device must bind at once: each has a binding of its own.
+static void TheLargestQueriesAreWithinWhatADeviceBinds(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef waves = swDefaultWaveSystemDef();
+    AddParitySea(&parity, &waves);
+    int messages = swGpu_GetValidationCount(parity.gpu);
+    const swGpuQueryKind kinds[] = {SW_GPU_QUERY_KIND_SURFACE, SW_GPU_QUERY_KIND_VOLUME, SW_GPU_QUERY_KIND_RAYS};
+    const uint32_t outputs[] = {15, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, SW_GPU_QUERY_NORMAL};
+    for (size_t i = 0; i < sizeof(kinds) / sizeof(kinds[0]); ++i)
+    {
+        swGpuQueryDef def = swDefaultGpuQueryDef();
+        def.kind = kinds[i];
+        def.outputs = outputs[i];
+        def.capacity = 4194304;
+        def.readBack = false;
+        swGpuQuery* query = NULL;
+        swResult result = swCreateGpuQuery(parity.gpuWorld, &def, &query);
+        if (result == SW_ERROR_LIMIT && kinds[i] == SW_GPU_QUERY_KIND_RAYS) // a device that binds 128 MiB
+        {
+            def.capacity = 3355443;
+            result = swCreateGpuQuery(parity.gpuWorld, &def, &query);
+        }
+        assert_int_equal(result, SW_SUCCESS);
+        switch (kinds[i])
+        {
+        case SW_GPU_QUERY_KIND_SURFACE:
+            swGpuQuery_SetPoints(query, 1, &(swPosXZ){1.0, 2.0});
+            break;
+        case SW_GPU_QUERY_KIND_VOLUME:
+            swGpuQuery_SetPlaces(query, 1, &(swPos){1.0, -2.0, 3.0});
+            break;
+        case SW_GPU_QUERY_KIND_RAYS:
+            swGpuQuery_SetRays(query, 1, &(swRay){.direction = {0.0f, -1.0f, 0.0f}, .maxDistance = 10.0f});
+            break;
+        }
+        StepParity(&parity, 0.1);
+        swDestroyGpuQuery(query);
+    }
+    assert_int_equal(swGpu_GetValidationCount(parity.gpu), messages);
+    FreeParity(&parity);
+}
+
 static void AWarmQueryAllocatesNothing(void** state)
 {
     (void)state;
@@ -672,6 +715,7 @@ int main(void)
         cmocka_unit_test(QueriesComeAndGo),
         cmocka_unit_test(AnswersCanStayOnTheGpu),
         cmocka_unit_test(AMillionPointsAreAnsweredToTheLast),
+        cmocka_unit_test(TheLargestQueriesAreWithinWhatADeviceBinds),
         cmocka_unit_test(AWarmQueryAllocatesNothing),
         cmocka_unit_test(ParticlesMoveAsTheCoresDo),
         cmocka_unit_test(MotionOfAGaleAndOfFreeWavesAgrees),

@@ -150,6 +150,61 @@ static void WhatIsTooLargeIsRefused(void** state)
     assert_int_equal(s_memory.messages, 2);
 }
 
+static void AFormatThatTheDeviceCannotUseIsRefused(void** state)
+{
+    (void)state;
+    swStageImage image;
+    swStageImageDef def = {.name = "an image",
+                           .format = VK_FORMAT_S8_UINT,
+                           .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                           .width = WIDTH,
+                           .height = HEIGHT};
+    int messages = s_memory.messages;
+    assert_int_equal(swStage_CreateImage(s_stage, &def, &image), SW_ERROR_UNSUPPORTED);
+    assert_true(image.image == VK_NULL_HANDLE);
+    def.format = VK_FORMAT_R8G8B8A8_UNORM;
+    def.otherFormat = VK_FORMAT_S8_UINT;
+    assert_int_equal(swStage_CreateImage(s_stage, &def, &image), SW_ERROR_UNSUPPORTED);
+    assert_int_equal(s_memory.messages, messages + 2);
+}
+
+#ifdef NDEBUG // misuse stops the program where asserts are on
+static void WhatIsRefusedCanBeDestroyed(void** state)
+{
+    (void)state;
+    swStageTargets targets;
+    swStageBuffer buffer;
+    swStageImage image;
+    memset(&targets, 0xff, sizeof(targets));
+    memset(&buffer, 0xff, sizeof(buffer));
+    memset(&image, 0xff, sizeof(image));
+    assert_int_equal(swStage_CreateTargets(s_stage, 0, 0, 0, 0, &targets), SW_ERROR_INVALID);
+    assert_int_equal(swStage_CreateBuffer(s_stage, 0, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &buffer), SW_ERROR_INVALID);
+    assert_int_equal(swStage_CreateImage(s_stage, &(swStageImageDef){.name = "no image"}, &image), SW_ERROR_INVALID);
+    swStage_DestroyTargets(s_stage, &targets);
+    swStage_DestroyBuffer(s_stage, &buffer);
+    swStage_DestroyImage(s_stage, &image);
+    assert_int_equal(swGpu_GetValidationCount(swStage_GetGpu(s_stage)), 0);
+}
+
+static void ABufferThatIsTooSmallGetsNoCopy(void** state)
+{
+    (void)state;
+    swStageImage image = MakeImage();
+    swStageBuffer buffer;
+    assert_int_equal(swStage_CreateBuffer(s_stage, BYTES - 1, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &buffer), SW_SUCCESS);
+    swStageFrame frame;
+    int messages = s_memory.messages;
+    assert_int_equal(swStage_BeginFrame(s_stage, &frame), SW_SUCCESS);
+    RecordClear(&image, &buffer, frame.commands);
+    swStage_DropFrame(s_stage, &frame);
+    assert_int_equal(s_memory.messages, messages + 1);
+    assert_int_equal(swGpu_GetValidationCount(swStage_GetGpu(s_stage)), 0);
+    swStage_DestroyBuffer(s_stage, &buffer);
+    swStage_DestroyImage(s_stage, &image);
+}
+#endif
+
 static void WithoutMemoryThereIsNoStage(void** state)
 {
     (void)state;
@@ -186,9 +241,17 @@ static int CloseStage(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(DevicesHaveNamesAndNumbers), cmocka_unit_test(ListedDevicesAreThoseThatAnIndexMeans),
-        cmocka_unit_test(AnImageComesBackToTheHost),  cmocka_unit_test(ADroppedFrameDoesNotRun),
-        cmocka_unit_test(WhatIsTooLargeIsRefused),    cmocka_unit_test(WithoutMemoryThereIsNoStage),
+        cmocka_unit_test(DevicesHaveNamesAndNumbers),
+        cmocka_unit_test(ListedDevicesAreThoseThatAnIndexMeans),
+        cmocka_unit_test(AnImageComesBackToTheHost),
+        cmocka_unit_test(ADroppedFrameDoesNotRun),
+        cmocka_unit_test(WhatIsTooLargeIsRefused),
+        cmocka_unit_test(WithoutMemoryThereIsNoStage),
+        cmocka_unit_test(AFormatThatTheDeviceCannotUseIsRefused),
+#ifdef NDEBUG
+        cmocka_unit_test(WhatIsRefusedCanBeDestroyed),
+        cmocka_unit_test(ABufferThatIsTooSmallGetsNoCopy),
+#endif
     };
     return cmocka_run_group_tests(tests, OpenStage, CloseStage);
 }

@@ -173,6 +173,10 @@ void swDestroySeaReplay(swSeaReplay* replay)
 {
     if (replay != NULL)
     {
+        if (swWaveSystem_IsValid(replay->world, replay->system))
+        {
+            swStopRecords(&replay->world->waves, replay->system.index1 - 1);
+        }
         swEndReplay(&replay->world->waves, &replay->replay);
         swFree(&replay->world->memory.host, replay, sizeof *replay);
     }

@@ -193,6 +193,7 @@ static swResult addLayer(swWaves* waves, int slot, swWaveSet* set, double second
     {
         swWavePart* part = &changed.parts[i];
         part->fade = swMakeRamp(waves->ticks, swGetFade(&part->fade, waves->ticks), 0.0f, seconds);
+        part->records = (swRecordClock){0}; // a replay shares out the newest part only
     }
     set->useCount += 1;
     changed.parts[changed.partCount++] =
@@ -238,6 +239,12 @@ void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* re
     part->isShared = part->set->mix != NULL;
     part->records = *records;
     waves->isChanged = true;
+}
+
+void swStopRecords(swWaves* waves, int slot)
+{
+    swWaveSystem* system = &waves->systems[slot];
+    system->layers[system->layerCount - 1].records = (swRecordClock){0};
 }
 
 static swResult changeWaves(swWaves* waves, int slot, swWaveSet* set, double seconds)
@@ -293,6 +300,7 @@ static void finishMix(swWaves* waves, swWavePart* part)
     part->set = mix->to;
     part->set->useCount += 1;
     part->isMixing = part->isShared = false;
+    part->records = (swRecordClock){0};
     swReleaseSet(waves, mix);
 }
 
@@ -337,7 +345,8 @@ static float getRecordShare(const swRecordClock* records, double time, bool* isH
     {
         return seconds < records->first ? 0.0f : 1.0f;
     }
-    return (float)((seconds - records->first) / (records->last - records->first));
+    double span = records->last - records->first; // infinite of one record for all times before or after
+    return span > 0.0 && isfinite(span) ? (float)((seconds - records->first) / span) : 0.0f;
 }
 
 static void showSet(swShown* shown, const swWaveSet* set, float share, float weight, int slot)

@@ -119,7 +119,8 @@ void swFreeAllSystems(swWaves* waves);
 void swRampWeight(swWaves* waves, int slot, float weight, double seconds);
 swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                           // as the only part, at once
 void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records); // by a replay
-const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system);                      // what was asked for last
+void swStopRecords(swWaves* waves, int slot);                      // a replay leaves the system as it is
+const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
 // Tiles and free waves of some systems; a sentence in the log if there are too many.
 bool swIsWithinLimits(const swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);
 

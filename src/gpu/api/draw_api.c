@@ -9,6 +9,7 @@
 #define SW_PICTURE_COOKIE 0x504943
 
 #define SW_NEAR_PLANE 0.1f
+#define SW_MOST_STOPS 40.0f // of a shot's exposure; the product of light and exposure stays a number
 
 // Camera axes from heading, pitch and roll; the projection maps the near plane to depth 1 and infinity to 0.
 swCamera swMakeCamera(swPos position, float heading, float pitch, float roll, float verticalFov, uint32_t width,
@@ -138,11 +139,12 @@ swResult swPicture_Prepare(swPicture* picture, VkCommandBuffer commands, const s
     SW_REQUIRE(isLookGood(&shot->sky, &shot->water), SW_ERROR_INVALID, host,
                "swPicture_Prepare() needs a sky made by swDefaultSkyDef() and water made by swDefaultWaterDef(), with "
                "numbers in their fields");
-    SW_REQUIRE((unsigned)shot->debug < SW_DEBUG_COUNT && isNumber(shot->time) && isNumber((double)shot->exposureEv),
+    SW_REQUIRE((unsigned)shot->debug < SW_DEBUG_COUNT && isNumber(shot->time) &&
+                   fabsf(shot->exposureEv) <= SW_MOST_STOPS,
                SW_ERROR_INVALID, host,
                "swPicture_Prepare() was given the debug mode %d, the time %g s and the exposure %g; they must be a "
-               "mode of swDebugMode and numbers",
-               (int)shot->debug, shot->time, (double)shot->exposureEv);
+               "mode of swDebugMode, a number, and at most %g stops either way",
+               (int)shot->debug, shot->time, (double)shot->exposureEv, (double)SW_MOST_STOPS);
     SW_REQUIRE(isCameraGood(&shot->camera), SW_ERROR_INVALID, host,
                "swPicture_Prepare() needs a camera with numbers and a size, as swMakeCamera() makes it");
     return swPreparePicture(picture, commands, shot, frameIndex);

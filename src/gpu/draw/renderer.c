@@ -68,15 +68,18 @@ static swResult checkFormats(const swGpu* gpu, const swPictureDef* def)
         VkFormat format;
         VkFormatFeatureFlags features;
     } formats[] = {
-        {"colour", def->colorFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT},
+        // Integers can be neither filtered nor blended, and no shader of a picture writes them.
+        {"colour", def->colorFormat,
+         VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT},
         {"depth", def->depthFormat, VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT},
-        {"output", def->outputFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT},
+        {"output", def->outputFormat, VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT},
     };
     for (size_t i = 0; i < sizeof(formats) / sizeof(formats[0]); ++i)
     {
         VkFormatProperties properties;
         gpu->vk.GetPhysicalDeviceFormatProperties(gpu->physicalDevice, formats[i].format, &properties);
-        if ((properties.optimalTilingFeatures & formats[i].features) != formats[i].features)
+        bool hasNoDepth = formats[i].format == VK_FORMAT_S8_UINT; // a stencil alone has the same feature as depth
+        if (hasNoDepth || (properties.optimalTilingFeatures & formats[i].features) != formats[i].features)
         {
             return swFail(&gpu->host, SW_ERROR_UNSUPPORTED,
                           "The device %s cannot draw to the picture's %s format (VkFormat %d).",

@@ -58,7 +58,10 @@ swBinding swBindPoints(const swGpuQuery* query, swQuerySource* source)
 
 swBinding swBindPlane(const swGpuQuery* query, VkDeviceSize offset)
 {
-    return (swBinding){.buffer = query->answers.handle, .offset = offset};
+    // The rest of a large buffer may be more than a device binds at once; no plane is larger than one of four floats.
+    VkDeviceSize most = (VkDeviceSize)query->def.capacity * sizeof(swVec4);
+    VkDeviceSize rest = query->answers.size - offset;
+    return (swBinding){.buffer = query->answers.handle, .offset = offset, .range = rest < most ? rest : most};
 }
 
 void swDispatchPoints(swGpu* gpu, VkCommandBuffer commands, const swGpuQuery* query, uint32_t points)

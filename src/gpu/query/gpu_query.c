@@ -67,6 +67,12 @@ static swResult createQueryBuffers(swGpuQuery* query)
     VkDeviceSize capacity = (VkDeviceSize)query->def.capacity;
     bool isRays = query->def.kind == SW_GPU_QUERY_KIND_RAYS;
     VkDeviceSize pointSize = alignPlane(capacity * (isRays ? sizeof(swQueryRay) : sizeof(swQueryPoint)));
+    if (pointSize > gpu->properties.limits.maxStorageBufferRange)
+    {
+        return swFail(&gpu->host, SW_ERROR_LIMIT, "%s binds at most %.0f bytes at once, and %d points are %.0f",
+                      gpu->properties.deviceName, (double)gpu->properties.limits.maxStorageBufferRange,
+                      query->def.capacity, (double)pointSize);
+    }
     if (query->def.kind == SW_GPU_QUERY_KIND_VOLUME)
     {
         query->levelsAt = pointSize;
