@@ -87,23 +87,39 @@ void swFree(const swHost* host, void* memory, size_t size)
     }
 }
 
-// What is quoted from files and names may hold anything; a message is one line.
-static void keepOneLine(char* message)
+// What is quoted from files and names may hold anything; a message is one line, and no escape sequence for a terminal.
+static void copyLine(const char* text, char* line, size_t size)
 {
-    for (char* c = message; *c != '\0'; ++c)
+    static const char digits[] = "0123456789abcdef";
+    size_t used = 0;
+    for (; *text != '\0' && used + 5 <= size; ++text)
     {
-        *c = (unsigned char)*c < 0x20 || *c == 0x7f ? ' ' : *c;
+        unsigned char c = (unsigned char)*text;
+        bool isSpace = c >= '\t' && c <= '\r';
+        bool isControl = (c < 0x20 && !isSpace) || c == 0x7f;
+        if (isControl)
+        {
+            memcpy(line + used, "\\x", 2);
+            line[used + 2] = digits[c >> 4];
+            line[used + 3] = digits[c & 15];
+        }
+        else
+        {
+            line[used] = isSpace ? ' ' : *text;
+        }
+        used += isControl ? 4 : 1;
     }
+    line[used] = '\0';
 }
 
 static void logList(const swHost* host, swLogLevel level, const char* format, va_list arguments)
 {
     if (host->log != NULL)
     {
-        char message[SW_LONGEST_MESSAGE];
+        char message[SW_LONGEST_MESSAGE], line[SW_LONGEST_MESSAGE];
         vsnprintf(message, sizeof message, format, arguments);
-        keepOneLine(message);
-        host->log(host->logContext, level, message);
+        copyLine(message, line, sizeof line);
+        host->log(host->logContext, level, line);
     }
 }
 

@@ -86,7 +86,7 @@ swResult swShowRecords(swWaves* waves, swReplay* replay, int slot, int before, i
         }
     }
     replay->fraction = fraction;
-    swShareLayer(waves, slot, (float)fraction, clock);
+    swSharePart(waves, slot, (float)fraction, clock);
     return SW_SUCCESS;
 }
 

@@ -160,7 +160,7 @@ const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system)
 // ---- change ----
 
 // The newest part turns into `set` wave by wave. SW_ERROR_UNSUPPORTED if their phases differ.
-static swResult mixLayer(swWaves* waves, int slot, swWaveSet* set, double seconds)
+static swResult mixPart(swWaves* waves, int slot, swWaveSet* set, double seconds)
 {
     swWaveSystem changed = waves->systems[slot];
     swWavePart* part = &changed.parts[changed.partCount - 1];
@@ -180,7 +180,7 @@ static swResult mixLayer(swWaves* waves, int slot, swWaveSet* set, double second
 }
 
 // All parts of now fade out, a new one fades in.
-static swResult addLayer(swWaves* waves, int slot, swWaveSet* set, double seconds)
+static swResult addPart(swWaves* waves, int slot, swWaveSet* set, double seconds)
 {
     swWaveSystem changed = waves->systems[slot];
     if (changed.partCount == SW_MAX_WAVE_PARTS)
@@ -206,7 +206,7 @@ static swResult addLayer(swWaves* waves, int slot, swWaveSet* set, double second
     return result;
 }
 
-static swResult replaceLayers(swWaves* waves, int slot, swWaveSet* set)
+static swResult replaceParts(swWaves* waves, int slot, swWaveSet* set)
 {
     swWaveSystem before = waves->systems[slot];
     swWaveSystem changed = before;
@@ -228,10 +228,10 @@ static swResult replaceLayers(swWaves* waves, int slot, swWaveSet* set)
 
 swResult swShowSet(swWaves* waves, int slot, swWaveSet* set)
 {
-    return replaceLayers(waves, slot, set);
+    return replaceParts(waves, slot, set);
 }
 
-void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records)
+void swSharePart(swWaves* waves, int slot, float share, const swRecordClock* records)
 {
     swWaveSystem* system = &waves->systems[slot];
     swWavePart* part = &system->parts[system->partCount - 1];
@@ -244,17 +244,17 @@ void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* re
 void swStopRecords(swWaves* waves, int slot)
 {
     swWaveSystem* system = &waves->systems[slot];
-    system->layers[system->layerCount - 1].records = (swRecordClock){0};
+    system->parts[system->partCount - 1].records = (swRecordClock){0};
 }
 
 static swResult changeWaves(swWaves* waves, int slot, swWaveSet* set, double seconds)
 {
     if (seconds == 0.0)
     {
-        return replaceLayers(waves, slot, set);
+        return replaceParts(waves, slot, set);
     }
-    swResult result = mixLayer(waves, slot, set, seconds);
-    return result == SW_ERROR_UNSUPPORTED ? addLayer(waves, slot, set, seconds) : result;
+    swResult result = mixPart(waves, slot, set, seconds);
+    return result == SW_ERROR_UNSUPPORTED ? addPart(waves, slot, set, seconds) : result;
 }
 
 swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, double seconds)
@@ -274,7 +274,7 @@ swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, do
     }
     else if (seconds == 0.0 && (set != newest || system->partCount > 1))
     {
-        result = replaceLayers(waves, slot, set); // where it was going anyway, but now
+        result = replaceParts(waves, slot, set); // where it was going anyway, but now
     }
     swReleaseSet(waves, set);
     if (result == SW_SUCCESS)

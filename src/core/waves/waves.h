@@ -117,8 +117,8 @@ swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, do
 void swAdvanceSystems(swWaves* waves); // changes that are over end
 void swFreeAllSystems(swWaves* waves);
 void swRampWeight(swWaves* waves, int slot, float weight, double seconds);
-swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                           // as the only part, at once
-void swShareLayer(swWaves* waves, int slot, float share, const swRecordClock* records); // by a replay
+swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                          // as the only part, at once
+void swSharePart(swWaves* waves, int slot, float share, const swRecordClock* records); // by a replay
 void swStopRecords(swWaves* waves, int slot);                      // a replay leaves the system as it is
 const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
 // Tiles and free waves of some systems; a sentence in the log if there are too many.

@@ -267,7 +267,7 @@ static void streamRamp(swStream* stream, swRamp* ramp)
     stream->isBroken = stream->isBroken || !isFine;
 }
 
-static void streamLayer(swStream* stream, const swSetList* list, swWavePart* part)
+static void streamPart(swStream* stream, const swSetList* list, swWavePart* part)
 {
     int index = swIsReading(stream) ? 0 : findInList(list, part->set);
     swStreamRange(stream, &index, 0, list->count > 0 ? list->count - 1 : 0);
@@ -292,7 +292,7 @@ void swStreamSystem(swStream* stream, const swSetList* list, swWaveSystem* syste
     streamRamp(stream, &system->weight);
     for (int i = 0; i < count && !stream->isBroken; ++i)
     {
-        streamLayer(stream, list, &system->parts[i]);
+        streamPart(stream, list, &system->parts[i]);
         if (swIsReading(stream) && !stream->isBroken)
         {
             system->partCount = i + 1;
