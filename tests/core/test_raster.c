@@ -78,7 +78,7 @@ static void OutsideAndBesideUnknownCellsNothingIsKnown(void** state)
     swRaster* raster = Create(&def);
     assert_true(isnan(SampleAt(raster, -30.001, 8.0)) && isnan(SampleAt(raster, -10.0 + 1e-6, 8.0)));
     assert_true(isnan(SampleAt(raster, -30.0, 7.499)) && isnan(SampleAt(raster, -30.0, 10.001)));
-    assert_true(isnan(SampleAt(raster, NAN, 8.0)) && isnan(SampleAt(raster, -30.0, INFINITY)));
+    assert_true(isnan(SampleAt(raster, (double)NAN, 8.0)) && isnan(SampleAt(raster, -30.0, (double)INFINITY)));
     assert_true(isnan(SampleAt(raster, -25.0, 8.0)) && isnan(SampleAt(raster, -20.0, 10.0)));
     // The unknown cell has no part in these.
     assert_float_equal(SampleAt(raster, -30.0, 8.75), 2.5f, 1e-6f);
@@ -138,8 +138,8 @@ static void WhatCannotBeIsRefusedByName(void** state)
                  {SW_MAX_RASTER_SIDE + 1, 2, 0.0, 1.0, "swRasterDef::width is 16385"},
                  {-2, 2, 0.0, 1.0, "swRasterDef::width is -2"},
                  {2, 2, 0.0, 0.0, "swRasterDef::spacingX is 0"},
-                 {2, 2, 0.0, NAN, "its range is [0.001, 1"},
-                 {2, 2, NAN, 1.0, "swRasterDef::x is"},
+                 {2, 2, 0.0, (double)NAN, "its range is [0.001, 1"},
+                 {2, 2, (double)NAN, 1.0, "swRasterDef::x is"},
                  {2, 2, 2e9, 1.0, "swRasterDef::x is"},
                  {2000, 2, 1e9, 1.0, "a.asc reaches to"},
                  {2, 2, 0.0, 1.0, "a.asc has inf in column 1, row 1"}};

@@ -74,12 +74,12 @@ static void SwellAndWindSeaStandApart(void** state)
     assert_true(IsNear((double)whole.significantHeight, 5.0, 1e-4));
     assert_true(IsNear((double)whole.peakPeriod, 16.0, 1e-4));
     swSeaState swell = GetBandState(&record, 0.001f, 0.12f);
-    assert_true(IsNear((double)swell.significantHeight, 4.0, 0.15));                    // some of it lies above
-    assert_true(GetAngleBetween(GetBearing((double)swell.peakDirection), 265.0) < 0.5); // the mean direction, not W
+    assert_true(IsNear((double)swell.significantHeight, 4.0, 0.15));            // some of it lies above
+    assert_true(GetAngleBetween(GetBearing(swell.peakDirection), 265.0) < 0.5); // the mean direction, not W
     swSeaState wind = GetBandState(&record, 0.16f, 0.5f);
     assert_true(IsNear((double)wind.peakPeriod, 5.0, 1e-4));
     assert_true(IsNear((double)wind.significantHeight, 3.0, 0.15));
-    assert_true(GetAngleBetween(GetBearing((double)wind.peakDirection), 45.0) < 3.0); // some swell is left there
+    assert_true(GetAngleBetween(GetBearing(wind.peakDirection), 45.0) < 3.0); // some swell is left there
     swDestroyMeasuredSea(sea);
 }
 
@@ -109,14 +109,14 @@ static void EveryPointOfTheCompassIsUnderstood(void** state)
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
         assert_int_equal(record.partitionCount, 1);
         swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
-        assert_true(GetAngleBetween(GetBearing((double)seaState.meanDirection), 22.5 * i) < 1e-3);
-        assert_true(GetAngleBetween(GetBearing((double)record.meanDirection[20]), 22.5 * i) < 1e-3);
+        assert_true(GetAngleBetween(GetBearing(seaState.meanDirection), 22.5 * i) < 1e-3);
+        assert_true(GetAngleBetween(GetBearing(record.meanDirection[20]), 22.5 * i) < 1e-3);
         swDestroyMeasuredSea(sea);
     }
     // Degrees do too.
     swMeasuredSea* sea = MakeSea(HEADING "2022 05 10 10 40 1.0 1.0 9.1 0.0 MM 123 MM SWELL 6.0 MM\n");
     swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-    assert_true(GetAngleBetween(GetBearing((double)GetBandState(&record, 0.0f, 0.0f).meanDirection), 123.0) < 1e-3);
+    assert_true(GetAngleBetween(GetBearing(GetBandState(&record, 0.0f, 0.0f).meanDirection), 123.0) < 1e-3);
     swDestroyMeasuredSea(sea);
 }
 
@@ -141,7 +141,7 @@ static void MeanDirectionRefinesOnlyThePointItAgreesWith(void** state)
         snprintf(text, sizeof(text), HEADING "%s", cases[i].line);
         swMeasuredSea* sea = MakeSea(text);
         swMeasuredRecord record = swMeasuredSea_GetRecord(sea, 0);
-        double bearing = GetBearing((double)GetBandState(&record, 0.0f, 0.0f).peakDirection);
+        double bearing = GetBearing(GetBandState(&record, 0.0f, 0.0f).peakDirection);
         assert_true(IsNear(GetAngleBetween(bearing, cases[i].bearing), 0.0, 1e-3));
         swDestroyMeasuredSea(sea);
     }
@@ -245,7 +245,7 @@ static void MeteorologicalFilesGiveOneSystem(void** state)
     swSeaState seaState = GetBandState(&record, 0.0f, 0.0f);
     assert_true(IsNear((double)seaState.significantHeight, 2.5, 1e-4));
     assert_true(IsNear((double)seaState.peakPeriod, 9.09, 1e-3));
-    assert_true(IsNear(GetBearing((double)seaState.meanDirection), 45.0, 1e-3));
+    assert_true(IsNear(GetBearing(seaState.meanDirection), 45.0, 1e-3));
     record = swMeasuredSea_GetRecord(sea, 1);
     assert_null(record.meanDirection); // spread around east
     assert_true(IsNear((double)GetBandState(&record, 0.0f, 0.0f).meanDirection, 0.0, 1e-4));
@@ -534,7 +534,7 @@ static void CompareWithLine(const swMeasuredRecord* record, const Printed* print
     double point = GetPointDegrees(isSwell ? printed->swellPoint : printed->windPoint);
     sums->worstPeak = fmax(sums->worstPeak, fabs(peak / period - 1.0));
     sums->worstPeakDirection =
-        fmax(sums->worstPeakDirection, GetAngleBetween(GetBearing((double)seaState.peakDirection), point));
+        fmax(sums->worstPeakDirection, GetAngleBetween(GetBearing(seaState.peakDirection), point));
 }
 
 static void CompareWithSpectrum(const swMeasuredRecord* record, const swMeasuredRecord* spectrum, Comparison* sums)
@@ -544,8 +544,7 @@ static void CompareWithSpectrum(const swMeasuredRecord* record, const swMeasured
     double period = (double)ours.periodTm02 / (double)theirs.periodTm02 - 1.0;
     sums->periodBias += period;
     sums->periodError += fabs(period);
-    sums->directionError +=
-        GetAngleBetween(GetBearing((double)ours.meanDirection), GetBearing((double)theirs.meanDirection));
+    sums->directionError += GetAngleBetween(GetBearing(ours.meanDirection), GetBearing(theirs.meanDirection));
     sums->spreadBias += ((double)ours.spread - (double)theirs.spread) * 180.0 / SW_PI;
     sums->peaksFound += fabs((double)ours.peakPeriod / (double)theirs.peakPeriod - 1.0) < 0.03 ? 1 : 0;
 }

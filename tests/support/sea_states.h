@@ -10,9 +10,9 @@
 #include <seaway/measured.h>
 
 // Degrees clockwise from north that waves come from, of a direction where they go. In [0, 360).
-static inline double GetBearing(double direction)
+static inline double GetBearing(float direction)
 {
-    double degrees = direction * 180.0 / SW_PI - 90.0;
+    double degrees = (double)direction * 180.0 / SW_PI - 90.0;
     return degrees - 360.0 * floor(degrees / 360.0);
 }
 

@@ -96,7 +96,7 @@ void FindBelow(const Finding* finding, double limit, double measured)
 int Seeds(int count)
 {
 #ifdef SW_TRUTH_SHORT
-    return count < 16 ? 2 : count / 8;
+    return count < 2 ? count : count < 16 ? 2 : count / 8;
 #else
     return count;
 #endif

@@ -90,8 +90,9 @@ void swStreamF64(swStream* stream, double* value)
 
 void swStreamBool(swStream* stream, bool* value)
 {
-    bool result = streamBytes(stream, *value ? 1 : 0, 1) != 0;
-    if (swIsReading(stream))
+    bool isReading = swIsReading(stream); // then the value may hold no bool yet
+    bool result = streamBytes(stream, !isReading && *value ? 1 : 0, 1) != 0;
+    if (isReading)
     {
         *value = result;
     }

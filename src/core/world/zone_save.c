@@ -50,7 +50,7 @@ static void setState(swZone* zone, const ZoneState* state)
 
 static swResult readZone(swWorld* world, swStream* stream)
 {
-    ZoneState state;
+    ZoneState state = {0};
     swZone* zone = NULL;
     streamState(stream, &state);
     // Before memory is asked for: what is saved of the layers must be there.
@@ -106,7 +106,7 @@ swResult swCheckZones(const swWorld* world, swStream* stream)
     }
     for (int i = 0; i < count && !stream->isBroken; ++i)
     {
-        ZoneState state;
+        ZoneState state = {0};
         streamState(stream, &state);
         if (!stream->isBroken && !swIsSameDef(&swZoneFields, &state.def, &world->zones[i]->def))
         {
@@ -126,7 +126,7 @@ void swReadZones(swWorld* world, swStream* stream)
     }
     for (int i = 0; i < count; ++i)
     {
-        ZoneState state;
+        ZoneState state = {0};
         streamState(stream, &state);
         setState(world->zones[i], &state);
         swStreamLayers(stream, &world->zones[i]->layers);
