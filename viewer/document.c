@@ -138,6 +138,11 @@ void SaveScene(App* app)
         ShowNote(app, "not saved: seaway_0001.yaml to seaway_9999.yaml are all there");
         return;
     }
+    if (path != NULL && GetSceneStamp(app) != app->sceneStamp)
+    {
+        ShowNote(app, "not saved: the file has changed on disk; read it, or answer that yours is kept");
+        return;
+    }
     app->messagesBefore = CountMessages(&app->messages);
     if (SaveSea(&app->sea, path, path != NULL ? path : made) != SW_SUCCESS)
     {

@@ -48,6 +48,7 @@ static swResult PutAllWaves(const Sea* sea, swScene* scene)
     bool isNew = scene->wavesCount == 0;
     if (!isNew && filedCount != scene->wavesCount)
     {
+        SayInSea(sea, "the scene was not saved: the file has other wave systems than when it was read; read it again");
         return SW_ERROR_INVALID;
     }
     swResult result = SW_SUCCESS;
@@ -79,10 +80,6 @@ swResult SaveSea(const Sea* sea, const char* from, const char* path)
     }
     PutLook(sea, scene);
     result = PutAllWaves(sea, scene);
-    if (result == SW_ERROR_INVALID)
-    {
-        SayInSea(sea, "the scene was not saved: the file has other wave systems than when it was read; read it again");
-    }
     result = result == SW_SUCCESS ? swWriteScene(scene, path) : result;
     swDestroyScene(scene);
     return result;

@@ -69,13 +69,21 @@ static swResult readKey(EsriGrid* esri, swToken key)
         esri->hasRows = true;
         return swReadCount(&esri->text, "nrows", 1, MOST_CELLS, &grid->north.count);
     }
-    if (isKey(key, "xllcorner") || isKey(key, "xllcenter"))
+    bool isEast = isKey(key, "xllcorner") || isKey(key, "xllcenter");
+    bool isNorth = isKey(key, "yllcorner") || isKey(key, "yllcenter");
+    if ((isEast && esri->hasX) || (isNorth && esri->hasY))
+    {
+        return swFail(esri->text.host, SW_ERROR_FORMAT,
+                      "%s:%d: '%.*s' tells the place a second time; a grid has its corner or its middle, once.",
+                      esri->text.name, esri->text.line, key.size, key.text);
+    }
+    if (isEast)
     {
         esri->hasX = true;
         esri->isMiddleX = isKey(key, "xllcenter");
         return swReadNumber(&esri->text, "the western edge", false, &esri->x);
     }
-    if (isKey(key, "yllcorner") || isKey(key, "yllcenter"))
+    if (isNorth)
     {
         esri->hasY = true;
         esri->isMiddleY = isKey(key, "yllcenter");

@@ -161,6 +161,7 @@ static void WrongFilesAreNamedWithTheirLineAndRemedy(void** state)
         {long_, ":7: there are more heights than the 2 x 2"},
         {word, ":7: 'x' should be a height"},
         {"ncols 2\nnrows 2\ncellsize 1\n1 2\n3 4\n", "lacks xllcorner"},
+        {"ncols 1\nnrows 1\nxllcorner 0\nxllcenter 5\nyllcorner 0\ncellsize 1\n1\n", "tells the place a second time"},
         {"ncols 0\nnrows 2\n", "must be from 1"},
         {"ncols 1e9\nnrows 1e9\n", ":1: ncols is 1e+09; it must be from 1 to 1e+06"},
         {"ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -1\n1 2 3 4\n", "must be above 0"},
