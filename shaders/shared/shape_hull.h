@@ -6,13 +6,8 @@
 // angle.
 #ifndef SW_SHARED_SHAPE_HULL_H
 #define SW_SHARED_SHAPE_HULL_H
+#include "input.h"
 #include "shape_solids.h"
-
-// Words of an input: in C where they begin, in GLSL the index of the first in a buffer that the includer declares.
-#if defined(__STDC__) && !defined(SW_WORDS)
-#define SW_WORDS const float*
-#define SW_WORD(words, i) ((words)[i])
-#endif
 
 #define SW_HULL_HEAD 4u // words before the values
 
