@@ -253,10 +253,11 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
     }
 }
 
-static float Attenuate(float kd, float* slope)
+static float Attenuate(const void* context, int system, float k, float depth, float* slope)
 {
-    float share = swDepthShare(kd);
-    *slope = swDepthShareSlope(share);
+    (void)context, (void)system;
+    float share = swDepthShare(k * depth);
+    *slope = swDepthShareSlope(share) * k;
     return share;
 }
 
