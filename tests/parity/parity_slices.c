@@ -256,9 +256,9 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
 static float Attenuate(const void* context, int system, float k, float depth, float* slope)
 {
     (void)context, (void)system;
-    float share = swDepthShare(k * depth);
-    *slope = swDepthShareSlope(share) * k;
-    return share;
+    swDepthShare found = swFindNaturalShare(k * depth);
+    *slope = found.slope * k;
+    return found.share;
 }
 
 // Displacement of some texels of a slice against the core's sum with that bottom.
