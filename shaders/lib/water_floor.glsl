@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What stands in the water, seen through its surface: where a bent line of sight meets it in the host's images, and what
-// the water in between takes and adds.
+// What stands in the water, seen through its surface: where a bent line of sight meets it in the host's images, and
+// what the water in between takes and adds.
 //
 // A line of sight that goes into the water is bent by the slope of the surface. Where it ends is found on the screen:
-// the bottom under the pixel gives a first guess of its depth, the bent line is followed to that depth, and the image is
-// looked up where that place is seen. The light is that of [Lee 1998]: downwards it fades along the sun's path in the
-// water, upwards along the line of sight, and what the column scatters back saturates alike.
+// the bottom under the pixel gives a first guess of its depth, the bent line is followed to that depth, and the image
+// is looked up where that place is seen. The light is that of [Lee 1998]: downwards it fades along the sun's path in
+// the water, upwards along the line of sight, and what the column scatters back saturates alike.
 #ifndef SW_LIB_WATER_FLOOR
 #define SW_LIB_WATER_FLOOR
 #include "lib/water_optics.glsl"

@@ -30,9 +30,9 @@ SW_PARAMS_SIZE(swTerrainVertex, 16);
 
 SW_PARAMS(swTerrainPush)
 {
-    float cameraY;   // absolute, m
-    float eyeHeight; // of distances, m
-    float wetHeight; // above sea level that waves keep wet, m
+    float cameraY;        // absolute, m
+    float eyeHeight;      // of distances, m
+    float wetHeight;      // above sea level that waves keep wet, m
     float placeX, placeZ; // of the camera, for patterns that lie still, m
     float unused0, unused1, unused2;
 };

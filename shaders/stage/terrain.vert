@@ -43,6 +43,5 @@ void main()
     slopes = mix(unpackHalf2x16(own.slopes), unpackHalf2x16(far.farSlopes), slide);
     known = mix(own.known, far.known, slide);
     float y = position.y - swMeshDrop(length(place), picture.flatDistance, picture.earthRadius);
-    gl_Position =
-        picture.clip[0] * position.x + picture.clip[1] * y + picture.clip[2] * position.z + picture.clip[3];
+    gl_Position = picture.clip[0] * position.x + picture.clip[1] * y + picture.clip[2] * position.z + picture.clip[3];
 }

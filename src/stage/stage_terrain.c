@@ -8,7 +8,7 @@
 #include "stage/terrain_tiles.h"
 
 #define SW_TERRAIN_COOKIE 0x544552
-#define SW_TERRAIN_MOST_TILES 768 // drawn at once
+#define SW_TERRAIN_MOST_TILES 768  // drawn at once
 #define SW_TERRAIN_PERIOD 262144.0 // m, of the patterns on the ground
 
 static const uint32_t vertexCode[] =
@@ -95,8 +95,8 @@ static VkResult createPipeline(swStageTerrain* terrain, VkShaderModule vertex, V
          .module = fragment,
          .pName = "main"},
     };
-    const VkPipelineVertexInputStateCreateInfo input = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    const VkPipelineVertexInputStateCreateInfo input = {.sType =
+                                                            VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
     const VkPipelineInputAssemblyStateCreateInfo assembly = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
@@ -120,7 +120,8 @@ static VkResult createPipeline(swStageTerrain* terrain, VkShaderModule vertex, V
         .depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL,
     };
     const VkPipelineColorBlendAttachmentState opaque = {.colorWriteMask = 15};
-    const VkPipelineColorBlendStateCreateInfo blend = {.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+    const VkPipelineColorBlendStateCreateInfo blend = {.sType =
+                                                           VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                        .attachmentCount = 1,
                                                        .pAttachments = &opaque};
     const VkDynamicState dynamicStates[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
@@ -194,8 +195,8 @@ static swResult createBuffers(swStageTerrain* terrain)
     swStage* stage = terrain->stage;
     const VkDeviceSize quads = SW_TERRAIN_QUADS * SW_TERRAIN_QUADS;
     const VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    swResult result = swStage_CreateBuffer(stage, 6 * quads * sizeof(uint16_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                                           &terrain->indices);
+    swResult result =
+        swStage_CreateBuffer(stage, 6 * quads * sizeof(uint16_t), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, &terrain->indices);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -205,8 +206,8 @@ static swResult createBuffers(swStageTerrain* terrain)
                                   &terrain->vertices);
     for (int i = 0; i < SW_STAGE_MAX_SLOTS && result == SW_SUCCESS; ++i)
     {
-        result = swStage_CreateBuffer(stage, SW_TERRAIN_MOST_TILES * sizeof(swTerrainTile), storage,
-                                      &terrain->chosen[i]);
+        result =
+            swStage_CreateBuffer(stage, SW_TERRAIN_MOST_TILES * sizeof(swTerrainTile), storage, &terrain->chosen[i]);
     }
     terrain->tiles.vertices = terrain->vertices.data;
     return result;
@@ -242,10 +243,11 @@ swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* def, swS
     SW_REQUIRE(def != NULL && def->internalValue == SW_TERRAIN_COOKIE && terrain != NULL, SW_ERROR_INVALID,
                &stage->host,
                "swStage_CreateTerrain() needs a def made by swDefaultStageTerrainDef() and a place for the terrain");
-    SW_REQUIRE(isTerrainDefGood(def), SW_ERROR_INVALID, &stage->host,
-               "swStage_CreateTerrain() needs a function of the floor, a spacing from 0.01 to 1000 m and a reach from 10 "
-               "m to 1000 km; it was given %g m and %g m",
-               (double)def->finestSpacing, (double)def->reach);
+    SW_REQUIRE(
+        isTerrainDefGood(def), SW_ERROR_INVALID, &stage->host,
+        "swStage_CreateTerrain() needs a function of the floor, a spacing from 0.01 to 1000 m and a reach from 10 "
+        "m to 1000 km; it was given %g m and %g m",
+        (double)def->finestSpacing, (double)def->reach);
     swStageTerrain* created = swAllocateZero(&stage->host, sizeof(*created));
     if (created == NULL)
     {
@@ -333,12 +335,14 @@ swResult swStageTerrain_Prepare(swStageTerrain* terrain, swStageTargets* targets
     SW_REQUIRE(terrain != NULL, SW_ERROR_INVALID, NULL, "swStageTerrain_Prepare() needs a terrain");
     SW_REQUIRE(targets != NULL && targets->hdr.image != VK_NULL_HANDLE && shot != NULL, SW_ERROR_INVALID,
                &terrain->stage->host, "swStageTerrain_Prepare() needs targets and a shot");
+    const swPos* eye = &shot->camera.position;
+    SW_REQUIRE(fabs(eye->x) < 1e12 && fabs(eye->y) < 1e12 && fabs(eye->z) < 1e12, SW_ERROR_INVALID,
+               &terrain->stage->host, "swStageTerrain_Prepare() needs a camera within 1e12 m of the origin");
     swResult result = createOpaque(terrain->stage, targets);
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    const swPos* eye = &shot->camera.position;
     double eyeHeight = fabs(eye->y);
     terrain->slot = (terrain->slot + 1) % SW_STAGE_MAX_SLOTS;
     terrain->tileCount = swChooseTerrain(&terrain->tiles, &shot->camera, eyeHeight, terrain->chosen[terrain->slot].data,

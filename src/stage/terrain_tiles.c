@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A tree of squares over the plane, from tiles as wide as the land is seen down to the finest. A square is cut in four
-// where the camera is nearer than so many of its sides; what is not cut is drawn as a grid of its own spacing. Each grid
-// slides into the coarser one before its square meets one that is not cut [Strugar 2010]: a square's farthest point lies
-// less than its nearest and its diagonal away, which is where sliding begins.
+// where the camera is nearer than so many of its sides; what is not cut is drawn as a grid of its own spacing. Each
+// grid slides into the coarser one before its square meets one that is not cut [Strugar 2010]: a square's farthest
+// point lies less than its nearest and its diagonal away, which is where sliding begins.
 
 #include "stage/terrain_tiles.h"
 
@@ -206,7 +206,8 @@ static void setPlanes(swTerrainChoice* choice, const swCamera* camera)
         for (int k = 0; k < 3; ++k)
         {
             // w + sign x or y of clip space: w is -z of the camera's axes.
-            choice->planes[i][k] = -(double)view[4 * k + 2] + sign * (double)projection[5 * axis] * (double)view[4 * k + axis];
+            choice->planes[i][k] =
+                -(double)view[4 * k + 2] + sign * (double)projection[5 * axis] * (double)view[4 * k + axis];
         }
     }
 }
@@ -279,11 +280,8 @@ static void descend(swTerrainChoice* choice, swTerrainKey key)
 int swChooseTerrain(swTerrainTiles* tiles, const swCamera* camera, double eyeHeight, swTerrainTile* chosen,
                     int capacity)
 {
-    swTerrainChoice choice = {.tiles = tiles,
-                              .eye = camera->position,
-                              .eyeHeight = eyeHeight,
-                              .chosen = chosen,
-                              .capacity = capacity};
+    swTerrainChoice choice = {
+        .tiles = tiles, .eye = camera->position, .eyeHeight = eyeHeight, .chosen = chosen, .capacity = capacity};
     setPlanes(&choice, camera);
     ++tiles->frame;
     int top = tiles->levelCount - 1;

@@ -200,8 +200,10 @@ static int CloseCanvas(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(SandIsSeenAndFadesWithDepth), cmocka_unit_test(ABottomWithoutEndIsDeepWater),
-        cmocka_unit_test(WaterEndsSoftly),             cmocka_unit_test(LandAboveWaterIsUntouched),
+        cmocka_unit_test(SandIsSeenAndFadesWithDepth),
+        cmocka_unit_test(ABottomWithoutEndIsDeepWater),
+        cmocka_unit_test(WaterEndsSoftly),
+        cmocka_unit_test(LandAboveWaterIsUntouched),
         cmocka_unit_test(BadTerrainIsRefused),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
