@@ -55,13 +55,15 @@ float depthShown(Lens lens, sampler2D depthImage, vec2 uv, vec3 surface, vec3 vi
     return isThere && !isInFront ? max(surface.y - found.y, 0.0) : 1e9;
 }
 
-// What stands right behind the surface: where the bent line is hidden on the screen.
-Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface)
+// What stands right behind the surface: where the bent line is hidden on the screen. It is as deep, but the line gets
+// there by a shorter way. `bent` is the line by one metre of depth.
+Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface, vec3 bent)
 {
     vec2 uv = screenOf(lens, surface);
     vec3 found;
     bool isThere = opaqueAt(lens, depthImage, uv, found);
-    return Sunken(textureLod(colorImage, uv, 0.0).rgb, max(surface.y - found.y, 0.0), length(found - surface), isThere);
+    float depth = max(surface.y - found.y, 0.0);
+    return Sunken(textureLod(colorImage, uv, 0.0).rgb, depth, depth * length(bent), isThere);
 }
 
 const float shallowestStep = 0.25; // m; twice as deep with each
@@ -85,7 +87,7 @@ Sunken seenThrough(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 s
     }
     if (!sunken.isThere)
     {
-        return seenStraight(lens, colorImage, depthImage, surface);
+        return seenStraight(lens, colorImage, depthImage, surface, bent);
     }
     for (int i = 0; i < depthCuts; ++i)
     {
