@@ -74,6 +74,9 @@ ALLOWED = {
     ("*", "reverseWeight", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "directionVariance", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "leastJacobian", "*"): "counts with SW_WAVES_GERSTNER only",
+    ("swWriteRaster", "host", "*"): "it is the host that knows whom to tell",
+    ("swWriteRaster", "source", "NULL"): "a raster may be of nothing that is known",
+    ("swReadRaster", "def.missing", "infinite"): "a number that no file has",
     ("swCreateSeaReplay", "def.waves.spectrum.*", "*"): "a replay's spectra are its records'",
 }
 
