@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
-    ${CMAKE_CURRENT_LIST_DIR}/raster_def.c)
+    ${CMAKE_CURRENT_LIST_DIR}/raster_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_def.c)
