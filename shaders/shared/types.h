@@ -7,6 +7,7 @@
 #ifdef __STDC__
 
 #include <assert.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include "seaway/math.h"
@@ -23,6 +24,7 @@ typedef swVec4 sw_vec4;
     static_assert(offsetof(name, member) % 16 == 0, #name "." #member " differs between C and GLSL")
 #define SW_FORMULA static inline
 #define SW_FLOAT(x) ((float)(x))
+#define SW_UINT(x) ((uint32_t)(x))
 
 #else
 
@@ -36,6 +38,7 @@ typedef swVec4 sw_vec4;
 #define SW_PARAMS_VEC3(name, member)
 #define SW_FORMULA
 #define SW_FLOAT(x) float(x)
+#define SW_UINT(x) uint(x)
 
 #endif
 #endif
