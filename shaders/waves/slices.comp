@@ -448,8 +448,8 @@ Shape findShape(swSliceList list, float k, uint column, uint row)
 {
     float z = float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
     float depth = max(list.depth + list.depthAlongX * float(column) + list.depthAlongZ * z, 0.0);
-    float share = swDepthShare(k * depth);
-    return Shape(share, swDepthShareSlope(share) * k * list.texelsPerMetre * vec2(list.depthAlongX, list.depthAlongZ));
+    swDepthShare found = swFindNaturalShare(k * depth);
+    return Shape(found.share, found.slope * k * list.texelsPerMetre * vec2(list.depthAlongX, list.depthAlongZ));
 }
 
 // Adds waves of one shape.

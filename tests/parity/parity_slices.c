@@ -253,11 +253,12 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
     }
 }
 
-static float Attenuate(float kd, float* slope)
+static float Attenuate(const void* context, int system, float k, float depth, float* slope)
 {
-    float share = swDepthShare(kd);
-    *slope = swDepthShareSlope(share);
-    return share;
+    (void)context, (void)system;
+    swDepthShare found = swFindNaturalShare(k * depth);
+    *slope = found.slope * k;
+    return found.share;
 }
 
 // Displacement of some texels of a slice against the core's sum with that bottom.
