@@ -97,11 +97,11 @@ SW_API swSplineDef swSpline_GetDef(const swSpline* spline);
 
 typedef struct swSplineInfo
 {
-    double length;                         ///< of the line as seen from above, m
-    double leastX, leastZ, mostX, mostZ;   ///< of the line and its ribbon, m
-    float leastRadius;                     ///< of its narrowest bend, m
-    size_t memory;                         ///< bytes
-    uint64_t hash;                         ///< of what it was made of but its name: the same on every machine
+    double length;                       ///< of the line as seen from above, m
+    double leastX, leastZ, mostX, mostZ; ///< of the line and its ribbon, m
+    float leastRadius;                   ///< of its narrowest bend, m
+    size_t memory;                       ///< bytes
+    uint64_t hash;                       ///< of what it was made of but its name: the same on every machine
 } swSplineInfo;
 
 SW_API swSplineInfo swSpline_GetInfo(const swSpline* spline);

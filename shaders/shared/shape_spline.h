@@ -20,25 +20,25 @@
 // ---- words ----
 
 // Numbers of the whole, all floats; whole numbers are exact.
-#define SW_SPLINE_SEGMENTS 0 // how many
-#define SW_SPLINE_IS_CLOSED 1
-#define SW_SPLINE_LEFT 2 // where the ribbon's edges are, as parts of its width there, m
-#define SW_SPLINE_RIGHT 3
-#define SW_SPLINE_START_RAMP 4 // m
-#define SW_SPLINE_END_RAMP 5
-#define SW_SPLINE_LENGTH 6
-#define SW_SPLINE_GRID_X 7 // corner of the grid of cells, m
-#define SW_SPLINE_GRID_Z 8
-#define SW_SPLINE_CELL 9 // m
-#define SW_SPLINE_COLUMNS 10
-#define SW_SPLINE_ROWS 11
-#define SW_SPLINE_SPANS 12 // first words of what follows
-#define SW_SPLINE_KNOTS 13
-#define SW_SPLINE_CELLS 14 // first word of each cell's list, and the end of the last one
-#define SW_SPLINE_SEAM 15 // m from a closed line's first point on: there waves of its end fade into those of its start
-#define SW_SPLINE_LENGTH_CELL 16 // the length once more: cells of SW_QUERY_CELL and the rest
-#define SW_SPLINE_LENGTH_REST 17
-#define SW_SPLINE_HEAD 18
+#define SW_RIBBON_SEGMENTS 0 // how many
+#define SW_RIBBON_IS_CLOSED 1
+#define SW_RIBBON_LEFT 2 // where the ribbon's edges are, as parts of its width there, m
+#define SW_RIBBON_RIGHT 3
+#define SW_RIBBON_START_RAMP 4 // m
+#define SW_RIBBON_END_RAMP 5
+#define SW_RIBBON_LENGTH 6
+#define SW_RIBBON_GRID_X 7 // corner of the grid of cells, m
+#define SW_RIBBON_GRID_Z 8
+#define SW_RIBBON_CELL 9 // m
+#define SW_RIBBON_COLUMNS 10
+#define SW_RIBBON_ROWS 11
+#define SW_RIBBON_SPANS 12 // first words of what follows
+#define SW_RIBBON_KNOTS 13
+#define SW_RIBBON_CELLS 14 // first word of each cell's list, and the end of the last one
+#define SW_RIBBON_SEAM 15  // m from a closed line's first point on: there waves of its end fade into those of its start
+#define SW_RIBBON_LENGTH_CELL 16 // the length once more: cells of SW_QUERY_CELL and the rest
+#define SW_RIBBON_LENGTH_REST 17
+#define SW_RIBBON_HEAD 18
 
 // Of each knot: where a segment begins. One more stands at the end.
 #define SW_KNOT_X 0
@@ -48,8 +48,10 @@
 #define SW_KNOT_BEND_X 4 // second derivative, 1/m; linear along a segment
 #define SW_KNOT_BEND_Z 5
 #define SW_KNOT_SPAN 6
-#define SW_KNOT_STEP 7 // length of its segment, m
-#define SW_KNOT_WORDS 8
+#define SW_KNOT_STEP 7     // length of its segment, m
+#define SW_KNOT_ALONG 8    // where it begins, from its span's beginning, m
+#define SW_KNOT_IS_TIGHT 9 // 1 where feet may appear within its segment
+#define SW_KNOT_WORDS 10
 
 // Of each span, from a point to the next. Of pairs, the second is at the span's end.
 #define SW_SPAN_FIRST_KNOT 0
@@ -79,6 +81,20 @@ SW_PARAMS(swFoot)
     swInputChannel stretch;   // m above: 1 on the line, 0 at the centre of a bend
 };
 
+SW_FORMULA swFoot swBeginFoot(void)
+{
+    swFoot foot;
+    foot.span = 0u;
+    foot.along = 0.0f;
+    foot.tangentX = 1.0f;
+    foot.tangentZ = 0.0f;
+    foot.curvature = 0.0f;
+    foot.ahead = 1.0f;
+    foot.aside = swKeepChannel(0.0f);
+    foot.stretch = swKeepChannel(1.0f);
+    return foot;
+}
+
 // How far a place is ahead of a knot.
 SW_FORMULA float swPassKnot(SW_WORDS words, sw_uint knot, float x, float z)
 {
@@ -86,9 +102,16 @@ SW_FORMULA float swPassKnot(SW_WORDS words, sw_uint knot, float x, float z)
            (z - SW_WORD(words, knot + SW_KNOT_Z)) * SW_WORD(words, knot + SW_KNOT_TANGENT_Z);
 }
 
-// The foot on the segment that begins at a knot; the place is so far ahead of it, and so far of the next one, which is
-// less than nothing.
-SW_FORMULA swFoot swFindFoot(SW_WORDS words, sw_uint knot, float x, float z, float ahead, float beyond)
+// The first derivative of the squared distance from a place to the line, halved and the other way round, and its
+// derivative, likewise: both at `a` metres from a knot. A foot is where the first passes from above 0 to below.
+SW_PARAMS(swFootSearch)
+{
+    float pull;  // way to the place . c'
+    float slope; // c' . c' - way . c'', m on the line
+    float wayX, wayZ, dx, dz, ddx, ddz;
+};
+
+SW_FORMULA swFootSearch swSearchFoot(SW_WORDS words, sw_uint knot, float x, float z, float a)
 {
     float step = SW_WORD(words, knot + SW_KNOT_STEP);
     float tx = SW_WORD(words, knot + SW_KNOT_TANGENT_X);
@@ -97,31 +120,128 @@ SW_FORMULA swFoot swFindFoot(SW_WORDS words, sw_uint knot, float x, float z, flo
     float bz = SW_WORD(words, knot + SW_KNOT_BEND_Z);
     float jx = (SW_WORD(words, knot + SW_KNOT_WORDS + SW_KNOT_BEND_X) - bx) / step;
     float jz = (SW_WORD(words, knot + SW_KNOT_WORDS + SW_KNOT_BEND_Z) - bz) / step;
-    float fromX = x - SW_WORD(words, knot + SW_KNOT_X);
-    float fromZ = z - SW_WORD(words, knot + SW_KNOT_Z);
-    float a = step * (ahead / (ahead - beyond));
-    float wayX = 0.0f;
-    float wayZ = 0.0f;
-    float dx = tx;
-    float dz = tz;
-    float ddx = bx;
-    float ddz = bz;
-    for (int i = 0; i < 4; ++i)
+    swFootSearch search;
+    search.wayX = (x - SW_WORD(words, knot + SW_KNOT_X)) - a * (tx + a * (bx * 0.5f + a * jx * (1.0f / 6.0f)));
+    search.wayZ = (z - SW_WORD(words, knot + SW_KNOT_Z)) - a * (tz + a * (bz * 0.5f + a * jz * (1.0f / 6.0f)));
+    search.dx = tx + a * (bx + a * jx * 0.5f);
+    search.dz = tz + a * (bz + a * jz * 0.5f);
+    search.ddx = bx + a * jx;
+    search.ddz = bz + a * jz;
+    search.pull = search.wayX * search.dx + search.wayZ * search.dz;
+    search.slope =
+        search.dx * search.dx + search.dz * search.dz - (search.wayX * search.ddx + search.wayZ * search.ddz);
+    return search;
+}
+
+// Where on a segment a foot may be, m from its knot; `from` is above `to` if there is none.
+SW_PARAMS(swFootPlace)
+{
+    float from, guess, to;
+};
+
+SW_FORMULA swFootPlace swMakeFootPlace(float from, float guess, float to)
+{
+    swFootPlace place;
+    place.from = from;
+    place.guess = guess;
+    place.to = to;
+    return place;
+}
+
+// Within a tight segment, a foot and a farthest place may stand beside each other, between which the pull turns round.
+SW_FORMULA swFootPlace swBracketNewFoot(SW_WORDS words, sw_uint knot, float x, float z, float ahead, float beyond)
+{
+    float step = SW_WORD(words, knot + SW_KNOT_STEP);
+    float first = swSearchFoot(words, knot, x, z, 0.0f).slope;
+    float last = swSearchFoot(words, knot, x, z, step).slope;
+    bool rises = ahead < 0.0f && first < 0.0f && last > 0.0f;
+    bool falls = ahead >= 0.0f && first > 0.0f && last < 0.0f;
+    if (!rises && !falls)
     {
-        wayX = fromX - a * (tx + a * (bx * 0.5f + a * jx * (1.0f / 6.0f)));
-        wayZ = fromZ - a * (tz + a * (bz * 0.5f + a * jz * (1.0f / 6.0f)));
-        dx = tx + a * (bx + a * jx * 0.5f);
-        dz = tz + a * (bz + a * jz * 0.5f);
-        ddx = bx + a * jx;
-        ddz = bz + a * jz;
-        float slope = dx * dx + dz * dz - (wayX * ddx + wayZ * ddz);
-        if (i < 3 && slope > 0.02f)
-        {
-            a = a + (wayX * dx + wayZ * dz) / slope;
-            a = a > 0.0f ? a : 0.0f;
-            a = a < step ? a : step;
-        }
+        return swMakeFootPlace(1.0f, 0.0f, 0.0f);
     }
+    float low = 0.0f;
+    float high = step;
+    float turn = step * (first / (first - last));
+    for (int i = 0; i < 3; ++i)
+    {
+        float slope = swSearchFoot(words, knot, x, z, turn).slope;
+        if ((slope < 0.0f) == rises)
+        {
+            low = turn;
+            first = slope;
+        }
+        else
+        {
+            high = turn;
+            last = slope;
+        }
+        turn = low + (high - low) * (first / (first - last));
+    }
+    float pull = swSearchFoot(words, knot, x, z, turn).pull;
+    if (rises && pull >= 0.0f)
+    {
+        return swMakeFootPlace(turn, turn + (step - turn) * SW_INPUT_SQRT(pull / (pull - beyond)), step);
+    }
+    if (falls && pull < 0.0f)
+    {
+        return swMakeFootPlace(0.0f, turn - turn * SW_INPUT_SQRT(pull / (pull - ahead)), turn);
+    }
+    return swMakeFootPlace(1.0f, 0.0f, 0.0f);
+}
+
+// Whether and where a place has a foot on the segment that begins at a knot. It does if it is ahead of it and not of
+// the next one.
+SW_FORMULA swFootPlace swBracketFoot(SW_WORDS words, sw_uint knot, float x, float z)
+{
+    float ahead = swPassKnot(words, knot, x, z);
+    float beyond = swPassKnot(words, knot + SW_KNOT_WORDS, x, z);
+    if (ahead >= 0.0f && beyond < 0.0f)
+    {
+        float step = SW_WORD(words, knot + SW_KNOT_STEP);
+        return swMakeFootPlace(0.0f, step * (ahead / (ahead - beyond)), step);
+    }
+    if (SW_WORD(words, knot + SW_KNOT_IS_TIGHT) > 0.0f && (ahead < 0.0f) == (beyond < 0.0f))
+    {
+        return swBracketNewFoot(words, knot, x, z, ahead, beyond);
+    }
+    return swMakeFootPlace(1.0f, 0.0f, 0.0f);
+}
+
+// The foot there, by Newton's method held within where it has to be.
+SW_FORMULA swFoot swFindFoot(SW_WORDS words, sw_uint knot, float x, float z, swFootPlace place)
+{
+    float a = place.guess;
+    float low = place.from;
+    float high = place.to;
+    swFootSearch search = swSearchFoot(words, knot, x, z, a);
+    for (int i = 0; i < 5; ++i)
+    {
+        if (search.pull >= 0.0f)
+        {
+            low = a;
+        }
+        else
+        {
+            high = a;
+        }
+        float next = search.slope > 1e-3f ? a + search.pull / search.slope : low - 1.0f;
+        if (!(next >= low && next <= high))
+        {
+            next = 0.5f * (low + high);
+        }
+        a = next;
+        search = swSearchFoot(words, knot, x, z, a);
+    }
+    float step = SW_WORD(words, knot + SW_KNOT_STEP);
+    float jx = (SW_WORD(words, knot + SW_KNOT_WORDS + SW_KNOT_BEND_X) - SW_WORD(words, knot + SW_KNOT_BEND_X)) / step;
+    float jz = (SW_WORD(words, knot + SW_KNOT_WORDS + SW_KNOT_BEND_Z) - SW_WORD(words, knot + SW_KNOT_BEND_Z)) / step;
+    float dx = search.dx;
+    float dz = search.dz;
+    float ddx = search.ddx;
+    float ddz = search.ddz;
+    float wayX = search.wayX;
+    float wayZ = search.wayZ;
     float speed = SW_INPUT_SQRT(dx * dx + dz * dz);
     swFoot foot;
     foot.span = SW_UINT(SW_WORD(words, knot + SW_KNOT_SPAN));
@@ -140,10 +260,7 @@ SW_FORMULA swFoot swFindFoot(SW_WORDS words, sw_uint knot, float x, float z, flo
     float alongTangent = -foot.aside.value * turn * foot.ahead;
     foot.stretch.alongX = alongTangent * foot.tangentX - foot.curvature * foot.aside.alongX;
     foot.stretch.alongZ = alongTangent * foot.tangentZ - foot.curvature * foot.aside.alongZ;
-    sw_uint span = SW_UINT(SW_WORD(words, SW_SPLINE_SPANS)) + foot.span * SW_SPAN_WORDS;
-    sw_uint first = SW_UINT(SW_WORD(words, SW_SPLINE_KNOTS)) +
-                    SW_UINT(SW_WORD(words, span + SW_SPAN_FIRST_KNOT)) * SW_KNOT_WORDS;
-    foot.along = SW_FLOAT((knot - first) / SW_KNOT_WORDS) * step + a;
+    foot.along = SW_WORD(words, knot + SW_KNOT_ALONG) + a;
     return foot;
 }
 
@@ -159,7 +276,7 @@ SW_FORMULA swInputChannel swRunAlong(swFoot foot, float value, float slope)
 // One of the pairs of a span, blended.
 SW_FORMULA swInputChannel swReadAlong(SW_WORDS words, swFoot foot, sw_uint pair)
 {
-    sw_uint span = SW_UINT(SW_WORD(words, SW_SPLINE_SPANS)) + foot.span * SW_SPAN_WORDS;
+    sw_uint span = SW_UINT(SW_WORD(words, SW_RIBBON_SPANS)) + foot.span * SW_SPAN_WORDS;
     float length = SW_WORD(words, span + SW_SPAN_LENGTH);
     float from = SW_WORD(words, span + pair);
     float way = SW_WORD(words, span + pair + 1u) - from;
@@ -171,7 +288,7 @@ SW_FORMULA swInputChannel swReadAlong(SW_WORDS words, swFoot foot, sw_uint pair)
 // Height of the line: a cubic by its heights and slopes at both ends of the span.
 SW_FORMULA swInputChannel swReadHeightAlong(SW_WORDS words, swFoot foot)
 {
-    sw_uint span = SW_UINT(SW_WORD(words, SW_SPLINE_SPANS)) + foot.span * SW_SPAN_WORDS;
+    sw_uint span = SW_UINT(SW_WORD(words, SW_RIBBON_SPANS)) + foot.span * SW_SPAN_WORDS;
     float length = SW_WORD(words, span + SW_SPAN_LENGTH);
     float from = SW_WORD(words, span + SW_SPAN_HEIGHT);
     float way = SW_WORD(words, span + SW_SPAN_HEIGHT + 1u) - from;
@@ -188,7 +305,7 @@ SW_FORMULA swInputChannel swReadHeightAlong(SW_WORDS words, swFoot foot)
 // How far along all of the line, m.
 SW_FORMULA swInputChannel swMeasureAlong(SW_WORDS words, swFoot foot)
 {
-    sw_uint span = SW_UINT(SW_WORD(words, SW_SPLINE_SPANS)) + foot.span * SW_SPAN_WORDS;
+    sw_uint span = SW_UINT(SW_WORD(words, SW_RIBBON_SPANS)) + foot.span * SW_SPAN_WORDS;
     float start = SW_WORD(words, span + SW_SPAN_CELL) * SW_QUERY_CELL + SW_WORD(words, span + SW_SPAN_REST);
     return swRunAlong(foot, start + foot.along, 1.0f);
 }
@@ -212,9 +329,9 @@ SW_FORMULA swInputChannel swFeatherChannel(swInputChannel inside, float feather)
 SW_FORMULA swRibbon swEndRibbon(SW_WORDS words, swFoot foot, swRibbon ribbon, float width)
 {
     swInputChannel fromStart = swMeasureAlong(words, foot);
-    swInputChannel toEnd = swSubtractChannels(swKeepChannel(SW_WORD(words, SW_SPLINE_LENGTH)), fromStart);
-    float startRamp = SW_WORD(words, SW_SPLINE_START_RAMP);
-    float endRamp = SW_WORD(words, SW_SPLINE_END_RAMP);
+    swInputChannel toEnd = swSubtractChannels(swKeepChannel(SW_WORD(words, SW_RIBBON_LENGTH)), fromStart);
+    float startRamp = SW_WORD(words, SW_RIBBON_START_RAMP);
+    float endRamp = SW_WORD(words, SW_RIBBON_END_RAMP);
     if (startRamp > 0.0f)
     {
         ribbon.cover = swMultiplyChannels(ribbon.cover, swFeatherChannel(fromStart, startRamp));
@@ -231,9 +348,8 @@ SW_FORMULA swRibbon swEndRibbon(SW_WORDS words, swFoot foot, swRibbon ribbon, fl
 SW_FORMULA swRibbon swCoverRibbon(SW_WORDS words, swFoot foot, float feather)
 {
     swInputChannel factor = swReadAlong(words, foot, SW_SPAN_WIDTH);
-    swInputChannel left =
-        swSubtractChannels(swScaleChannel(factor, SW_WORD(words, SW_SPLINE_LEFT)), foot.aside);
-    swInputChannel right = swAddChannels(swScaleChannel(factor, SW_WORD(words, SW_SPLINE_RIGHT)), foot.aside);
+    swInputChannel left = swSubtractChannels(swScaleChannel(factor, SW_WORD(words, SW_RIBBON_LEFT)), foot.aside);
+    swInputChannel right = swAddChannels(swScaleChannel(factor, SW_WORD(words, SW_RIBBON_RIGHT)), foot.aside);
     swRibbon ribbon;
     ribbon.cover = swKeepChannel(0.0f);
     ribbon.count = swKeepChannel(0.0f);
@@ -247,7 +363,7 @@ SW_FORMULA swRibbon swCoverRibbon(SW_WORDS words, swFoot foot, float feather)
     swInputChannel middle =
         swMultiplyChannels(swDivideChannels(swScaleChannel(left, 4.0f), width), swDivideChannels(right, width));
     ribbon.count = swMultiplyChannels(middle, middle);
-    if (SW_WORD(words, SW_SPLINE_IS_CLOSED) == 0.0f)
+    if (SW_WORD(words, SW_RIBBON_IS_CLOSED) == 0.0f)
     {
         ribbon = swEndRibbon(words, foot, ribbon, width.value);
     }
@@ -265,16 +381,16 @@ SW_PARAMS(swSegmentList)
 
 SW_FORMULA swSegmentList swListSegments(SW_WORDS words, float x, float z)
 {
-    float column = (x - SW_WORD(words, SW_SPLINE_GRID_X)) / SW_WORD(words, SW_SPLINE_CELL);
-    float row = (z - SW_WORD(words, SW_SPLINE_GRID_Z)) / SW_WORD(words, SW_SPLINE_CELL);
+    float column = (x - SW_WORD(words, SW_RIBBON_GRID_X)) / SW_WORD(words, SW_RIBBON_CELL);
+    float row = (z - SW_WORD(words, SW_RIBBON_GRID_Z)) / SW_WORD(words, SW_RIBBON_CELL);
     swSegmentList list;
     list.first = 0u;
     list.end = 0u;
-    if (column >= 0.0f && row >= 0.0f && column < SW_WORD(words, SW_SPLINE_COLUMNS) &&
-        row < SW_WORD(words, SW_SPLINE_ROWS))
+    if (column >= 0.0f && row >= 0.0f && column < SW_WORD(words, SW_RIBBON_COLUMNS) &&
+        row < SW_WORD(words, SW_RIBBON_ROWS))
     {
-        sw_uint cell = SW_UINT(SW_WORD(words, SW_SPLINE_CELLS)) +
-                       SW_UINT(row) * SW_UINT(SW_WORD(words, SW_SPLINE_COLUMNS)) + SW_UINT(column);
+        sw_uint cell = SW_UINT(SW_WORD(words, SW_RIBBON_CELLS)) +
+                       SW_UINT(row) * SW_UINT(SW_WORD(words, SW_RIBBON_COLUMNS)) + SW_UINT(column);
         list.first = SW_UINT(SW_WORD(words, cell));
         list.end = SW_UINT(SW_WORD(words, cell + 1u));
     }
@@ -284,7 +400,7 @@ SW_FORMULA swSegmentList swListSegments(SW_WORDS words, float x, float z)
 // The knot where a listed segment begins.
 SW_FORMULA sw_uint swGetKnot(SW_WORDS words, sw_uint listed)
 {
-    return SW_UINT(SW_WORD(words, SW_SPLINE_KNOTS)) + SW_UINT(SW_WORD(words, listed)) * SW_KNOT_WORDS;
+    return SW_UINT(SW_WORD(words, SW_RIBBON_KNOTS)) + SW_UINT(SW_WORD(words, listed)) * SW_KNOT_WORDS;
 }
 
 // ---- what a ribbon says ----
@@ -295,20 +411,21 @@ SW_PARAMS(swRibbonMix)
     swInputChannel value, other; // of flow its x and z, else `other` is not used
     swInputChannel weight;
     swInputChannel count;
-    swInputChannel nearCover, mostCover; // of the nearest foot; most among those that have grown up
-    float nearest;                       // m
+    swInputChannel mostCover; // among feet that have grown up
+    swInputChannel nearCover; // of the nearest place of the line, be it a foot or an end
+    swInputChannel near;      // its distance, m
 };
 
-SW_FORMULA swRibbonMix swBeginRibbonMix()
+SW_FORMULA swRibbonMix swBeginRibbonMix(void)
 {
     swRibbonMix mix;
     mix.value = swKeepChannel(0.0f);
     mix.other = mix.value;
     mix.weight = mix.value;
     mix.count = mix.value;
-    mix.nearCover = mix.value;
     mix.mostCover = mix.value;
-    mix.nearest = 0.0f;
+    mix.nearCover = mix.value;
+    mix.near = swKeepChannel(1e9f);
     return mix;
 }
 
@@ -322,9 +439,9 @@ SW_FORMULA swRibbonMix swReadRibbon(SW_WORDS words, swInputRecord record, swFoot
     mix.weight = swReadAlong(words, foot, SW_SPAN_WEIGHT);
     // Where all feet are near the centres of their bends, one of them still has to be the best.
     mix.count = swMultiplyChannels(ribbon.count, swAddChannels(grown, swKeepChannel(1e-3f)));
-    mix.nearCover = ribbon.cover;
     mix.mostCover = swMultiplyChannels(ribbon.cover, grown);
-    mix.nearest = SW_INPUT_ABS(foot.aside.value);
+    mix.nearCover = ribbon.cover;
+    mix.near = swScaleChannel(foot.aside, foot.aside.value < 0.0f ? -1.0f : 1.0f);
     if (record.field == SW_FIELD_OF_LEVEL)
     {
         mix.value = swAddChannels(swReadHeightAlong(words, foot), swReadAlong(words, foot, SW_SPAN_LEVEL));
@@ -351,9 +468,33 @@ SW_FORMULA swRibbonMix swReadRibbon(SW_WORDS words, swInputRecord record, swFoot
     return mix;
 }
 
+// The nearest place's cover, mixed where another one is nearly as near.
+SW_FORMULA swRibbonMix swMixNear(swRibbonMix mix, swInputChannel cover, swInputChannel near)
+{
+    bool isNearer = near.value < mix.near.value;
+    swInputChannel nearer = mix.near;
+    swInputChannel farther = near;
+    swInputChannel nearerCover = mix.nearCover;
+    swInputChannel fartherCover = cover;
+    if (isNearer)
+    {
+        nearer = near;
+        farther = mix.near;
+        nearerCover = cover;
+        fartherCover = mix.nearCover;
+    }
+    swInputChannel way = swSubtractChannels(farther, nearer);
+    swInputChannel size = swAddChannels(nearer, swKeepChannel(0.01f));
+    swInputChannel share = swRiseChannel(swDivideChannels(way, size), -0.25f, 0.25f);
+    share = swSubtractChannels(swKeepChannel(1.0f), share);
+    mix.near = nearer;
+    mix.nearCover = swMixChannels(nearerCover, fartherCover, share);
+    return mix;
+}
+
 SW_FORMULA swRibbonMix swMixRibbons(swRibbonMix a, swRibbonMix b)
 {
-    swRibbonMix mix = a;
+    swRibbonMix mix = swMixNear(a, b.nearCover, b.near);
     mix.count = swAddChannels(a.count, b.count);
     if (mix.count.value > 1e-12f)
     {
@@ -362,16 +503,20 @@ SW_FORMULA swRibbonMix swMixRibbons(swRibbonMix a, swRibbonMix b)
         mix.other = swMixChannels(a.other, b.other, share);
         mix.weight = swMixChannels(a.weight, b.weight, share);
     }
-    if (b.nearest < a.nearest)
-    {
-        mix.nearest = b.nearest;
-        mix.nearCover = b.nearCover;
-    }
     if (b.mostCover.value > a.mostCover.value)
     {
         mix.mostCover = b.mostCover;
     }
     return mix;
+}
+
+// An end of an open line is a place of it where nothing is covered.
+SW_FORMULA swRibbonMix swMixEnd(SW_WORDS words, swRibbonMix mix, sw_uint knot, float x, float z)
+{
+    float wayX = x - SW_WORD(words, knot + SW_KNOT_X);
+    float wayZ = z - SW_WORD(words, knot + SW_KNOT_Z);
+    float way = SW_INPUT_SQRT(wayX * wayX + wayZ * wayZ) + 1e-6f;
+    return swMixNear(mix, swKeepChannel(0.0f), swMakeChannel(way, wayX / way, wayZ / way));
 }
 
 // What the spline brings is added to the record's own value.
@@ -410,22 +555,13 @@ SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, fl
     for (sw_uint i = list.first; i < list.end; ++i)
     {
         sw_uint knot = swGetKnot(words, i);
-        float ahead = swPassKnot(words, knot, x, z);
-        if (ahead < 0.0f)
+        swFootPlace place = swBracketFoot(words, knot, x, z);
+        if (place.from > place.to)
         {
             continue;
         }
-        float beyond = swPassKnot(words, knot + SW_KNOT_WORDS, x, z);
-        if (beyond >= 0.0f)
-        {
-            continue;
-        }
-        swFoot foot = swFindFoot(words, knot, x, z, ahead, beyond);
+        swFoot foot = swFindFoot(words, knot, x, z, place);
         swRibbon ribbon = swCoverRibbon(words, foot, record.feather);
-        if (ribbon.cover.value <= 0.0f)
-        {
-            continue;
-        }
         swRibbonMix one = swReadRibbon(words, record, foot, ribbon);
         if (isThere)
         {
@@ -440,6 +576,12 @@ SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, fl
         nothing.share = 0.0f;
         return nothing;
     }
+    if (SW_WORD(words, SW_RIBBON_IS_CLOSED) == 0.0f)
+    {
+        sw_uint first = SW_UINT(SW_WORD(words, SW_RIBBON_KNOTS));
+        mix = swMixEnd(words, mix, first, x, z);
+        mix = swMixEnd(words, mix, first + SW_UINT(SW_WORD(words, SW_RIBBON_SEGMENTS)) * SW_KNOT_WORDS, x, z);
+    }
     return swFinishRibbon(record, mix);
 }
 
@@ -448,8 +590,8 @@ SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, fl
 // Waves are looked up in coordinates of the ribbon's own: metres to the left and metres along, turned by a heading, 0
 // for waves that run from right to left. The wavelength is exact on the line and m times as long beside it.
 //
-// The heading's cosine and sine are rounded to 1 / SW_HEADING_PARTS, so that cells times them are exact floats: a source
-// is as good at the end of a long line as at its start.
+// The heading's cosine and sine are rounded to 1 / SW_HEADING_PARTS, so that cells times them are exact floats: a
+// source is as good at the end of a long line as at its start.
 #define SW_HEADING_PARTS 4096.0f
 #define SW_LEAST_STRETCH 0.15f // nearer to the centre of a bend there are no waves
 #define SW_FULL_STRETCH 0.5f
@@ -466,23 +608,19 @@ SW_FORMULA swRibbonWaves swFindRibbonWaves(SW_WORDS words, swInputRecord record,
 {
     swSegmentList list = swListSegments(words, x, z);
     swRibbonWaves best;
+    best.foot = swBeginFoot();
     best.share = swKeepChannel(0.0f);
     swInputChannel most = swKeepChannel(0.0f);
     swInputChannel second = swKeepChannel(0.0f);
     for (sw_uint i = list.first; i < list.end; ++i)
     {
         sw_uint knot = swGetKnot(words, i);
-        float ahead = swPassKnot(words, knot, x, z);
-        if (ahead < 0.0f)
+        swFootPlace place = swBracketFoot(words, knot, x, z);
+        if (place.from > place.to)
         {
             continue;
         }
-        float beyond = swPassKnot(words, knot + SW_KNOT_WORDS, x, z);
-        if (beyond >= 0.0f)
-        {
-            continue;
-        }
-        swFoot foot = swFindFoot(words, knot, x, z, ahead, beyond);
+        swFoot foot = swFindFoot(words, knot, x, z, place);
         swRibbon ribbon = swCoverRibbon(words, foot, record.feather);
         swInputChannel grown = swRiseChannel(foot.stretch, SW_LEAST_STRETCH, SW_FULL_STRETCH);
         swInputChannel count = swMultiplyChannels(ribbon.count, grown);
@@ -513,9 +651,9 @@ SW_PARAMS(swRibbonSource)
 {
     sw_int cellX, cellZ; // cells of SW_QUERY_CELL, and the rest, m
     float restX, restZ;
-    sw_vec4 way;         // derivatives of source - place: of its x along x and z, then of its z
-    float cosine, sine;  // of the angle from the sea's x axis to the source's, towards z
-    float turnX, turnZ;  // derivatives of that angle
+    sw_vec4 way;        // derivatives of source - place: of its x along x and z, then of its z
+    float cosine, sine; // of the angle from the sea's x axis to the source's, towards z
+    float turnX, turnZ; // derivatives of that angle
 };
 
 // Metres in whole cells and a rest.
@@ -534,9 +672,9 @@ SW_FORMULA sw_vec2 swSplitCells(float cells, float rest)
 SW_FORMULA swRibbonSource swPlaceRibbonWaves(SW_WORDS words, swInputRecord record, swFoot foot, float cosine,
                                              float sine, float laps)
 {
-    sw_uint span = SW_UINT(SW_WORD(words, SW_SPLINE_SPANS)) + foot.span * SW_SPAN_WORDS;
-    float cells = SW_WORD(words, span + SW_SPAN_CELL) + laps * SW_WORD(words, SW_SPLINE_LENGTH_CELL);
-    float rest = SW_WORD(words, span + SW_SPAN_REST) + laps * SW_WORD(words, SW_SPLINE_LENGTH_REST) + foot.along;
+    sw_uint span = SW_UINT(SW_WORD(words, SW_RIBBON_SPANS)) + foot.span * SW_SPAN_WORDS;
+    float cells = SW_WORD(words, span + SW_SPAN_CELL) + laps * SW_WORD(words, SW_RIBBON_LENGTH_CELL);
+    float rest = SW_WORD(words, span + SW_SPAN_REST) + laps * SW_WORD(words, SW_RIBBON_LENGTH_REST) + foot.along;
     sw_vec2 x = swSplitCells(sine * cells, cosine * foot.aside.value + sine * rest);
     sw_vec2 z = swSplitCells(cosine * cells, cosine * rest - sine * foot.aside.value);
     swRibbonSource source;
@@ -562,7 +700,7 @@ SW_FORMULA swRibbonSource swPlaceRibbonWaves(SW_WORDS words, swInputRecord recor
 // squares of the two sum up to 1, for they are not alike. 1 elsewhere.
 SW_FORMULA swInputChannel swCrossSeam(SW_WORDS words, swFoot foot, bool isNext)
 {
-    swInputChannel one = swRiseChannel(swMeasureAlong(words, foot), 0.0f, SW_WORD(words, SW_SPLINE_SEAM));
+    swInputChannel one = swRiseChannel(swMeasureAlong(words, foot), 0.0f, SW_WORD(words, SW_RIBBON_SEAM));
     swInputChannel other = swSubtractChannels(swKeepChannel(1.0f), one);
     swInputChannel square = swAddChannels(swMultiplyChannels(one, one), swMultiplyChannels(other, other));
     float size = SW_INPUT_SQRT(square.value);

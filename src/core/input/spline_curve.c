@@ -6,7 +6,9 @@
 #include <math.h>
 
 #define HANDLE 0.39 // of the distance between two points: makes a square nearly a circle
-#define PARTS 64    // of a span whose lengths are summed
+// A span is halved at least and at most so often.
+#define LEAST_HALVINGS 3
+#define MOST_HALVINGS 12
 
 typedef struct Plane
 {
@@ -117,16 +119,6 @@ static Plane getVelocity(const Bezier* curve, double t)
                    3.0 * blend3(p[1].z - p[0].z, p[2].z - p[1].z, p[3].z - p[2].z, t)};
 }
 
-static double getCurvature(const Bezier* curve, double t)
-{
-    const Plane* p = curve->p;
-    Plane v = getVelocity(curve, t);
-    double ax = 6.0 * ((1.0 - t) * (p[2].x - 2.0 * p[1].x + p[0].x) + t * (p[3].x - 2.0 * p[2].x + p[1].x));
-    double az = 6.0 * ((1.0 - t) * (p[2].z - 2.0 * p[1].z + p[0].z) + t * (p[3].z - 2.0 * p[2].z + p[1].z));
-    double speed = getLength(v);
-    return fabs(v.x * az - v.z * ax) / (speed * speed * speed);
-}
-
 // By Gauss's rule of five points.
 static double measurePart(const Bezier* curve, double from, double to)
 {
@@ -142,90 +134,70 @@ static double measurePart(const Bezier* curve, double from, double to)
     return half * sum;
 }
 
-static void measureParts(const Bezier* curve, double lengths[PARTS + 1])
-{
-    lengths[0] = 0.0;
-    for (int i = 0; i < PARTS; ++i)
-    {
-        lengths[i + 1] = lengths[i] + measurePart(curve, (double)i / PARTS, (double)(i + 1) / PARTS);
-    }
-}
-
-// The parameter after a length.
-static double findParameter(const Bezier* curve, const double lengths[PARTS + 1], double length)
-{
-    int part = 0;
-    while (part < PARTS - 1 && lengths[part + 1] < length)
-    {
-        part += 1;
-    }
-    double from = (double)part / PARTS, to = (double)(part + 1) / PARTS;
-    double whole = lengths[part + 1] - lengths[part], wanted = length - lengths[part];
-    double t = from + (whole > 0.0 ? wanted / whole : 0.0) / PARTS;
-    for (int i = 0; i < 4; ++i)
-    {
-        double speed = getLength(getVelocity(curve, t));
-        t -= speed > 0.0 ? (measurePart(curve, from, t) - wanted) / speed : 0.0;
-        t = t < from ? from : t > to ? to : t;
-    }
-    return t;
-}
-
 // ---- cutting it ----
 
-// Whether it turns by more than a right angle from one part to the next.
-static bool turnsOnTheSpot(const Bezier* curve)
+// Where a span is cut, by halving it until no part turns much.
+typedef struct Cut
 {
-    Plane before = getVelocity(curve, 0.0);
-    for (int i = 1; i <= 2 * PARTS; ++i)
+    const Bezier* curve;
+    swSplineKnot* knots; // NULL: only counts
+    double* steps;
+    int count;
+    double length;
+    bool turnsOnTheSpot;
+} Cut;
+
+// Of the angle between two directions its sine, or 2 if it is more than a right one.
+static double getTurn(Plane a, Plane b)
+{
+    double dot = a.x * b.x + a.z * b.z, cross = fabs(a.x * b.z - a.z * b.x);
+    return dot > 0.0 ? cross / (getLength(a) * getLength(b)) : 2.0;
+}
+
+static void cutPart(Cut* cut, double from, double to, int depth)
+{
+    double middle = 0.5 * (from + to);
+    Plane a = getVelocity(cut->curve, from), m = getVelocity(cut->curve, middle), b = getVelocity(cut->curve, to);
+    double turn = getTurn(a, m) + getTurn(m, b);
+    if ((turn > 0.15 && depth < MOST_HALVINGS) || depth < LEAST_HALVINGS)
     {
-        Plane after = getVelocity(curve, (double)i / (2.0 * PARTS));
-        if (!(before.x * after.x + before.z * after.z > 0.0))
-        {
-            return true;
-        }
-        before = after;
+        cutPart(cut, from, middle, depth + 1);
+        cutPart(cut, middle, to, depth + 1);
+        return;
     }
-    return false;
+    double length = measurePart(cut->curve, from, middle) + measurePart(cut->curve, middle, to);
+    cut->turnsOnTheSpot |= turn > 0.4 || !(length > 0.0);
+    if (cut->knots != NULL)
+    {
+        Plane place = getPlace(cut->curve, from);
+        cut->knots[cut->count] = (swSplineKnot){.x = place.x, .z = place.z};
+        cut->steps[cut->count] = length;
+    }
+    cut->count += 1;
+    cut->length += length;
 }
 
 swResult swMeasureSpan(const swSpline* spline, int span, swSplineSpan* measured)
 {
     Bezier curve = getBezier(spline, span);
-    double lengths[PARTS + 1], most = 0.0;
-    measureParts(&curve, lengths);
-    for (int i = 0; i <= 2 * PARTS; ++i)
-    {
-        double curvature = getCurvature(&curve, (double)i / (2.0 * PARTS));
-        most = curvature > most ? curvature : most;
-    }
-    double needed = lengths[PARTS] * most / 0.2; // segments that turn by so many radians each
-    if (turnsOnTheSpot(&curve) || !(needed <= 3.0 * SW_MOST_SPAN_SEGMENTS))
+    Cut cut = {.curve = &curve};
+    cutPart(&cut, 0.0, 1.0, 0);
+    *measured = (swSplineSpan){cut.length, cut.count};
+    if (cut.turnsOnTheSpot)
     {
         return swFail(&spline->host, SW_ERROR_INVALID,
                       "%s turns on the spot between point %d and point %d, counted from 0; move one of them, or put "
                       "points round the bend.",
                       spline->name, span, (span + 1) % spline->def.pointCount);
     }
-    measured->length = lengths[PARTS];
-    measured->leastRadius = most > 0.0 ? 1.0 / most : (double)INFINITY;
-    measured->segmentCount = needed < SW_LEAST_SPAN_SEGMENTS  ? SW_LEAST_SPAN_SEGMENTS
-                             : needed > SW_MOST_SPAN_SEGMENTS ? SW_MOST_SPAN_SEGMENTS
-                                                              : (int)ceil(needed);
     return SW_SUCCESS;
 }
 
-void swCutSpan(const swSpline* spline, int span, const swSplineSpan* measured, swSplineKnot* knots)
+void swCutSpan(const swSpline* spline, int span, swSplineKnot* knots, double* steps)
 {
     Bezier curve = getBezier(spline, span);
-    double lengths[PARTS + 1];
-    measureParts(&curve, lengths);
-    for (int i = 0; i < measured->segmentCount; ++i)
-    {
-        double length = measured->length * i / measured->segmentCount;
-        Plane place = getPlace(&curve, i == 0 ? 0.0 : findParameter(&curve, lengths, length));
-        knots[i] = (swSplineKnot){.x = place.x, .z = place.z};
-    }
+    Cut cut = {.curve = &curve, .knots = knots, .steps = steps};
+    cutPart(&cut, 0.0, 1.0, 0);
 }
 
 // ---- a smooth line through knots ----
@@ -313,4 +285,19 @@ void swFitKnots(int count, bool isClosed, const double* steps, const double star
     {
         fitAxis(count, isClosed, steps, start[axis], end[axis], knots, axis, scratch);
     }
+}
+
+double swGetMostCurvature(const swSplineKnot* knot, double step)
+{
+    double jx = (knot[1].bendX - knot[0].bendX) / step, jz = (knot[1].bendZ - knot[0].bendZ) / step, most = 0.0;
+    for (int i = 0; i <= 4; ++i)
+    {
+        double a = step * i / 4.0;
+        Plane d = {knot->tangentX + a * (knot->bendX + 0.5 * a * jx),
+                   knot->tangentZ + a * (knot->bendZ + 0.5 * a * jz)};
+        Plane dd = {knot->bendX + a * jx, knot->bendZ + a * jz};
+        double speed = getLength(d);
+        most = fmax(most, fabs(d.x * dd.z - d.z * dd.x) / (speed * speed * speed));
+    }
+    return most;
 }
