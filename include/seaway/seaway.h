@@ -7,6 +7,7 @@
 #include "base.h"
 #include "clock.h"
 #include "field.h"
+#include "hull.h"
 #include "id.h"
 #include "math.h"
 #include "measured.h"
@@ -20,4 +21,5 @@
 #include "spline.h"
 #include "view.h"
 #include "waves.h"
+#include "wind.h"
 #include "world.h"

@@ -60,7 +60,8 @@ static float CoverAt(const swSpline* spline, double x, double z)
 // A point beside the line.
 static swPosXZ StepAside(const swSplinePlace* place, double aside)
 {
-    return (swPosXZ){place->point.x + aside * (double)place->tangent.y, place->point.z - aside * (double)place->tangent.x};
+    return (swPosXZ){place->point.x + aside * (double)place->tangent.y,
+                     place->point.z - aside * (double)place->tangent.x};
 }
 
 // A river of a dozen points that falls, and whose numbers differ.
@@ -390,9 +391,9 @@ static void APlaceInTheMiddleOfAWideRingIsCovered(void** state)
 static void WavesOfAHairpinFadeWhereBothBranchesAreAsNear(void** state)
 {
     (void)state;
-    const swSplinePoint points[6] = {swDefaultSplinePoint(0.0, 0.0, -20.0),  swDefaultSplinePoint(100.0, 0.0, -20.0),
+    const swSplinePoint points[6] = {swDefaultSplinePoint(0.0, 0.0, -20.0),   swDefaultSplinePoint(100.0, 0.0, -20.0),
                                      swDefaultSplinePoint(200.0, 0.0, -20.0), swDefaultSplinePoint(200.0, 0.0, 20.0),
-                                     swDefaultSplinePoint(100.0, 0.0, 20.0), swDefaultSplinePoint(0.0, 0.0, 20.0)};
+                                     swDefaultSplinePoint(100.0, 0.0, 20.0),  swDefaultSplinePoint(0.0, 0.0, 20.0)};
     swSpline* spline = CreateThrough(6, points, false, 60.0f);
     const swInputRecord record = MakeRecord(SW_FIELD_OF_WAVES, 5.0f);
     float before = FindWavesAt(spline, &record, 50.0, -20.0).share.value;

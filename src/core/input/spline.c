@@ -44,10 +44,11 @@ static swResult checkPoints(const swHost* host, const swSplineDef* def, const ch
         double step = measureStep(&def->points[i], &def->points[next]);
         if (step < SW_LEAST_SPLINE_STEP)
         {
-            return swFail(host, SW_ERROR_INVALID,
-                          "Points %d and %d of %s, counted from 0, are %g m apart as seen from above; they must be %g m "
-                          "apart. Take one away, or close the spline by isClosed instead of a doubled point.",
-                          i, next, name, step, SW_LEAST_SPLINE_STEP);
+            return swFail(
+                host, SW_ERROR_INVALID,
+                "Points %d and %d of %s, counted from 0, are %g m apart as seen from above; they must be %g m "
+                "apart. Take one away, or close the spline by isClosed instead of a doubled point.",
+                i, next, name, step, SW_LEAST_SPLINE_STEP);
         }
     }
     return SW_SUCCESS;
@@ -66,8 +67,9 @@ static swResult findOrigin(const swHost* host, const swSplineDef* def, const cha
     }
     if (mostX - leastX > SW_MAX_SPLINE_SIDE || mostZ - leastZ > SW_MAX_SPLINE_SIDE)
     {
-        return swFail(host, SW_ERROR_INVALID, "%s is %g m by %g m large; it may be %g m. Divide it into several splines.",
-                      name, mostX - leastX, mostZ - leastZ, SW_MAX_SPLINE_SIDE);
+        return swFail(host, SW_ERROR_INVALID,
+                      "%s is %g m by %g m large; it may be %g m. Divide it into several splines.", name, mostX - leastX,
+                      mostZ - leastZ, SW_MAX_SPLINE_SIDE);
     }
     spline->originX = 0.5 * (leastX + mostX);
     spline->originZ = 0.5 * (leastZ + mostZ);

@@ -221,8 +221,8 @@ static void solveRows(int count, const double* steps, const double* middle, doub
     }
 }
 
-// The same where the last row goes on to the first: by the formula of Sherman and Morrison [1950] for a matrix that
-// differs by one product of vectors.
+// The same where the last row goes on to the first: a matrix that differs by one product of vectors
+// [Sherman and Morrison 1950].
 static void solveRing(int count, const double* steps, double* middle, double* v, double* scratch)
 {
     double* other = scratch + count;

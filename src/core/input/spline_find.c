@@ -47,17 +47,18 @@ static swSplinePlace describe(const swSpline* spline, int segment, double a)
         .pointIndex = index,
         .curvature = foot.curvature,
         .tangent = {foot.tangentX, foot.tangentZ},
-        .point = {
-            .x = spline->originX + line.x,
-            .z = spline->originZ + line.z,
-            .y = (double)swReadHeightAlong(spline->words, foot).value,
-            .width = swReadAlong(spline->words, foot, SW_SPAN_WIDTH).value,
-            .weight = swReadAlong(spline->words, foot, SW_SPAN_WEIGHT).value,
-            .flow = swReadAlong(spline->words, foot, SW_SPAN_FLOW).value,
-            .foam = swReadAlong(spline->words, foot, SW_SPAN_FOAM).value,
-            .level = swReadAlong(spline->words, foot, SW_SPAN_LEVEL).value,
-            .depth = swReadAlong(spline->words, foot, SW_SPAN_DEPTH).value,
-        },
+        .point =
+            {
+                .x = spline->originX + line.x,
+                .z = spline->originZ + line.z,
+                .y = (double)swReadHeightAlong(spline->words, foot).value,
+                .width = swReadAlong(spline->words, foot, SW_SPAN_WIDTH).value,
+                .weight = swReadAlong(spline->words, foot, SW_SPAN_WEIGHT).value,
+                .flow = swReadAlong(spline->words, foot, SW_SPAN_FLOW).value,
+                .foam = swReadAlong(spline->words, foot, SW_SPAN_FOAM).value,
+                .level = swReadAlong(spline->words, foot, SW_SPAN_LEVEL).value,
+                .depth = swReadAlong(spline->words, foot, SW_SPAN_DEPTH).value,
+            },
     };
 }
 
@@ -140,7 +141,8 @@ swSplinePlace swSpline_FindNearest(const swSpline* spline, swPosXZ point)
         }
     }
     swSplinePlace found = describe(spline, nearest, at);
-    double side = (point.x - found.point.x) * (double)found.tangent.y - (point.z - found.point.z) * (double)found.tangent.x;
+    double side =
+        (point.x - found.point.x) * (double)found.tangent.y - (point.z - found.point.z) * (double)found.tangent.x;
     found.aside = side >= 0.0 ? sqrt(best) : -sqrt(best);
     return found;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A spline as flat words for shaders/shared/shape_spline.h: numbers of the whole, spans, knots, and a grid of cells with
-// the segments whose ribbon may reach each of them.
+// A spline as flat words for shaders/shared/shape_spline.h: numbers of the whole, spans, knots, and a grid of cells
+// with the segments whose ribbon may reach each of them.
 
 #include <math.h>
 #include <string.h>
@@ -126,7 +126,8 @@ static Grid chooseGrid(const Source* from, const Box* all, size_t* listed)
     double width = all->mostX - all->leastX, height = all->mostZ - all->leastZ;
     double cell = fmax(2.0 * from->reach, sqrt(width * height / (4.0 * segments + 64.0)));
     Grid grid = makeGrid(all, cell);
-    while ((*listed = countListed(from, &grid)) > (size_t)MOST_LISTED * (size_t)segments && grid.columns * grid.rows > 1)
+    while ((*listed = countListed(from, &grid)) > (size_t)MOST_LISTED * (size_t)segments &&
+           grid.columns * grid.rows > 1)
     {
         cell *= 1.5;
         grid = makeGrid(all, cell);
