@@ -8,6 +8,7 @@
 #include "clock.h"
 #include "field.h"
 #include "id.h"
+#include "input.h"
 #include "math.h"
 #include "measured.h"
 #include "moment.h"
