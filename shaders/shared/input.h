@@ -143,13 +143,13 @@ SW_FORMULA sw_vec2 swPlaceInInput(swInputRecord record, sw_int cellX, sw_int cel
 
 // ---- helpers of shapes ----
 
-SW_FORMULA sw_vec4 swFillValue(float number)
+SW_FORMULA sw_vec4 swNoValue(void)
 {
     sw_vec4 v;
-    v.x = number;
-    v.y = number;
-    v.z = number;
-    v.w = number;
+    v.x = 0.0f;
+    v.y = 0.0f;
+    v.z = 0.0f;
+    v.w = 0.0f;
     return v;
 }
 
@@ -171,9 +171,9 @@ SW_FORMULA sw_uint swCountInputNumbers(sw_uint field)
 SW_FORMULA swInputValue swGetFieldBelow(sw_uint field)
 {
     swInputValue below;
-    below.value = swFillValue(0.0f);
-    below.alongX = swFillValue(0.0f);
-    below.alongZ = swFillValue(0.0f);
+    below.value = swNoValue();
+    below.alongX = swNoValue();
+    below.alongZ = swNoValue();
     if (field == SW_FIELD_OF_FLOOR)
     {
         below.value.x = SW_NO_FLOOR;
@@ -194,8 +194,8 @@ SW_FORMULA swInputSample swBeginInputSample(swInputRecord record)
 {
     swInputSample s;
     s.value = record.value;
-    s.valueX = swFillValue(0.0f);
-    s.valueZ = swFillValue(0.0f);
+    s.valueX = swNoValue();
+    s.valueZ = swNoValue();
     s.share = 1.0f;
     s.shareX = 0.0f;
     s.shareZ = 0.0f;

@@ -51,6 +51,8 @@ typedef struct Fixture
     swRasterDef rasterDef;
     swFieldSamples fieldSamples;
     swInputId inputId, staleInputId;
+    swHull* hull;
+    swHullDef hullDef;
     swSeaBins bins;
     swSeaGauges gauges;
 #if MISUSE_GPU
@@ -59,6 +61,8 @@ typedef struct Fixture
     swStageImage image;
     swStageBuffer buffer;
     swStageFrame frame;
+    swStageTerrain* stageTerrain;
+    swStageTerrainDef terrainDef;
     swGpu* gpu;
     swGpuWorld* gpuWorld;
     swGpuQuery* gpuQuery;
@@ -100,6 +104,7 @@ typedef struct Fixture
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swRasterDef (&f->rasterDef)
+#define FIX_swHullDef (&f->hullDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
 #define FIX_swShot (&f->shot)
@@ -107,6 +112,7 @@ typedef struct Fixture
 #define FIX_swStageBuffer (&f->buffer)
 #define FIX_swStageFrame (&f->frame)
 #define FIX_swStageTargets (&f->targets)
+#define FIX_swStageTerrainDef (&f->terrainDef)
 #define FIX_swScene (f->scene)
 #define FIX_swSceneSea (&f->sceneSea)
 #define FIX_swSceneView (&f->sceneView)
@@ -225,11 +231,26 @@ static inline void MakeWorld(Fixture* f)
     Need(swCreateInput(f->world, &inputDef, &f->staleInputId), "input");
     swDestroyInput(f->world, f->staleInputId);
     Need(swCreateInput(f->world, &inputDef, &f->inputId), "input");
+    static const swVec3 corners[4] = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
+    static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    f->hullDef = swDefaultHullDef();
+    f->hullDef.vertices = corners;
+    f->hullDef.vertexCount = f->hullDef.triangleCount = 4;
+    f->hullDef.indices = faces;
+    f->hullDef.resolution = 8;
+    Need(swCreateHull(&f->host, &f->hullDef, &f->hull), "hull");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }
 
 #if MISUSE_GPU
+static inline void GiveFloor(void* context, int count, const swPosXZ* points, float* heights)
+{
+    (void)context;
+    (void)points;
+    memset(heights, 0, (size_t)count * sizeof(float));
+}
+
 static inline void MakeGpu(Fixture* f)
 {
     swGpuDef gpuDef = swDefaultGpuDef();
@@ -244,6 +265,9 @@ static inline void MakeGpu(Fixture* f)
     Need(swStage_CreateTargets(f->stage, 64, 64, 0, 0, &f->targets), "targets");
     Need(swStage_CreateBuffer(f->stage, 4 * 64 * 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &f->buffer), "buffer");
     f->image = f->targets.output;
+    f->terrainDef = swDefaultStageTerrainDef();
+    f->terrainDef.floor = GiveFloor;
+    Need(swStage_CreateTerrain(f->stage, &f->terrainDef, &f->stageTerrain), "land");
     f->VkImageView = f->targets.hdr.view;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     swPictureDef pictureDef = swDefaultPictureDef();
