@@ -65,8 +65,8 @@ static int buildNodes(const swIndexItem* items, int first, int end, swInputNode*
     if (end - first == 1)
     {
         const swIndexItem* item = &items[first];
-        nodes[at] = (swInputNode){item->box.minX, item->box.minZ, item->box.maxX, item->box.maxZ,
-                                  (uint32_t)at + 1, item->record, item->record,   item->record};
+        nodes[at] = (swInputNode){item->box.minX,   item->box.minZ, item->box.maxX, item->box.maxZ,
+                                  (uint32_t)at + 1, item->record,   item->record,   item->record};
         return at + 1;
     }
     int middle = first + (end - first) / 2;
