@@ -21,4 +21,5 @@
 #include "spectrum.h"
 #include "view.h"
 #include "waves.h"
+#include "wind.h"
 #include "world.h"

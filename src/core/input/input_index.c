@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trees of boxes. Records are sorted along a curve that keeps neighbours together [Morton 1966] and halved again and
+// Trees of boxes. Records are sorted along a curve that keeps neighbours together and halved again and
 // again. What is everywhere stands before the tree, so that it makes no other box larger. Which records are found
 // depends on their boxes alone, never on the tree's form.
 

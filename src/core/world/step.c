@@ -31,6 +31,7 @@ void swDeriveWater(swWorld* world)
 {
     swStepInputs(&world->inputs, world->frame.time, findLocalSystems(world));
     swDeriveWaves(&world->waves, &world->frame);
+    swDeriveWorldWind(world);
     swFindFoamLaw(&world->whitecaps, &world->frame);
     swTransformWaves(&world->waves); // spectra to tiles
 }
