@@ -62,6 +62,7 @@ typedef struct swSliceInfo
 /// Quantities on a view's slices.
 typedef enum swLayer
 {
+    SW_LAYER_PLACES,       ///< 4 floats a texel: depth of still water, m, its slopes along x and z, its level, m
     SW_LAYER_DISPLACEMENT, ///< 4 floats a texel: x, y, z, 0
     SW_LAYER_DERIVATIVES,  ///< 4 floats a texel: gx, gz, J, 0, see swView_GetDerivatives()
     SW_LAYER_FOAM,         ///< 1 float a texel

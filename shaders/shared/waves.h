@@ -58,8 +58,10 @@ SW_PARAMS(swSliceTile)
     sw_uint firstJump;
     float texelsPerUnit; // 1 / step
     float waveNumber;    // in the middle of the tile's waves, rad/m
+    sw_uint system;
+    sw_uint unused;
 };
-SW_PARAMS_SIZE(swSliceTile, 56);
+SW_PARAMS_SIZE(swSliceTile, 64);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -71,7 +73,8 @@ SW_PARAMS(swSliceWave)
     float dx, dz;     // chop k / |k|
     float kx, kz;     // rad/m
     float cosZ, sinZ; // of stepZ
-    float unused0, unused1;
+    float waveNumber; // rad/m
+    sw_uint system;
 };
 SW_PARAMS_SIZE(swSliceWave, 48);
 
@@ -86,11 +89,7 @@ SW_PARAMS(swSliceList)
     sw_uint waveCount;
     float texelsPerMetre;
     sw_uint groupRows; // rows of texels whose knots are laid out together
-    // Where waves differ from place to place: rows whose blocks are added in general, and the depth of the first texel,
-    // m, and its change from column to column and row to row.
-    sw_uint generalRows;
-    float depth, depthAlongX, depthAlongZ;
     sw_uint unused;
 };
-SW_PARAMS_SIZE(swSliceList, 48);
+SW_PARAMS_SIZE(swSliceList, 32);
 #endif

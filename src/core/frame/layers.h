@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "seaway/view.h"
+#include "shared/depth_share.h" // SW_DEEP_WATER
 
 #define SW_FOAM_RATE 30
 
@@ -50,6 +51,7 @@ typedef struct swLayerInfo
                        // once, and looks up the past by itself
     bool isSaved;
     float least, most; // what a saved texel may hold
+    float rest[4];     // of an authored field: what it is where nothing is authored
 } swLayerInfo;
 
 // Places in the table. Layers that the public API names have the same number there.
@@ -60,6 +62,7 @@ enum
 #undef SW_LAYER
     SW_LAYERS
 };
+static_assert((int)SW_LAYER_PLACES == (int)SW_LAYER_INDEX_PLACES, "one order");
 static_assert((int)SW_LAYER_DISPLACEMENT == (int)SW_LAYER_INDEX_DISPLACEMENT, "one order");
 static_assert((int)SW_LAYER_DERIVATIVES == (int)SW_LAYER_INDEX_DERIVATIVES, "one order");
 static_assert((int)SW_LAYER_FOAM == (int)SW_LAYER_INDEX_FOAM, "one order");
