@@ -7,6 +7,7 @@
 #ifdef __STDC__
 
 #include <assert.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include "seaway/math.h"

@@ -6,6 +6,7 @@
 // along either axis; columns repeat, so that it never wraps along x, and row indices are taken modulo N.
 #ifndef SW_SHARED_WAVES_H
 #define SW_SHARED_WAVES_H
+#include "depth_share.h"
 #include "limits.h"
 #include "types.h"
 
@@ -59,9 +60,9 @@ SW_PARAMS(swSliceTile)
     float texelsPerUnit; // 1 / step
     float waveNumber;    // in the middle of the tile's waves, rad/m
     sw_uint system;
-    sw_uint unused;
+    swAttenuation attenuation;
 };
-SW_PARAMS_SIZE(swSliceTile, 64);
+SW_PARAMS_SIZE(swSliceTile, 68);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -75,8 +76,9 @@ SW_PARAMS(swSliceWave)
     float cosZ, sinZ; // of stepZ
     float waveNumber; // rad/m
     sw_uint system;
+    swAttenuation attenuation;
 };
-SW_PARAMS_SIZE(swSliceWave, 48);
+SW_PARAMS_SIZE(swSliceWave, 56);
 
 // The waves of a slice: tiles[first .. first + count) as cubics, windowCount tiles behind them texel by texel, and
 // waves[firstWave .. firstWave + waveCount).

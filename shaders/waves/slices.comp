@@ -80,24 +80,24 @@ shared uint knotTiles[SW_SLICE_HEIGHT];
 
 // ---- what shapes waves in this block ----
 
-swFieldBlock fieldBlock = swFieldBlock(SW_DEEP_WATER, 0);
+swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0);
 
 // Whether waves of a system, of wave number k, are shaped anywhere in the block.
-bool isShaped(uint system, float k)
+bool isShaped(uint system, float k, swAttenuation attenuation)
 {
-    return WITH_PLACES &&
-           (k * fieldBlock.leastDepth < SW_UNTOUCHED_KD || (fieldBlock.systems >> (system & 31u) & 1u) != 0);
+    return WITH_PLACES && (!swIsDeepFor(attenuation, k, fieldBlock.leastDepth) ||
+                           (fieldBlock.systems >> (system & 31u) & 1u) != 0);
 }
 
 bool isShapedTile(uint b)
 {
-    return isShaped(blockTiles[b].system, blockTiles[b].waveNumber);
+    return isShaped(blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
 }
 
 // Whether any waves are: the block's longest may feel its depth.
 bool isTouched()
 {
-    return fieldBlock.leastDepth < SW_DEEP_WATER || fieldBlock.systems != 0;
+    return fieldBlock.leastDepth < SW_NO_DEPTH || fieldBlock.systems != 0;
 }
 
 // Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's middle row, y and z the same; slopeX
@@ -430,7 +430,7 @@ Run sumWaves(swSliceList list, uint column, uint row, bool isBack)
     for (uint i = 0; i < list.waveCount; ++i)
     {
         swSliceWave wave = waves[list.firstWave + i];
-        if (isShaped(wave.system, wave.waveNumber))
+        if (isShaped(wave.system, wave.waveNumber, wave.attenuation))
         {
             continue;
         }
@@ -460,7 +460,7 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
     for (uint k = list.count; k < list.count + list.windowCount; ++k)
     {
         swSliceTile tile = tiles[list.first + k];
-        if (!isShaped(tile.system, tile.waveNumber))
+        if (!isShaped(tile.system, tile.waveNumber, tile.attenuation))
         {
             addWindow(texel, tile, column, row);
         }
@@ -480,9 +480,9 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
 // The texel of the authored fields: depth and its slopes.
 vec3 depthAt(uint column, uint row)
 {
-    bool isDeep = fieldBlock.leastDepth >= SW_DEEP_WATER; // perhaps there is no such layer
+    bool isDeep = fieldBlock.leastDepth >= SW_NO_DEPTH; // perhaps there is no such layer
     ivec3 at = ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z);
-    return isDeep ? vec3(SW_DEEP_WATER, 0.0, 0.0) : imageLoad(places, at).xyz;
+    return isDeep ? vec3(SW_NO_DEPTH, 0.0, 0.0) : imageLoad(places, at).xyz;
 }
 
 // What a texel's place does to waves of wave number k: the weight that they keep there, and its gradient. The twin of
@@ -493,10 +493,10 @@ struct Shape
     vec2 slope;
 };
 
-Shape shapeOf(vec3 depth, float k)
+Shape shapeOf(vec3 depth, float k, swAttenuation attenuation)
 {
-    float share = swDepthShare(k * depth.x);
-    return Shape(share, swDepthShareSlope(share) * k * depth.yz);
+    swDepthShare found = swFindDepthShare(attenuation, k, depth.x);
+    return Shape(found.share, found.slope * depth.yz);
 }
 
 // Adds waves of one shape.
@@ -514,21 +514,21 @@ void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
     for (uint i = 0; i < list.count + list.windowCount; ++i)
     {
         swSliceTile tile = tiles[list.first + i];
-        if (isShaped(tile.system, tile.waveNumber))
+        if (isShaped(tile.system, tile.waveNumber, tile.attenuation))
         {
             Texel own = CALM;
             addWindow(own, tile, column, row);
-            addShaped(texel, own, shapeOf(depth, tile.waveNumber));
+            addShaped(texel, own, shapeOf(depth, tile.waveNumber, tile.attenuation));
         }
     }
     for (uint i = 0; i < list.waveCount; ++i)
     {
         swSliceWave wave = waves[list.firstWave + i];
-        if (isShaped(wave.system, wave.waveNumber))
+        if (isShaped(wave.system, wave.waveNumber, wave.attenuation))
         {
             Texel own = CALM;
             addWave(own, wave, swingOf(wave, column, row));
-            addShaped(texel, own, shapeOf(depth, wave.waveNumber));
+            addShaped(texel, own, shapeOf(depth, wave.waveNumber, wave.attenuation));
         }
     }
 }

@@ -255,9 +255,9 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
 
 static float Attenuate(float kd, float* slope)
 {
-    float share = swDepthShare(kd);
-    *slope = swDepthShareSlope(share);
-    return share;
+    swDepthShare found = swFindNaturalShare(kd);
+    *slope = found.slope;
+    return found.share;
 }
 
 // Displacement of some texels of a slice against the core's sum with that bottom.

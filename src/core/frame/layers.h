@@ -18,7 +18,6 @@
 #include <stdint.h>
 
 #include "seaway/view.h"
-#include "shared/depth_share.h" // SW_DEEP_WATER
 
 #define SW_FOAM_RATE 30
 
