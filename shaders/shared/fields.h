@@ -3,8 +3,21 @@
 // up waves of each block of texels.
 #ifndef SW_SHARED_FIELDS_H
 #define SW_SHARED_FIELDS_H
+#include "input.h"
 #include "limits.h"
 #include "types.h"
+
+// Depth where there is no floor, m.
+#define SW_NO_DEPTH 1e30f
+
+// What stands before the records of inputs.
+SW_PARAMS(swInputHead)
+{
+    swInputRange ranges[SW_FIELD_OF_COUNT];
+    sw_uint localSystems; // see swInputSet
+    sw_uint unused0, unused1, unused2;
+};
+SW_PARAMS_SIZE(swInputHead, 192);
 
 // Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m.
 SW_PARAMS(swFieldSlice)

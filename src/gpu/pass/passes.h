@@ -14,9 +14,10 @@
 #define SW_LAYER_BIT(layer) ((swResources)1 << (layer))
 #define SW_OUTPUT_BIT(pass) ((swResources)1 << (32 + (pass)))
 #define SW_MODES_BIT ((swResources)1 << 31)
+#define SW_INPUTS_BIT ((swResources)1 << 30)
 #define SW_TEXELS_BIT SW_OUTPUT_BIT(SW_PASS_WAVES_COLUMNS) // or copied, where the core makes them
 #define SW_ALL_LAYERS_BITS (((swResources)1 << SW_LAYERS) - 1)
-static_assert(SW_LAYERS < 31 && SW_PASS_COUNT <= 32, "a bit for each");
+static_assert(SW_LAYERS < 30 && SW_PASS_COUNT <= 32, "a bit for each");
 
 // `state` is the pass's own struct. Functions that a pass does not need are NULL, but for record.
 struct swPass
