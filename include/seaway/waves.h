@@ -96,6 +96,15 @@ typedef struct swWaveSystemDef
     /// Factor on displacement. Range [0, 10]. Default 1.
     float weight;
 
+    /// How much the waves die out over a floor: 1 as waves do, untouched where the water is deeper than half their
+    /// length and gone at its edge; 0 a system that does not care for the floor. See docs/depth.md. Range [0, 1].
+    /// Default 1.
+    float attenuation;
+
+    /// Depth from which on none of the waves is attenuated, however long, m: of a sea whose floor is known near the
+    /// shore only. Range [0, 1e4]. Default 0: by their lengths alone.
+    float shallowsDepth;
+
     /// The waves repeat exactly after this time, s. Range [0, SW_LARGEST_TIME]. Default 0: never.
     float loopPeriod;
 

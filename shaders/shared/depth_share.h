@@ -24,11 +24,11 @@
 #define SW_DEEP_KD 3.1415927f
 #define SW_BLEND_KD 1.5707964f
 
-// What a host may do to the law. Both are 1 and 0 in nature.
+// What a host may do to the law. In nature it is (1, 0).
 SW_PARAMS(swAttenuation)
 {
-    float strength;  // 1: waves end at the water's edge; 0: waves that do not care for the floor
-    float freeDepth; // m: from here on no wave is attenuated, however long; 0: by its wavelength alone
+    float strength;     // 1: waves end at the water's edge; 0: waves that do not care for the floor
+    float perFreeDepth; // 1/m: from the inverse of it on no wave is attenuated, however long; 0: by its length alone
 };
 SW_PARAMS_SIZE(swAttenuation, 8);
 
@@ -75,8 +75,7 @@ SW_FORMULA swDepthShare swFindNaturalShare(float kd)
 // the wave wherever it is deeper.
 SW_FORMULA bool swIsDeepFor(swAttenuation attenuation, float k, float depth)
 {
-    bool isFree = attenuation.freeDepth > 0.0f && depth >= attenuation.freeDepth;
-    return !(attenuation.strength > 0.0f) || isFree || k * depth >= SW_DEEP_KD;
+    return !(attenuation.strength > 0.0f) || depth * attenuation.perFreeDepth >= 1.0f || k * depth >= SW_DEEP_KD;
 }
 
 // The share and its slope per metre of depth. The depth may be negative (land) or infinite (no floor). Exactly 1 with
@@ -89,11 +88,11 @@ SW_FORMULA swDepthShare swFindDepthShare(swAttenuation attenuation, float k, flo
     }
     swDepthShare found = swFindNaturalShare(k * depth);
     found.slope = found.slope * k;
-    if (attenuation.freeDepth > 0.0f && depth > 0.0f)
+    float part = depth * attenuation.perFreeDepth;
+    if (part > 0.0f)
     {
-        float part = depth / attenuation.freeDepth;
         float blend = part * part * (3.0f - 2.0f * part);
-        float blendSlope = 6.0f * part * (1.0f - part) / attenuation.freeDepth;
+        float blendSlope = 6.0f * part * (1.0f - part) * attenuation.perFreeDepth;
         found.slope = found.slope * (1.0f - blend) + (1.0f - found.share) * blendSlope;
         found.share = found.share + (1.0f - found.share) * blend;
     }

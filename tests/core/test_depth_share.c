@@ -6,12 +6,14 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <cmocka.h>
 
-#include "seaway/math.h"
+#include "core/world/world.h"
+#include "seaway/seaway.h"
 #include "shared/depth_share.h"
 
-static const swAttenuation Nature = {.strength = 1.0f, .freeDepth = 0.0f};
+static const swAttenuation Nature = {.strength = 1.0f, .perFreeDepth = 0.0f};
 
 static void InShallowWaterTheShareIsTanh(void** state)
 {
@@ -66,7 +68,7 @@ static void NothingIsLeftAtTheWatersEdge(void** state)
         assert_true(found.share == 0.0f && found.slope == 0.0f);
     }
     assert_true(swFindDepthShare(Nature, 0.3f, 1e-4f).share < 1e-4f);
-    assert_true(swFindDepthShare((swAttenuation){1.0f, 20.0f}, 0.3f, 0.0f).share == 0.0f);
+    assert_true(swFindDepthShare((swAttenuation){1.0f, 0.05f}, 0.3f, 0.0f).share == 0.0f);
 }
 
 // Whatever a host asks for: never less where it is deeper, and slopes that are those of the values.
@@ -103,23 +105,125 @@ static void TheShareNeverFallsWithDepthAndItsSlopeIsExact(void** state)
         float k = waveNumbers[i];
         CheckCurve(Nature, k);
         CheckCurve((swAttenuation){0.95f, 0.0f}, k);
-        CheckCurve((swAttenuation){1.0f, 1.3f / k}, k);
-        CheckCurve((swAttenuation){0.5f, 2.5f / k}, k);
+        CheckCurve((swAttenuation){1.0f, k / 1.3f}, k);
+        CheckCurve((swAttenuation){0.5f, k / 2.5f}, k);
     }
 }
 
 static void AHostMayAskForLess(void** state)
 {
     (void)state;
-    swAttenuation none = {.strength = 0.0f, .freeDepth = 0.0f};
+    swAttenuation none = {.strength = 0.0f, .perFreeDepth = 0.0f};
     assert_true(swFindDepthShare(none, 0.1f, 1.0f).share == 1.0f);
     assert_true(swFindDepthShare(none, 0.1f, -5.0f).share == 1.0f);
-    swAttenuation most = {.strength = 0.95f, .freeDepth = 0.0f};
+    swAttenuation most = {.strength = 0.95f, .perFreeDepth = 0.0f};
     assert_float_equal(swFindDepthShare(most, 0.1f, 0.0f).share, 0.05f, 1e-7f);
-    swAttenuation shallows = {.strength = 1.0f, .freeDepth = 20.0f};
+    swAttenuation shallows = {.strength = 1.0f, .perFreeDepth = 0.05f};
     assert_true(swFindDepthShare(shallows, 0.01f, 20.0f).share == 1.0f);
     assert_true(swIsDeepFor(shallows, 0.01f, 20.0f) && !swIsDeepFor(shallows, 0.01f, 19.9f));
     assert_true(swFindDepthShare(shallows, 0.01f, 10.0f).share > swFindDepthShare(Nature, 0.01f, 10.0f).share);
+}
+
+// ---- what a system says about it ----
+
+static void StepTo(swWorld* world, double time)
+{
+    assert_int_equal(swWorld_StepTo(world, time), SW_SUCCESS);
+}
+
+static swAttenuation FindAttenuation(const swWorld* world, int system)
+{
+    const swFrame* frame = swGetWorldFrame(world);
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        if (frame->tiles[i].system == system)
+        {
+            return frame->tiles[i].attenuation;
+        }
+    }
+    for (int i = 0; i < frame->waveCount; ++i)
+    {
+        if (frame->waves[i].system == system)
+        {
+            return frame->waves[i].attenuation;
+        }
+    }
+    fail();
+    return (swAttenuation){0.0f, 0.0f};
+}
+
+static void CheckAttenuation(const swWorld* world, int system, float strength, float perFreeDepth)
+{
+    swAttenuation found = FindAttenuation(world, system);
+    assert_float_equal(found.strength, strength, 1e-6f);
+    assert_float_equal(found.perFreeDepth, perFreeDepth, 1e-6f);
+}
+
+static void EachSystemHasItsOwnAttenuation(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.resolution = 32;
+    def.tileWaves = 8;
+    swWaveSystemId ids[3];
+    assert_int_equal(swCreateWaveSystem(world, &def, &ids[0]), SW_SUCCESS);
+    def.attenuation = 0.25f; // else the same waves: they are not shared
+    assert_int_equal(swCreateWaveSystem(world, &def, &ids[1]), SW_SUCCESS);
+    def.method = SW_WAVES_GERSTNER;
+    def.shallowsDepth = 40.0f;
+    assert_int_equal(swCreateWaveSystem(world, &def, &ids[2]), SW_SUCCESS);
+    StepTo(world, 1.0);
+    CheckAttenuation(world, 0, 1.0f, 0.0f);
+    CheckAttenuation(world, 1, 0.25f, 0.0f);
+    CheckAttenuation(world, 2, 0.25f, 0.025f);
+    swDestroyWorld(world);
+}
+
+static void AttenuationChangesGentlyAndIsSaved(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld *world = NULL, *restored = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.resolution = 32;
+    def.tileWaves = 8;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    StepTo(world, 1.0);
+    uint64_t before = swWorld_GetDigest(world);
+    def.attenuation = 0.5f;
+    def.shallowsDepth = 10.0f;
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 8.0), SW_SUCCESS);
+    assert_true(swWorld_GetDigest(world) != before);
+    StepTo(world, 5.0); // half of the way
+    CheckAttenuation(world, 0, 0.75f, 0.05f);
+
+    size_t size = 0;
+    assert_int_equal(swWorld_Save(world, NULL, &size), SW_SUCCESS);
+    swRestoreDef restoreDef = swDefaultRestoreDef();
+    void* bytes = malloc(size);
+    assert_non_null(bytes);
+    assert_int_equal(swWorld_Save(world, bytes, &size), SW_SUCCESS);
+    assert_int_equal(swRestoreWorld(&host, bytes, size, &restoreDef, &restored), SW_SUCCESS);
+    free(bytes);
+    CheckAttenuation(restored, 0, 0.75f, 0.05f);
+
+    def.attenuation = 1.0f; // and from half of the way elsewhere
+    assert_int_equal(swWaveSystem_Set(world, id, &def, 4.0), SW_SUCCESS);
+    StepTo(world, 7.0);
+    CheckAttenuation(world, 0, 0.875f, 0.075f);
+    StepTo(world, 9.5);
+    CheckAttenuation(world, 0, 1.0f, 0.1f);
+    StepTo(restored, 9.5);
+    CheckAttenuation(restored, 0, 0.5f, 0.1f);
+    swDestroyWorld(restored);
+    swDestroyWorld(world);
 }
 
 int main(void)
@@ -131,6 +235,8 @@ int main(void)
         cmocka_unit_test(NothingIsLeftAtTheWatersEdge),
         cmocka_unit_test(TheShareNeverFallsWithDepthAndItsSlopeIsExact),
         cmocka_unit_test(AHostMayAskForLess),
+        cmocka_unit_test(EachSystemHasItsOwnAttenuation),
+        cmocka_unit_test(AttenuationChangesGentlyAndIsSaved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,6 +19,7 @@
 #include "seaway/waves.h"
 #include "core/base/seam.h"
 #include "core/frame/layers.h"
+#include "shared/depth_share.h"
 #include "shared/foam.h"
 
 // One pair of opposite waves k and -k of a band, on the half plane (qz > 0, or qz == 0 and qx > 0) of integer bins.
@@ -68,6 +69,7 @@ typedef struct swTile
     float slopeVarianceX, slopeVarianceZ; // E[(dh/dx)^2], E[(dh/dz)^2], with weight
     swStrain strain;                      // with weight
     float depth;                          // m, of the waves' dispersion
+    swAttenuation attenuation;            // over a floor
     int modeCount;
     const swMode* modes;      // ordered by qz, then qx
     uint32_t spectrumVersion; // changes when modes do
@@ -89,6 +91,7 @@ typedef struct swFreeWave
     float dx, dz;          // chop k / |k|
     float wavelength;      // m
     float depth;           // m
+    swAttenuation attenuation;
     int system;
 } swFreeWave;
 

@@ -47,7 +47,7 @@ static swResult changePair(swWaves* waves, swReplay* replay, int slot, int befor
     result = result == SW_SUCCESS ? acquireRecord(waves, replay, after, &sets[1]) : result;
     if (result == SW_SUCCESS && sets[0] != sets[1])
     {
-        result = swMixSets(waves, sets[0], sets[1], &shown);
+        result = swMixSets(waves, sets[0], 0.0f, sets[1], &shown);
         result = result == SW_ERROR_UNSUPPORTED ? SW_ERROR_INVALID : result;
     }
     else if (result == SW_SUCCESS)

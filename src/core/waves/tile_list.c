@@ -37,6 +37,7 @@ static void addTile(swTileList* list, const swShownSet* shown, const swBandModes
         .slopeVarianceZ = band->slopeVarianceZ * square,
         .strain = band->strain,
         .depth = band->depth,
+        .attenuation = swGetSetAttenuation(set, shown->share),
         .modeCount = band->modeCount,
         .modes = band->modes,
         .spectrumVersion = set->version,
@@ -88,6 +89,7 @@ static void listWaves(swTileList* list, const swShownSet* shown)
         }
         list->waves[at] = set->waves[added];
         list->waves[at].amplitude = set->waves[added].amplitude * shown->weight;
+        list->waves[at].attenuation = swGetSetAttenuation(set, shown->share);
         list->waves[at].system = shown->system;
         added -= 1;
     }

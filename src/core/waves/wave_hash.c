@@ -41,6 +41,16 @@ static void addModes(swHash* hash, const swBandModes* band, bool isMix)
     }
 }
 
+// Of nature's law nothing: a sea keeps the digest that it had before there were floors.
+static void addAttenuation(swHash* hash, swAttenuation attenuation)
+{
+    if (attenuation.strength != 1.0f || attenuation.perFreeDepth != 0.0f)
+    {
+        swAddHashDouble(hash, (double)attenuation.strength);
+        swAddHashDouble(hash, (double)attenuation.perFreeDepth);
+    }
+}
+
 uint64_t swHashSet(const swWaveSet* set)
 {
     swHash hash = swBeginHash();
@@ -57,8 +67,10 @@ uint64_t swHashSet(const swWaveSet* set)
     {
         swAddHashFreeWave(&hash, &set->waves[i]);
     }
+    addAttenuation(&hash, swGetSetAttenuation(set, 1.0f));
     if (set->mix != NULL)
     {
+        addAttenuation(&hash, set->attenuationBefore);
         swAddHashMix(&hash, set->mix);
         swAddHash(&hash, set->to->hash);
     }

@@ -230,8 +230,8 @@ swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** ou
     return SW_SUCCESS;
 }
 
-// Of a set that is itself a mix the amplitudes of now are taken. Uses `to` until it is released.
-swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to, swWaveSet** out)
+// Of a set that is itself a mix, at `share`, the amplitudes of now are taken. Uses `to` until it is released.
+swResult swMixSets(swWaves* waves, swWaveSet* from, float share, swWaveSet* to, swWaveSet** out)
 {
     const swWaveSystemDef* a = &from->def;
     const swWaveSystemDef* b = &to->def;
@@ -246,6 +246,7 @@ swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to, swWaveSet** o
         return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
     set->def = to->def;
+    set->attenuationBefore = swGetSetAttenuation(from, share);
     memcpy(set->response, to->response, sizeof set->response);
     swResult result = swMakeModeMix(&waves->memory->host, from->bands, to->bands, set->response, set->bands, &set->mix);
     if (result == SW_SUCCESS && !allocateTexels(waves, set))
@@ -263,9 +264,30 @@ swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to, swWaveSet** o
     return SW_SUCCESS;
 }
 
+swAttenuation swGetSetAttenuation(const swWaveSet* set, float share)
+{
+    float shallows = set->def.shallowsDepth;
+    swAttenuation own = {set->def.attenuation, shallows > 0.0f ? 1.0f / shallows : 0.0f};
+    swAttenuation before = set->attenuationBefore;
+    if (set->mix == NULL)
+    {
+        return own;
+    }
+    return (swAttenuation){before.strength + (own.strength - before.strength) * share,
+                           before.perFreeDepth + (own.perFreeDepth - before.perFreeDepth) * share};
+}
+
 void swShareMix(swWaveSet* set, float share)
 {
     swApplyModeMix(set->mix, share, set->bands);
+}
+
+static void streamAttenuation(swStream* stream, swAttenuation* attenuation)
+{
+    swStreamF32(stream, &attenuation->strength);
+    swStreamF32(stream, &attenuation->perFreeDepth);
+    stream->isBroken = stream->isBroken || !(attenuation->strength >= 0.0f && attenuation->strength <= 1.0f) ||
+                       !(attenuation->perFreeDepth >= 0.0f && attenuation->perFreeDepth <= 1e9f);
 }
 
 // `set` is read, as a new one, or written.
@@ -276,6 +298,7 @@ swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet*
     swWaveSet* set = *setPointer;
     if (!swIsReading(stream))
     {
+        streamAttenuation(stream, &set->attenuationBefore);
         return swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
     }
     set = swAllocateZero(host, sizeof *set);
@@ -285,6 +308,7 @@ swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet*
     }
     set->def = *def;
     memcpy(set->response, to->response, sizeof set->response);
+    streamAttenuation(stream, &set->attenuationBefore);
     swResult result = swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);
     if (result == SW_SUCCESS && !allocateTexels(waves, set))
     {

@@ -166,7 +166,7 @@ static swResult mixPart(swWaves* waves, int slot, swWaveSet* set, double seconds
     swWavePart* part = &changed.parts[changed.partCount - 1];
     swWaveSet* before = part->set;
     swWaveSet* mix = NULL;
-    swResult result = swMixSets(waves, before, set, &mix);
+    swResult result = swMixSets(waves, before, swGetRamp(&part->share, waves->ticks), set, &mix);
     if (result != SW_SUCCESS)
     {
         return result;

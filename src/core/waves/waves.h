@@ -38,6 +38,7 @@ struct swWaveSet
     // Of a set that turns from one sea into another: what it is to be, and what its modes are mixed from.
     struct swWaveSet* to;
     swModeMix* mix;
+    swAttenuation attenuationBefore; // of what a mix is made from, at its share 0
 };
 
 // When a replay shows the pair of records that a part is made of.
@@ -103,11 +104,12 @@ void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* show
 
 // wave_set.c
 swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one
-swResult swMixSets(swWaves* waves, swWaveSet* from, swWaveSet* to,
+swResult swMixSets(swWaves* waves, swWaveSet* from, float share, swWaveSet* to,
                    swWaveSet** mix); // SW_ERROR_UNSUPPORTED: phases differ
 swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet** set); // a mix that becomes `to`
 void swShareMix(swWaveSet* set, float share);
-void swReleaseSet(swWaves* waves, swWaveSet* set); // once unused, it goes with the next step
+swAttenuation swGetSetAttenuation(const swWaveSet* set, float share); // the share counts of a mix
+void swReleaseSet(swWaves* waves, swWaveSet* set);                    // once unused, it goes with the next step
 void swFreeRetiredSets(swWaves* waves);
 
 // wave_system.c; systems are known by their slots.
