@@ -48,12 +48,6 @@ shared uint systems;
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
 
-SeaPlace placeOfTexel(swFieldSlice slice, uint column, uint row)
-{
-    return seaPlaceOf(ivec2(slice.cellX, slice.cellZ),
-                      vec2(slice.restX, slice.restZ) + slice.texel * vec2(column, row));
-}
-
 // Bits of the systems that inputs weigh between two cells.
 uint findSystems(ivec2 low, ivec2 high)
 {

@@ -6,6 +6,13 @@
 #define SW_LIB_PLACES
 #include "shared/depth_share.h"
 
+// Where a texel of a slice rests.
+SeaPlace placeOfTexel(swFieldSlice slice, uint column, uint row)
+{
+    return seaPlaceOf(ivec2(slice.cellX, slice.cellZ),
+                      vec2(slice.restX, slice.restZ) + slice.texel * vec2(column, row));
+}
+
 // Depth of still water and its gradient, and its level above sea level.
 struct Ground
 {

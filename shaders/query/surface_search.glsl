@@ -17,9 +17,16 @@
 // SW_QUERY_LANES (4) lanes share a place. Each takes one column of a tile's window of 4 x 4 texels, so that the four
 // read 64 bytes side by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
 //
-// Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`, and
-// `shared float shares[8][]` with an element for each thread.
+// Where inputs shape waves (WITH_INPUTS), all waves are looked up at each evaluation, each with the weight that the
+// place at rest gives it, as swEvaluateShaped() does it in core/surface/evaluate_shaped.c. The level of still water is
+// that of the place asked for.
+//
+// Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
+// `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants, and
+// the constant `bool WITH_INPUTS`.
 
+#include "lib/inputs.glsl"
+#include "lib/places.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 
@@ -173,6 +180,75 @@ void addWater(uint firstTile, uint tileCount, uint waveCount, ivec2 cell, vec2 r
     }
 }
 
+// ---- where inputs shape it ----
+
+SeaPlace seaPlaceAt(ivec2 cell, vec2 rest)
+{
+    return seaPlaceOf(cell + ivec2(params.sea.cellX, params.sea.cellZ), rest + vec2(params.sea.restX, params.sea.restZ));
+}
+
+bool areWavesShaped(SeaPlace place)
+{
+    return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_FLOOR, place.cell, place.cell) ||
+           touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
+}
+
+// What a place does to the waves of one system after another.
+struct Shaper
+{
+    SeaPlace place;
+    Ground ground;
+    bool isWeighted; // inputs weigh systems
+    uint system;     // that `weight` is of
+    Shape weight;
+};
+
+Shaper shaperAt(SeaPlace place)
+{
+    bool isWeighted = inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
+    return Shaper(place, groundAt(place), isWeighted, ~0u, Shape(1.0, vec2(0.0)));
+}
+
+Shape shapeOf(inout Shaper shaper, uint system, float k, swAttenuation attenuation)
+{
+    if (shaper.isWeighted && shaper.system != system)
+    {
+        shaper.weight = systemWeightAt(system, shaper.place);
+        shaper.system = system;
+    }
+    return attenuated(shaper.weight, shaper.ground, k, attenuation);
+}
+
+void addShaped(Shape shape, Sum own, inout Sum sum)
+{
+    sum.value += shape.weight * own.value;
+    sum.alongX += shape.weight * own.alongX + shape.slope.x * own.value;
+    sum.alongZ += shape.weight * own.alongZ + shape.slope.y * own.value.yz;
+}
+
+const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
+
+// addWater() of the first tiles and waves, shaped.
+void addShapedWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
+{
+    vec4 cubic = splineCubic(lane);
+    Shaper shaper = shaperAt(seaPlaceAt(cell, rest));
+    for (uint i = 0; i < tileCount; ++i)
+    {
+        Sum own = NO_WATER;
+        addTile(tiles[i], cell, rest, lane, cubic, own);
+        addShaped(shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, tiles[i].attenuation), own, sum);
+    }
+    for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
+    {
+        Sum own = NO_WATER;
+        addWave(waves[i], cell, rest, own);
+        addShaped(shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation), own, sum);
+    }
+}
+
+// ---- lanes together ----
+
 void shareVector(uint part, vec3 value)
 {
     shares[part][gl_LocalInvocationIndex] = value.x;
@@ -217,9 +293,8 @@ struct Search
     vec2 bestOffset;
     Sum best;
     Smooth part;
+    vec3 level; // of still water at the place, m, and its slopes
 };
-
-const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
 
 Search beginSearch(Place place)
 {
@@ -232,6 +307,7 @@ Search beginSearch(Place place)
     search.bestSquare = 3e38;
     search.bestOffset = vec2(0.0);
     search.part.tileCount = 0;
+    search.level = WITH_INPUTS ? levelAt(seaPlaceAt(place.cell, place.rest)) : vec3(0.0);
     return search;
 }
 
@@ -279,7 +355,14 @@ Sum addSearched(inout Search search, uint lane)
 {
     vec2 rest = search.place + search.offset;
     Sum sum = NO_WATER;
-    if (isGuess(search))
+    bool isFirst = isGuess(search);
+    if (WITH_INPUTS && areWavesShaped(seaPlaceAt(search.cell, rest)))
+    {
+        addShapedWater(isFirst ? params.water.longTileCount : params.water.tileCount,
+                       isFirst ? params.water.longWaveCount : params.water.waveCount, search.cell, rest, lane, sum);
+        return sum;
+    }
+    if (isFirst)
     {
         addWater(0, params.water.longTileCount, params.water.longWaveCount, search.cell, rest, lane, sum);
         return sum;
@@ -313,6 +396,18 @@ bool advance(inout Search search, Sum sum)
     vec2 bestResidual = search.bestOffset + search.best.value.xz;
     search.offset = search.bestOffset - search.reach * newtonStep(bestResidual, search.best);
     return search.bestSquare > params.water.toleranceSquare && search.iteration < params.water.maxIterations;
+}
+
+// What was found, as the surface stands on its level. Chain rule: the level is a function of where particles are,
+// derivatives are by where they rest.
+Sum surfaceOf(Search search)
+{
+    Sum sum = search.best;
+    vec3 level = search.level;
+    sum.value.y += level.x;
+    sum.alongX.y += level.y * (1.0 + sum.alongX.x) + level.z * sum.alongX.z;
+    sum.alongZ.x += level.y * sum.alongX.z + level.z * (1.0 + sum.alongZ.y);
+    return sum;
 }
 
 // Normal and J of the surface, from a particle's derivatives. The underside of a fold is turned over.

@@ -34,9 +34,8 @@
 // (30 KB of code), blocks of 64, 192 and 384 columns, and cubics and knots laid out one after the other in the same
 // memory.
 
-#include "lib/turns.glsl"
-#include "shared/depth_share.h"
 #include "shared/fields.h"
+#include "lib/turns.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 #include "shared/waves.h"
@@ -68,6 +67,29 @@ layout(std430, binding = 7) readonly buffer Blocks
 {
     swFieldBlock blocks[];
 };
+layout(std430, binding = 8) readonly buffer FieldSlices
+{
+    swFieldSlice fieldSlices[];
+};
+layout(std430, binding = 9) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 10) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 11) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 12) readonly buffer InputWords
+{
+    float inputWords[];
+};
+
+#include "lib/inputs.glsl"
+#include "lib/places.glsl"
 
 // The slice's tiles that are added as cubics.
 shared swSliceTile blockTiles[SW_SLICE_TILES];
@@ -477,26 +499,25 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
 
 // Places -------------------------------------------------------------------------------------------------------------
 
-// The texel of the authored fields: depth and its slopes.
-vec3 depthAt(uint column, uint row)
+// The texel of the authored fields.
+Ground groundOf(uint column, uint row)
 {
-    bool isDeep = fieldBlock.leastDepth >= SW_NO_DEPTH; // perhaps there is no such layer
-    ivec3 at = ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z);
-    return isDeep ? vec3(SW_NO_DEPTH, 0.0, 0.0) : imageLoad(places, at).xyz;
+    if (fieldBlock.leastDepth >= SW_NO_DEPTH) // perhaps there is no such layer
+    {
+        return NO_GROUND;
+    }
+    vec4 texel = imageLoad(places, ivec3(column, row, gl_WorkGroupID.z));
+    return Ground(texel.x, texel.yz, texel.w);
 }
 
-// What a texel's place does to waves of wave number k: the weight that they keep there, and its gradient. The twin of
-// swFindShape() in core/surface/places.c.
-struct Shape
+// The weight of a system's waves where a texel rests.
+Shape weightOf(uint system, uint column, uint row)
 {
-    float weight;
-    vec2 slope;
-};
-
-Shape shapeOf(vec3 depth, float k, swAttenuation attenuation)
-{
-    swDepthShare found = swFindDepthShare(attenuation, k, depth.x);
-    return Shape(found.share, found.slope * depth.yz);
+    if ((fieldBlock.systems >> (system & 31u) & 1u) == 0)
+    {
+        return Shape(1.0, vec2(0.0));
+    }
+    return systemWeightAt(system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row));
 }
 
 // Adds waves of one shape.
@@ -507,29 +528,45 @@ void addShaped(inout Texel texel, Texel own, Shape shape)
     texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
 }
 
-// Adds the tiles and free waves of a texel that are shaped in this block.
+// Adds the tiles and free waves of a texel that are shaped in this block. The twin of swEvaluateShaped() in
+// core/surface/evaluate_shaped.c.
 void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
 {
-    vec3 depth = depthAt(column, row);
+    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + row;
+    Ground ground = groundOf(column, z);
+    uint system = ~0u; // that `weight` is of
+    Shape weight = Shape(1.0, vec2(0.0));
     for (uint i = 0; i < list.count + list.windowCount; ++i)
     {
         swSliceTile tile = tiles[list.first + i];
-        if (isShaped(tile.system, tile.waveNumber, tile.attenuation))
+        if (!isShaped(tile.system, tile.waveNumber, tile.attenuation))
         {
-            Texel own = CALM;
-            addWindow(own, tile, column, row);
-            addShaped(texel, own, shapeOf(depth, tile.waveNumber, tile.attenuation));
+            continue;
         }
+        if (tile.system != system)
+        {
+            system = tile.system;
+            weight = weightOf(system, column, z);
+        }
+        Texel own = CALM;
+        addWindow(own, tile, column, row);
+        addShaped(texel, own, attenuated(weight, ground, tile.waveNumber, tile.attenuation));
     }
     for (uint i = 0; i < list.waveCount; ++i)
     {
         swSliceWave wave = waves[list.firstWave + i];
-        if (isShaped(wave.system, wave.waveNumber, wave.attenuation))
+        if (!isShaped(wave.system, wave.waveNumber, wave.attenuation))
         {
-            Texel own = CALM;
-            addWave(own, wave, swingOf(wave, column, row));
-            addShaped(texel, own, shapeOf(depth, wave.waveNumber, wave.attenuation));
+            continue;
         }
+        if (wave.system != system)
+        {
+            system = wave.system;
+            weight = weightOf(system, column, z);
+        }
+        Texel own = CALM;
+        addWave(own, wave, swingOf(wave, column, row));
+        addShaped(texel, own, attenuated(weight, ground, wave.waveNumber, wave.attenuation));
     }
 }
 

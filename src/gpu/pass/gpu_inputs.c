@@ -5,6 +5,7 @@
 
 #include "gpu/pass/gpu_inputs.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/base/array.h"
@@ -153,8 +154,8 @@ static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inpu
 swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
 {
     swGpuInputs* inputs = &gpuWorld->inputs;
-    const swInputSet* set = frame->inputs;
-    inputs->isAuthored = set != NULL && set->recordCount > 0;
+    const swInputSet* set = &frame->inputs;
+    inputs->isAuthored = set->recordCount > 0 || set->localSystems != 0;
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded
@@ -165,7 +166,10 @@ static void recordCopy(swGpu* gpu, VkCommandBuffer commands, VkBuffer from, VkDe
                        const swBuffer* to)
 {
     const VkBufferCopy copy = {.srcOffset = offset, .size = size};
-    gpu->vk.CmdCopyBuffer(commands, from, to->handle, 1, &copy);
+    if (size > 0)
+    {
+        gpu->vk.CmdCopyBuffer(commands, from, to->handle, 1, &copy);
+    }
 }
 
 void swCopyGpuInputs(swGpu* gpu, VkCommandBuffer commands, swGpuInputs* inputs)
@@ -187,11 +191,19 @@ void swCopyGpuInputs(swGpu* gpu, VkCommandBuffer commands, swGpuInputs* inputs)
     }
 }
 
-void swBindInputs(const swGpuWorld* gpuWorld, swBinding bindings[4])
+void swSplitSeaPlace(double metres, int32_t* cell, float* rest)
+{
+    const double side = (double)SW_QUERY_CELL;
+    double whole = floor(metres / side);
+    *rest = (float)(metres - whole * side);
+    *cell = (int32_t)fmin(fmax(whole, -SW_FARTHEST_CELL), SW_FARTHEST_CELL);
+}
+
+void swBindInputs(const swGpuWorld* gpuWorld, swBinding bindings[SW_INPUT_BINDINGS])
 {
     const swGpuInputs* inputs = &gpuWorld->inputs;
     const swBuffer* buffers[] = {&inputs->head, &inputs->records, &inputs->nodes, &inputs->words};
-    for (int i = 0; i < 4; ++i)
+    for (int i = 0; i < SW_INPUT_BINDINGS; ++i)
     {
         bindings[i] = swBindBuffer(inputs->isAuthored ? buffers[i] : &gpuWorld->tiles.texels);
     }
@@ -202,8 +214,8 @@ void swCommitGpuInputs(swGpuInputs* inputs, const swFrame* frame)
     if (inputs->isBrought)
     {
         inputs->isHeld = true;
-        inputs->version = frame->inputs->version;
-        inputs->wordsVersion = frame->inputs->wordsVersion;
+        inputs->version = frame->inputs.version;
+        inputs->wordsVersion = frame->inputs.wordsVersion;
     }
 }
 

@@ -12,6 +12,11 @@
 // Most bytes of data of inputs (rasters, meshes, points) that a device holds.
 #define SW_MOST_INPUT_BYTES ((VkDeviceSize)1 << 30)
 
+#define SW_INPUT_BINDINGS 4
+
+// Cells are kept to this far out, where 32 bits still hold what is added to them.
+#define SW_FARTHEST_CELL 1e9
+
 typedef struct swGpuInputs
 {
     swBuffer head;    // swInputHead
@@ -37,6 +42,8 @@ size_t swGetGpuInputMemory(const swGpuInputs* inputs);
 swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame);
 void swCopyGpuInputs(swGpu* gpu, VkCommandBuffer commands, swGpuInputs* inputs);
 // Head, records, nodes and words, for passes that evaluate inputs; something that is not read where there are none.
-void swBindInputs(const swGpuWorld* gpuWorld, swBinding bindings[4]);
+void swBindInputs(const swGpuWorld* gpuWorld, swBinding bindings[SW_INPUT_BINDINGS]);
+// A coordinate in the sea as a cell and a rest, m; too far out the last cell.
+void swSplitSeaPlace(double metres, int32_t* cell, float* rest);
 void swCommitGpuInputs(swGpuInputs* inputs, const swFrame* frame);
 void swDiscardGpuInputs(swGpuInputs* inputs);

@@ -83,4 +83,7 @@ swResult swCreateOnce(swGpu* gpu, const swShader* shader, swPipeline* pipeline);
 
 // What passes make beside layers, for those that read it.
 const swImage* swGetDetailImage(const swGpuWorld* gpuWorld);
+// Of the view with that index: swFieldSlice of each slice and swFieldBlock of each block of texels. Nothing where there
+// are no inputs.
+void swBindFieldPlaces(const swGpuWorld* gpuWorld, int view, swBinding* slices, swBinding* blocks);
 const swBuffer* swGetVolumeWaves(const swGpuWorld* gpuWorld);
