@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {

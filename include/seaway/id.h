@@ -13,5 +13,12 @@ typedef struct swWaveSystemId
     uint32_t generation;
 } swWaveSystemId;
 
+/// Something that the host puts into the sea. See input.h.
+typedef struct swInputId
+{
+    int32_t index1;
+    uint32_t generation;
+} swInputId;
+
 #define SW_IS_NULL(id) ((id).index1 == 0)
 #define SW_ID_EQUALS(a, b) ((a).index1 == (b).index1 && (a).generation == (b).generation)

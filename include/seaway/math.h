@@ -31,6 +31,13 @@ typedef struct swPosXZ
     double x, z;
 } swPosXZ;
 
+/// How something is turned, radians: yaw first, from +x towards +z, then pitch about its own z axis (which lifts its x
+/// axis, a ship's bow), then roll about its own x axis (which lowers its z axis, the starboard side).
+typedef struct swAngles
+{
+    float yaw, pitch, roll;
+} swAngles;
+
 /// A column-major matrix: m[4 * column + row].
 typedef struct swMat4
 {

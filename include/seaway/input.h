@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "field.h"
+#include "id.h"
+#include "math.h"
+#include "moment.h"
+#include "raster.h"
+
+/// @file
+/// Inputs: all that a host puts into the sea. An input is a shape (where), a field (what it says), and a blend (how it
+/// joins what is below it). The inputs of a world are functions of place and time: a query, a slice and a pixel read
+/// the same numbers, however far any camera is. An input that is made, moved or changed counts from the next step on.
+/// docs/inputs.md says which shape makes sense for which field, and what it costs.
+///
+///     swInputDef shoal = swDefaultInputDef();
+///     shoal.field = SW_INPUT_FLOOR;
+///     shoal.shape = SW_SHAPE_CIRCLE;
+///     shoal.size = (swVec3){400.0f, 0.0f, 400.0f};
+///     shoal.feather = 150.0f;
+///     shoal.value[0] = -3.0f;
+///     swInputId id;
+///     swCreateInput(world, &shoal, &id);
+
+typedef struct swMesh swMesh;
+typedef struct swSpline swSpline;
+
+/// Inputs that a world can have, and points of one input.
+#define SW_MAX_INPUTS 16384
+#define SW_MAX_INPUT_POINTS 65536
+
+/// Room for an input's name.
+#define SW_MAX_INPUT_NAME 64
+
+/// Fastest flow and wind that an input may give, m/s.
+#define SW_MAX_INPUT_SPEED 100.0f
+
+/// What an input says. Each field has a value below all inputs, which stands where no input touches the water.
+typedef enum swInputField
+{
+    SW_INPUT_FLOOR,        ///< height of the sea floor, m, absolute as positions are. Below: none, the water is deep
+    SW_INPUT_LEVEL,        ///< height of still water above the world's sea level, m. Below: 0
+    SW_INPUT_FLOW,         ///< velocity of the water along x and z, m/s. Below: 0, 0
+    SW_INPUT_WAVES,        ///< weight of the waves of one system, see swInputDef::system. Below: 1; 0 of a local system
+    SW_INPUT_DISPLACEMENT, ///< added to where the water rests, along x, y, z, m. Below: 0, 0, 0
+    SW_INPUT_CLIP,         ///< above 0.5 there is no water. Below: 0
+    SW_INPUT_FOAM,         ///< foam that is made, per second. Below: 0
+    SW_INPUT_ALBEDO,       ///< colour on the water: red, green, blue (linear) and how much it covers. Below: 0, 0, 0, 0
+    SW_INPUT_WIND,         ///< velocity of the wind 10 m above the water along x and z, m/s. Below: the world's
+    SW_INPUT_SHADOW,       ///< light that is there, 0 dark to 1 light. Below: 1
+    SW_INPUT_BODY,         ///< number of the body of water. Below: -1, none
+    SW_INPUT_FIELD_COUNT
+} swInputField;
+
+/// Where an input is. Shapes lie in axes of their own: see swInputDef::position and rotation.
+typedef enum swInputShape
+{
+    SW_SHAPE_EVERYWHERE, ///< the whole sea
+    SW_SHAPE_CIRCLE,     ///< of the diameter size.x
+    SW_SHAPE_RECTANGLE,  ///< size.x by size.z
+    SW_SHAPE_POLYGON,    ///< inside of its points, which follow each other around it and do not cross
+    SW_SHAPE_POLYLINE,   ///< along its points
+    SW_SHAPE_SPLINE,     ///< along a spline
+    SW_SHAPE_MESH,       ///< a mesh as seen from above
+    SW_SHAPE_RASTER,     ///< numbers on a lattice
+    SW_SHAPE_PARTICLES,  ///< a disc about each of its points
+    SW_SHAPE_FUNCTION,   ///< whatever a function of the host's says
+    SW_SHAPE_BOX,        ///< the last five have a height, too, and are for SW_INPUT_CLIP: size.x by size.y by size.z
+    SW_SHAPE_ELLIPSOID,
+    SW_SHAPE_CYLINDER,
+    SW_SHAPE_CAPSULE,
+    SW_SHAPE_HULL, ///< the inside of a closed mesh
+    SW_SHAPE_COUNT
+} swInputShape;
+
+/// How an input joins what is below it. `share` is how much of the input counts at a place: its cover there, from 0 to
+/// 1 within the feather, times its weight.
+typedef enum swInputBlend
+{
+    SW_BLEND_ADD,      ///< below + share * value
+    SW_BLEND_ALPHA,    ///< a mix of below and value by share
+    SW_BLEND_MULTIPLY, ///< below times a mix of 1 and value by share
+    SW_BLEND_MIN,      ///< a mix of below and the lesser of both
+    SW_BLEND_MAX,      ///< a mix of below and the greater of both
+    SW_BLEND_REPLACE,  ///< value wherever share is above 0, without a mix: a hard edge
+    SW_BLEND_COUNT
+} swInputBlend;
+
+/// A point of a polygon, a polyline or particles, in the input's own axes.
+typedef struct swInputPoint
+{
+    float x, z;     ///< m. Range [-1e6, 1e6]
+    float radius;   ///< of a particle, or half the width of a polyline, m; 0: half of swInputDef::size.x
+    float weight;   ///< factor on the share; of polygons not looked at. Range [0, 100]
+    float value[4]; ///< added to swInputDef::value; of polygons not looked at
+} swInputPoint;
+
+/// What a function of the host's says about a point.
+typedef struct swInputAnswer
+{
+    float value[4];                 ///< as many as the field has
+    float valueAlongX[4];           ///< their derivatives by x and z, per metre
+    float valueAlongZ[4];           ///< likewise
+    float share;                    ///< how much of it counts. Range [0, 1]
+    float shareAlongX, shareAlongZ; ///< its derivatives, per metre
+} swInputAnswer;
+
+/// Answer for points in the input's own axes (m from its position). Called on any thread, by many at once, for up to 16
+/// points; the answers depend on nothing but the context, the time and the point. `answers` come cleared.
+typedef void (*swInputFunctionFcn)(void* context, double time, int count, const swPosXZ* points,
+                                   swInputAnswer* answers);
+
+/// Must be initialized with swDefaultInputDef().
+typedef struct swInputDef
+{
+    /// For messages and editors. Default "".
+    char name[SW_MAX_INPUT_NAME];
+
+    /// Default SW_INPUT_FLOOR.
+    swInputField field;
+
+    /// Default SW_SHAPE_EVERYWHERE.
+    swInputShape shape;
+
+    /// Default SW_BLEND_ALPHA.
+    swInputBlend blend;
+
+    /// Inputs of a field join in ascending order; equal ones as they were made. Range [-1000000, 1000000]. Default 0.
+    int order;
+
+    /// Default true. False: as if it were not there.
+    bool isEnabled;
+
+    /// Factor on the share. Range [0, 100]; beyond 1 only to add. Default 1.
+    float weight;
+
+    /// What the input says, as many numbers as the field has. It is added to the values that a raster, points, a
+    /// spline, a mesh or a function brings of its own. Vectors (flow, wind, displacement) lie along the input's own
+    /// axes. Range [-1e6, 1e6]; flow and wind at most SW_MAX_INPUT_SPEED either way. Default 0, 0, 0, 0.
+    float value[4];
+
+    /// Factor on the values that a raster, a spline, a mesh or a function brings. Range [-1e6, 1e6]. Default 1.
+    float gain;
+
+    /// How far inwards from its edge the share grows from 0 to 1, m. Range [0, 1e6]. Default 0: a hard edge. A floor
+    /// that ends where there is none fades into deep water within the feather.
+    float feather;
+
+    /// Where the shape's own axes begin, m, in the host's coordinates; the height is of shapes that have one. A raster
+    /// lies where it says itself, moved by this. Range [-1e9, 1e9]. Default 0.
+    swPos position;
+
+    /// How the shape's axes are turned, radians: yaw first, from +x towards +z, then pitch about its own z (which
+    /// lifts its x axis), then roll about its own x (which lowers its z axis). Shapes without a height take the yaw
+    /// alone. Range [-1000, 1000]. Default 0.
+    swAngles rotation;
+
+    /// Full extents of circles, rectangles and shapes with a height along their own axes, m. Of polylines and particles
+    /// x is the width where their points have none. Range [0, 1e6]. Default 100, 10, 100.
+    swVec3 size;
+
+    /// Colour, foam and displacement only: the input is carried to and fro by the waves, instead of staying put.
+    /// Default false.
+    bool followsWaves;
+
+    /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null.
+    swWaveSystemId system;
+
+    /// Of SW_SHAPE_RASTER, with at least as many channels as the field has numbers. Unknown cells are not covered.
+    /// A raster with more than one frame is played, see swInputDef::framesPerSecond. The world holds it as long as an
+    /// input uses it; the host may destroy its handle at once. Default NULL.
+    const swRaster* raster;
+
+    /// Frames of the raster a second of the world's time, the first at startTime, with a blend between two. Range [0,
+    /// 1000]. Default 0: the first frame stands.
+    float framesPerSecond;
+
+    /// s. Range [-SW_LARGEST_TIME, SW_LARGEST_TIME]. Default 0.
+    double startTime;
+
+    /// Default true: the last frame blends into the first. False: the first stands before, the last after.
+    bool loops;
+
+    /// Of SW_SHAPE_MESH and SW_SHAPE_HULL. Held as a raster is. Default NULL.
+    const swMesh* mesh;
+
+    /// Of SW_SHAPE_SPLINE. Held as a raster is. Default NULL.
+    const swSpline* spline;
+
+    /// Of SW_SHAPE_POLYGON (3 or more), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
+    const swInputPoint* points;
+    int pointCount;
+
+    /// Points that swInput_SetPoints() may later give. Range [0, SW_MAX_INPUT_POINTS]. Default 0: as many as now.
+    int pointCapacity;
+
+    /// Of SW_SHAPE_FUNCTION: the function, its context, which must outlive the input, and a number that is another
+    /// whenever the function says something else; digests hold it. `size` says where it may say anything. Saved worlds
+    /// name the fingerprint. A GPU needs a twin of the function, see docs/inputs.md. Default NULL, NULL, 0.
+    swInputFunctionFcn function;
+    void* functionContext;
+    uint64_t functionFingerprint;
+
+    /// Set by swDefaultInputDef().
+    int internalValue;
+} swInputDef;
+
+/// Where answers about fields go: arrays of as many elements as points, or NULL to skip.
+typedef struct swFieldSamples
+{
+    float* depth;  ///< of still water: level above floor, m; infinite without a floor, negative on land
+    float* floor;  ///< height of the sea floor, m, absolute; -infinite where there is none
+    float* level;  ///< of still water above the world's sea level, m
+    swVec2* flow;  ///< m/s along x and z
+    float* weight; ///< of the waves of `system`, by its inputs; without swWaveSystemDef::weight
+    swWaveSystemId system;
+    float* clip;    ///< above 0.5: no water
+    float* foam;    ///< made by inputs, per second
+    swVec4* albedo; ///< red, green, blue, cover
+    swVec2* wind;   ///< m/s along x and z, by inputs
+    float* shadow;
+    swVec3* displacement; ///< by inputs alone, m
+    int* body;            ///< -1 where there is none
+} swFieldSamples;

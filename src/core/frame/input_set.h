@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The inputs of a world as a step leaves them: flat arrays that queries, slices, moments and the GPU read alike. Made
+// by core/input/inputs.c, anew only where something changed.
+
+#include "seaway/input.h"
+#include "shared/input.h"
+
+typedef struct swInputSet
+{
+    // Grows whenever records or nodes change, and with wordsVersion whenever words do: the GPU uploads by them.
+    uint32_t version, wordsVersion;
+    int recordCount, nodeCount;
+    const swInputRecord* records; // by field, then in the order in which they join; only those that are enabled
+    const swInputNode* nodes;
+    const float* const* words;           // [recordCount]: each record's data, NULL of those without
+    const swInputFunctionFcn* functions; // [recordCount], NULL of other shapes; or NULL altogether
+    void* const* contexts;               // likewise
+    swInputRange ranges[SW_INPUT_FIELD_COUNT];
+    double time;           // s, of values that change with time
+    uint32_t localSystems; // bit of each wave system's slot whose waves have no weight where no input gives them one
+} swInputSet;
+
+static inline bool swHasInputs(const swInputSet* set, int field)
+{
+    return set != NULL && set->ranges[field].recordCount > 0;
+}
