@@ -48,6 +48,8 @@ shared uint systems;
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
 
+const uint FIELDS[2] = {SW_FIELD_OF_LEVEL, SW_FIELD_OF_FLOOR};
+
 // Bits of the systems that inputs weigh between two cells.
 uint findSystems(ivec2 low, ivec2 high)
 {
@@ -81,7 +83,13 @@ void main()
         Ground ground = NO_GROUND;
         if (hasGround)
         {
-            ground = groundAt(placeOfTexel(slice, column, row));
+            SeaPlace place = placeOfTexel(slice, column, row);
+            vec3 values[2];
+            for (uint i = 0; i < 2; ++i)
+            {
+                values[i] = firstOf(fieldAt(FIELDS[i], 0, place));
+            }
+            ground = groundBetween(values[0], values[1]);
             least = column < resolution ? min(least, ground.depth) : least;
         }
         if (WITH_GROUND && column < resolution)

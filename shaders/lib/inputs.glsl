@@ -11,10 +11,7 @@
 #define SW_LIB_INPUTS
 #define SW_WORD(words, i) inputWords[(words) + (i)]
 #include "shared/fields.h"
-#include "shared/input.h"
-#include "shared/shape_circle.h"
-#include "shared/shape_rectangle.h"
-#include "shared/shape_raster.h"
+#include "shared/input_shapes.h"
 
 struct SeaPlace
 {
@@ -51,35 +48,42 @@ bool touchesInputs(uint field, ivec2 low, ivec2 high)
     return findInput(field, low, high, 0) != SW_NO_RECORD;
 }
 
-swInputSample sampleInput(swInputRecord record, vec2 own)
+bool isLocalSystem(uint system)
 {
-    switch (record.shape)
+    return system < 32u && (inputHead.localSystems >> system & 1u) != 0;
+}
+
+// What lies below all inputs.
+vec4 belowInputs(uint field, uint system)
+{
+    switch (field)
     {
-    case SW_FORM_CIRCLE:
-        return swSampleCircle(record.firstWord, record, own.x, own.y);
-    case SW_FORM_RECTANGLE:
-        return swSampleRectangle(record.firstWord, record, own.x, own.y);
-    case SW_FORM_RASTER:
-        return swSampleRaster(record.firstWord, record, own.x, own.y);
+    case SW_FIELD_OF_FLOOR:
+        return vec4(SW_NO_FLOOR, 0.0, 0.0, 0.0);
+    case SW_FIELD_OF_WAVES:
+        return vec4(isLocalSystem(system) ? 0.0 : 1.0, 0.0, 0.0, 0.0);
+    case SW_FIELD_OF_SHADOW:
+        return vec4(1.0, 0.0, 0.0, 0.0);
     default:
-        return swBeginInputSample(record);
+        return vec4(0.0);
     }
 }
 
-// A field at a place, with what lies below all inputs given. Of SW_FIELD_OF_WAVES only inputs of a system count.
-swInputValue joinInputs(uint field, uint system, SeaPlace place, swInputValue below)
+// A field at a place; of SW_FIELD_OF_WAVES only inputs of a system count. Compilers write out all shapes wherever this
+// is called: call it in one place, in a loop over what is asked.
+swInputValue fieldAt(uint field, uint system, SeaPlace place)
 {
-    swInputValue value = below;
-    uint record = findInput(field, place.cell, place.cell, 0);
-    while (record != SW_NO_RECORD)
+    swInputValue value = swInputValue(belowInputs(field, system), vec4(0.0), vec4(0.0));
+    uint i = findInput(field, place.cell, place.cell, 0);
+    while (i != SW_NO_RECORD)
     {
-        swInputRecord input = inputRecords[record];
-        if (field != SW_FIELD_OF_WAVES || input.system == system)
+        swInputRecord record = inputRecords[i];
+        if (field != SW_FIELD_OF_WAVES || record.system == system)
         {
-            vec2 own = swPlaceInInput(input, place.cell.x, place.cell.y, place.rest.x, place.rest.y);
-            value = swBlendInput(input, value, sampleInput(input, own));
+            vec2 own = swPlaceInInput(record, place.cell.x, place.cell.y, place.rest.x, place.rest.y);
+            value = swBlendInput(record, value, swSampleInput(record.firstWord, record, own, 0.0));
         }
-        record = findInput(field, place.cell, place.cell, record + 1);
+        i = findInput(field, place.cell, place.cell, i + 1);
     }
     return value;
 }

@@ -23,23 +23,16 @@ struct Ground
 
 const Ground NO_GROUND = Ground(SW_NO_DEPTH, vec2(0.0), 0.0);
 
-swInputValue nothingBelow(vec4 value)
+// Of a level and a height of the floor, each with its slopes along x and z.
+Ground groundBetween(vec3 level, vec3 bottom)
 {
-    return swInputValue(value, vec4(0.0), vec4(0.0));
+    return Ground(level.x - bottom.x, level.yz - bottom.yz, level.x);
 }
 
-// Level of still water above sea level, and its slopes.
-vec3 levelAt(SeaPlace place)
+// The first of a field's numbers and its slopes.
+vec3 firstOf(swInputValue value)
 {
-    swInputValue level = joinInputs(SW_FIELD_OF_LEVEL, 0, place, nothingBelow(vec4(0.0)));
-    return vec3(level.value.x, level.alongX.x, level.alongZ.x);
-}
-
-Ground groundAt(SeaPlace place)
-{
-    vec3 level = levelAt(place);
-    swInputValue ground = joinInputs(SW_FIELD_OF_FLOOR, 0, place, nothingBelow(vec4(SW_NO_FLOOR, 0.0, 0.0, 0.0)));
-    return Ground(level.x - ground.value.x, level.yz - vec2(ground.alongX.x, ground.alongZ.x), level.x);
+    return vec3(value.value.x, value.alongX.x, value.alongZ.x);
 }
 
 // A weight of waves and its gradient.
@@ -48,18 +41,6 @@ struct Shape
     float weight;
     vec2 slope;
 };
-
-bool isLocalSystem(uint system)
-{
-    return system < 32u && (inputHead.localSystems >> system & 1u) != 0;
-}
-
-Shape systemWeightAt(uint system, SeaPlace place)
-{
-    float below = isLocalSystem(system) ? 0.0 : 1.0;
-    swInputValue weight = joinInputs(SW_FIELD_OF_WAVES, system, place, nothingBelow(vec4(below, 0.0, 0.0, 0.0)));
-    return Shape(weight.value.x, vec2(weight.alongX.x, weight.alongZ.x));
-}
 
 // Product rule: a system's weight times what the depth leaves of a wave.
 Shape attenuated(Shape shape, Ground ground, float k, swAttenuation attenuation)

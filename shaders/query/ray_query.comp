@@ -75,6 +75,7 @@ layout(push_constant) uniform Push
 };
 
 shared float shares[8][THREADS];
+shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][SW_QUERY_POINTS]; // what inputs say
 shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -326,6 +327,14 @@ void main()
     }
     for (uint turn = 0;; turn ^= 1)
     {
+        if (WITH_INPUTS)
+        {
+            if (isMarching)
+            {
+                askSearched(search, lane);
+            }
+            barrier();
+        }
         if (isMarching)
         {
             share(addSearched(search, lane));

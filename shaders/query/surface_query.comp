@@ -79,6 +79,7 @@ layout(push_constant) uniform Push
 };
 
 shared float shares[8][THREADS];
+shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][SW_QUERY_POINTS]; // what inputs say
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -138,12 +139,12 @@ Motion addMotion(ivec2 cell, vec2 rest, uint lane)
     return motion;
 }
 
-// The same where inputs shape waves. How a particle's place changes makes no part of how it moves.
-Motion addShapedMotion(ivec2 cell, vec2 rest, uint lane)
+// The same where inputs shape waves, which they do as at the rest place that was tried last. How a particle's place
+// changes makes no part of how it moves.
+Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
 {
     vec4 cubic = splineCubic(lane);
     Motion motion = NO_MOTION;
-    Shaper shaper = shaperAt(seaPlaceAt(cell, rest));
     for (uint i = 0; i < params.water.tileCount; ++i)
     {
         Motion own = NO_MOTION;
@@ -200,12 +201,24 @@ void storeBad(uint point, uint lane)
     }
 }
 
+Motion findMotion(ivec2 cell, vec2 rest, uint lane)
+{
+    if (WITH_INPUTS)
+    {
+        Shaper shaper = shaperAt(seaPlaceAt(cell, rest));
+        if (doesShape(shaper))
+        {
+            return addShapedMotion(shaper, cell, rest, lane);
+        }
+    }
+    return addMotion(cell, rest, lane);
+}
+
 // How the particle that was found moves. All threads of the workgroup call it together.
 void storeMotion(uint point, bool isBad, Search search, uint lane)
 {
     vec2 rest = search.place + search.bestOffset;
-    bool isShaped = WITH_INPUTS && areWavesShaped(seaPlaceAt(search.cell, rest));
-    Motion motion = isShaped ? addShapedMotion(search.cell, rest, lane) : addMotion(search.cell, rest, lane);
+    Motion motion = findMotion(search.cell, rest, lane);
     shareVector(0, motion.velocity);
     shareVector(3, motion.acceleration);
     barrier();
@@ -237,6 +250,14 @@ void main()
     }
     for (uint turn = 0;; turn ^= 1)
     {
+        if (WITH_INPUTS)
+        {
+            if (isSearching)
+            {
+                askSearched(search, lane);
+            }
+            barrier();
+        }
         if (isSearching)
         {
             share(addSearched(search, lane));

@@ -22,8 +22,8 @@
 // that of the place asked for.
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
-// `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants, and
-// the constant `bool WITH_INPUTS`.
+// `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
+// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constant `bool WITH_INPUTS`.
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
@@ -187,36 +187,57 @@ SeaPlace seaPlaceAt(ivec2 cell, vec2 rest)
     return seaPlaceOf(cell + ivec2(params.sea.cellX, params.sea.cellZ), rest + vec2(params.sea.restX, params.sea.restZ));
 }
 
-bool areWavesShaped(SeaPlace place)
+// What is asked of inputs for a point, an element of `placeValues` each: values and slopes of the level at the place
+// that was asked for and at the place at rest, of the floor there, and of the weight of each wave system.
+#define ASKED_PLACE_LEVEL 0
+#define ASKED_LEVEL 1
+#define ASKED_FLOOR 2
+#define ASKED_SYSTEMS 3
+
+bool areSystemsWeighted(SeaPlace place)
 {
-    return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_FLOOR, place.cell, place.cell) ||
-           touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
+    return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
 }
 
-// What a place does to the waves of one system after another.
+// A lane's part of what is asked for a point of a cell, at a place in it and a rest place. Lanes meet before they read.
+void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
+{
+    SeaPlace atRest = seaPlaceAt(cell, rest);
+    uint count = areSystemsWeighted(atRest) ? ASKED_SYSTEMS + SW_LIMIT_SYSTEMS : ASKED_SYSTEMS;
+    for (uint i = lane; i < count; i += SW_QUERY_LANES)
+    {
+        uint field = i == ASKED_FLOOR ? SW_FIELD_OF_FLOOR : i < ASKED_FLOOR ? SW_FIELD_OF_LEVEL : SW_FIELD_OF_WAVES;
+        SeaPlace asked = i == ASKED_PLACE_LEVEL ? seaPlaceAt(cell, place) : atRest;
+        placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = firstOf(fieldAt(field, i - ASKED_SYSTEMS, asked));
+    }
+}
+
+vec3 askedOf(uint i)
+{
+    return placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES];
+}
+
+// What a place does to waves, from what was asked.
 struct Shaper
 {
-    SeaPlace place;
     Ground ground;
     bool isWeighted; // inputs weigh systems
-    uint system;     // that `weight` is of
-    Shape weight;
 };
 
 Shaper shaperAt(SeaPlace place)
 {
-    bool isWeighted = inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
-    return Shaper(place, groundAt(place), isWeighted, ~0u, Shape(1.0, vec2(0.0)));
+    return Shaper(groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR)), areSystemsWeighted(place));
 }
 
-Shape shapeOf(inout Shaper shaper, uint system, float k, swAttenuation attenuation)
+bool doesShape(Shaper shaper)
 {
-    if (shaper.isWeighted && shaper.system != system)
-    {
-        shaper.weight = systemWeightAt(system, shaper.place);
-        shaper.system = system;
-    }
-    return attenuated(shaper.weight, shaper.ground, k, attenuation);
+    return shaper.isWeighted || shaper.ground.depth < 0.5 * SW_NO_DEPTH;
+}
+
+Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)
+{
+    vec3 weight = shaper.isWeighted ? askedOf(ASKED_SYSTEMS + system) : vec3(1.0, 0.0, 0.0);
+    return attenuated(Shape(weight.x, weight.yz), shaper.ground, k, attenuation);
 }
 
 void addShaped(Shape shape, Sum own, inout Sum sum)
@@ -229,10 +250,9 @@ void addShaped(Shape shape, Sum own, inout Sum sum)
 const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
 
 // addWater() of the first tiles and waves, shaped.
-void addShapedWater(uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
+void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
 {
     vec4 cubic = splineCubic(lane);
-    Shaper shaper = shaperAt(seaPlaceAt(cell, rest));
     for (uint i = 0; i < tileCount; ++i)
     {
         Sum own = NO_WATER;
@@ -293,7 +313,6 @@ struct Search
     vec2 bestOffset;
     Sum best;
     Smooth part;
-    vec3 level; // of still water at the place, m, and its slopes
 };
 
 Search beginSearch(Place place)
@@ -307,7 +326,6 @@ Search beginSearch(Place place)
     search.bestSquare = 3e38;
     search.bestOffset = vec2(0.0);
     search.part.tileCount = 0;
-    search.level = WITH_INPUTS ? levelAt(seaPlaceAt(place.cell, place.rest)) : vec3(0.0);
     return search;
 }
 
@@ -356,11 +374,15 @@ Sum addSearched(inout Search search, uint lane)
     vec2 rest = search.place + search.offset;
     Sum sum = NO_WATER;
     bool isFirst = isGuess(search);
-    if (WITH_INPUTS && areWavesShaped(seaPlaceAt(search.cell, rest)))
+    if (WITH_INPUTS)
     {
-        addShapedWater(isFirst ? params.water.longTileCount : params.water.tileCount,
-                       isFirst ? params.water.longWaveCount : params.water.waveCount, search.cell, rest, lane, sum);
-        return sum;
+        Shaper shaper = shaperAt(seaPlaceAt(search.cell, rest));
+        if (doesShape(shaper))
+        {
+            addShapedWater(shaper, isFirst ? params.water.longTileCount : params.water.tileCount,
+                           isFirst ? params.water.longWaveCount : params.water.waveCount, search.cell, rest, lane, sum);
+            return sum;
+        }
     }
     if (isFirst)
     {
@@ -371,6 +393,12 @@ Sum addSearched(inout Search search, uint lane)
     sum = search.part.sum;
     addWater(search.part.tileCount, params.water.tileCount, params.water.waveCount, search.cell, rest, lane, sum);
     return sum;
+}
+
+// A lane's part of what inputs say for the tried offset.
+void askSearched(Search search, uint lane)
+{
+    askInputs(search.cell, search.place, search.place + search.offset, lane);
 }
 
 // Takes in the surface at the tried offset and chooses the next. False when done.
@@ -403,7 +431,7 @@ bool advance(inout Search search, Sum sum)
 Sum surfaceOf(Search search)
 {
     Sum sum = search.best;
-    vec3 level = search.level;
+    vec3 level = WITH_INPUTS ? askedOf(ASKED_PLACE_LEVEL) : vec3(0.0);
     sum.value.y += level.x;
     sum.alongX.y += level.y * (1.0 + sum.alongX.x) + level.z * sum.alongX.z;
     sum.alongZ.x += level.y * sum.alongX.z + level.z * (1.0 + sum.alongZ.y);

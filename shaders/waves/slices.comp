@@ -517,7 +517,8 @@ Shape weightOf(uint system, uint column, uint row)
     {
         return Shape(1.0, vec2(0.0));
     }
-    return systemWeightAt(system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row));
+    vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
+    return Shape(weight.x, weight.yz);
 }
 
 // Adds waves of one shape.
@@ -536,37 +537,34 @@ void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
     Ground ground = groundOf(column, z);
     uint system = ~0u; // that `weight` is of
     Shape weight = Shape(1.0, vec2(0.0));
-    for (uint i = 0; i < list.count + list.windowCount; ++i)
+    uint tileCount = list.count + list.windowCount;
+    for (uint i = 0; i < tileCount + list.waveCount; ++i)
     {
-        swSliceTile tile = tiles[list.first + i];
-        if (!isShaped(tile.system, tile.waveNumber, tile.attenuation))
+        bool isTile = i < tileCount;
+        swSliceTile tile = tiles[list.first + min(i, tileCount - 1)];
+        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : i - tileCount)];
+        uint its = isTile ? tile.system : wave.system;
+        float k = isTile ? tile.waveNumber : wave.waveNumber;
+        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
+        if (!isShaped(its, k, attenuation))
         {
             continue;
         }
-        if (tile.system != system)
+        if (its != system)
         {
-            system = tile.system;
+            system = its;
             weight = weightOf(system, column, z);
         }
         Texel own = CALM;
-        addWindow(own, tile, column, row);
-        addShaped(texel, own, attenuated(weight, ground, tile.waveNumber, tile.attenuation));
-    }
-    for (uint i = 0; i < list.waveCount; ++i)
-    {
-        swSliceWave wave = waves[list.firstWave + i];
-        if (!isShaped(wave.system, wave.waveNumber, wave.attenuation))
+        if (isTile)
         {
-            continue;
+            addWindow(own, tile, column, row);
         }
-        if (wave.system != system)
+        else
         {
-            system = wave.system;
-            weight = weightOf(system, column, z);
+            addWave(own, wave, swingOf(wave, column, row));
         }
-        Texel own = CALM;
-        addWave(own, wave, swingOf(wave, column, row));
-        addShaped(texel, own, attenuated(weight, ground, wave.waveNumber, wave.attenuation));
+        addShaped(texel, own, attenuated(weight, ground, k, attenuation));
     }
 }
 
