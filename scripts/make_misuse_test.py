@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "hull", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -276,13 +276,13 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swRasterDef", "swFields", "swField", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swRasterDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.
 COPIED = {"swShot", "swHeightMapDef", "swSeaGauges"}
 # Made with a host, which is told.
-OBJECTS = {"swWorld", "swRaster", "swMoment", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swPicture", "swMeasuredSea",
+OBJECTS = {"swWorld", "swRaster", "swHull", "swMoment", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swPicture", "swMeasuredSea",
            "swSeaReplay", "swScene", "swStage", "swSeaPatches"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.

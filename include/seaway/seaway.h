@@ -7,6 +7,7 @@
 #include "base.h"
 #include "clock.h"
 #include "field.h"
+#include "hull.h"
 #include "id.h"
 #include "math.h"
 #include "measured.h"

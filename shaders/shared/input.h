@@ -140,7 +140,7 @@ SW_FORMULA sw_vec2 swPlaceInInput(swInputRecord record, sw_int cellX, sw_int cel
 
 // ---- helpers of shapes ----
 
-SW_FORMULA sw_vec4 swNoValue()
+SW_FORMULA sw_vec4 swNoValue(void)
 {
     sw_vec4 v;
     v.x = 0.0f;

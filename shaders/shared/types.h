@@ -24,6 +24,7 @@ typedef swVec4 sw_vec4;
     static_assert(offsetof(name, member) % 16 == 0, #name "." #member " differs between C and GLSL")
 #define SW_FORMULA static inline
 #define SW_FLOAT(x) ((float)(x))
+#define SW_UINT(x) ((uint32_t)(x))
 
 #else
 
@@ -37,6 +38,7 @@ typedef swVec4 sw_vec4;
 #define SW_PARAMS_VEC3(name, member)
 #define SW_FORMULA
 #define SW_FLOAT(x) float(x)
+#define SW_UINT(x) uint(x)
 
 #endif
 #endif

@@ -65,6 +65,20 @@ static void FindDepth(const void* context, int system, int64_t ticks, int count,
     }
 }
 
+// 30 m for x below 0, from there sloping to 3 m.
+static void FindShelf(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, float* values,
+                      float (*gradients)[2])
+{
+    (void)context, (void)system, (void)ticks;
+    for (int i = 0; i < count; ++i)
+    {
+        double x = points[i].x > 0.0 ? points[i].x : 0.0, fade = exp(-0.0004 * x * x);
+        values[i] = (float)(3.0 + 27.0 * fade);
+        gradients[i][0] = (float)(-27.0 * 0.0008 * x * fade);
+        gradients[i][1] = 0.0f;
+    }
+}
+
 static void FindFlatDepth(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
                           float* values, float (*gradients)[2])
 {
@@ -88,26 +102,34 @@ static void FindLevel(const void* context, int system, int64_t ticks, int count,
     }
 }
 
-static void FindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, float (*ways)[2],
-                     float (*gradients)[4])
+// Coordinates that bend, and by up to 0.3 rad turned axes.
+static bool FindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, swWarp* warps)
 {
     (void)context, (void)system, (void)ticks;
     for (int i = 0; i < count; ++i)
     {
-        ways[i][0] = (float)(1.5 * sin(0.05 * points[i].z));
-        ways[i][1] = (float)(0.8 * cos(0.07 * points[i].x));
-        gradients[i][0] = 0.0f;
-        gradients[i][1] = (float)(0.075 * cos(0.05 * points[i].z));
-        gradients[i][2] = (float)(-0.056 * sin(0.07 * points[i].x));
-        gradients[i][3] = 0.0f;
+        double x = points[i].x, z = points[i].z, angle = 0.3 * sin(0.03 * x - 0.02 * z);
+        double swing = 0.3 * cos(0.03 * x - 0.02 * z);
+        warps[i] = (swWarp){
+            .source = {x + 1.5 * sin(0.05 * z), z + 0.8 * cos(0.07 * x)},
+            .gradients = {0.0f, (float)(0.075 * cos(0.05 * z)), (float)(-0.056 * sin(0.07 * x)), 0.0f},
+            .cosine = (float)cos(angle),
+            .sine = (float)sin(angle),
+            .turnX = (float)(0.03 * swing),
+            .turnZ = (float)(-0.02 * swing),
+        };
     }
+    return true;
 }
 
-static float Attenuate(float kd, float* slope)
+// Falls below 12 m, and is then no more than a wave's k times it.
+static float Attenuate(const void* context, int system, float k, float depth, float* slope)
 {
-    float root = 1.0f + kd;
-    *slope = 1.0f / (root * root);
-    return kd / root;
+    (void)context, (void)system;
+    float kd = k * depth, root = 1.0f + kd;
+    bool isDeep = depth >= 12.0f;
+    *slope = isDeep ? 0.0f : k / (root * root);
+    return isDeep ? 1.0f : kd / root;
 }
 
 // ---- seas ----
@@ -258,7 +280,7 @@ static void AConstantDepthTakesItsShareOfEachBand(void** state)
             const swTile* tile = &sea.query.tiles[t];
             float out[4], slope;
             swSampleTiles(sea.query.kernels, 1, tile, 1, &shaped.points[i], out, NULL);
-            double share = (double)Attenuate(5.0f * swGetTileWaveNumber(tile), &slope);
+            double share = (double)Attenuate(NULL, 0, swGetTileWaveNumber(tile), 5.0f, &slope);
             for (int c = 0; c < 3; ++c)
             {
                 expected[c] += share * (double)out[c];
@@ -268,6 +290,61 @@ static void AConstantDepthTakesItsShareOfEachBand(void** state)
         {
             assert_float_equal(shaped.displacement[i][c], expected[c], 2e-6f);
         }
+    }
+    DestroyScenario(&sea.scenario);
+}
+
+// Points in deep water have the bits of a sea without places, now and at other times, whoever is asked about together.
+static void DeepPointsBesideShallowsChangeNoBit(void** state)
+{
+    (void)state;
+    static Answers plain, shaped;
+    Sea sea;
+    OpenSea(&sea, 0.0f, true);
+    ScatterPoints(plain.points, POINTS, 0.0, 0.0, 300.0);
+    memcpy(shaped.points, plain.points, sizeof plain.points);
+    const swPlaces shelf = {.depth = FindShelf, .attenuate = Attenuate};
+    for (int isNow = 0; isNow < 2; ++isNow)
+    {
+        sea.query.isNow = isNow != 0;
+        Evaluate(&sea, NULL, 0, POINTS, &plain);
+        Evaluate(&sea, &shelf, 0, POINTS, &shaped);
+        int alone = 0;
+        for (int i = 0; i < POINTS; ++i)
+        {
+            bool isSame = memcmp(plain.gradients[i], shaped.gradients[i], sizeof plain.gradients[i]) == 0 &&
+                          memcmp(plain.velocity[i], shaped.velocity[i], sizeof plain.velocity[i]) == 0;
+            double fade = exp(-0.0004 * plain.points[i].x * plain.points[i].x);
+            assert_true(isSame == (plain.points[i].x <= 0.0 || 3.0 + 27.0 * fade >= 12.0));
+            alone += isSame ? 1 : 0;
+        }
+        assert_in_range(alone, POINTS / 4, POINTS * 9 / 10);
+    }
+    DestroyScenario(&sea.scenario);
+}
+
+// A system that lives in a place only is nowhere else, and others are as they are without it.
+static void LocalSystemsAreWhereTheirWeightIs(void** state)
+{
+    (void)state;
+    static Answers all, one, local;
+    Sea sea;
+    OpenSea(&sea, 0.0f, true);
+    ScatterPoints(all.points, POINTS, 0.0, 0.0, 400.0);
+    memcpy(one.points, all.points, sizeof all.points);
+    memcpy(local.points, all.points, sizeof all.points);
+    int freeSystem = sea.query.waves[0].system;
+    const swPlaces without = {.localSystems = 1u << freeSystem};
+    Evaluate(&sea, &without, 0, POINTS, &local);
+    int waveCount = sea.query.waveCount;
+    sea.query.waveCount = 0;
+    Evaluate(&sea, NULL, 0, POINTS, &one);
+    sea.query.waveCount = waveCount;
+    Evaluate(&sea, NULL, 0, POINTS, &all);
+    for (int i = 0; i < POINTS; ++i)
+    {
+        assert_memory_equal(one.displacement[i], local.displacement[i], sizeof one.displacement[i]);
+        assert_true(memcmp(one.displacement[i], all.displacement[i], sizeof one.displacement[i]) != 0);
     }
     DestroyScenario(&sea.scenario);
 }
@@ -426,6 +503,8 @@ int main(void)
         cmocka_unit_test(GroupsOfShapedPointsChangeNoBit),
         cmocka_unit_test(AConstantWeightScalesEverything),
         cmocka_unit_test(AConstantDepthTakesItsShareOfEachBand),
+        cmocka_unit_test(DeepPointsBesideShallowsChangeNoBit),
+        cmocka_unit_test(LocalSystemsAreWhereTheirWeightIs),
         cmocka_unit_test(GradientsOfPlacesEnterThoseOfTheSurface),
         cmocka_unit_test(OtherTimesAreShapedAlike),
         cmocka_unit_test(QueriesFindTheShapedSurface),

@@ -49,6 +49,8 @@ typedef struct Fixture
     swSeaPatches* seaPatches;
     swRaster* raster;
     swRasterDef rasterDef;
+    swHull* hull;
+    swHullDef hullDef;
     swSeaBins bins;
     swSeaGauges gauges;
 #if MISUSE_GPU
@@ -95,6 +97,7 @@ typedef struct Fixture
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swRasterDef (&f->rasterDef)
+#define FIX_swHullDef (&f->hullDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
 #define FIX_swShot (&f->shot)
@@ -216,6 +219,14 @@ static inline void MakeWorld(Fixture* f)
     f->rasterDef.width = f->rasterDef.height = 2;
     f->rasterDef.values = cells;
     Need(swCreateRaster(&f->host, &f->rasterDef, &f->raster), "raster");
+    static const swVec3 corners[4] = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
+    static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+    f->hullDef = swDefaultHullDef();
+    f->hullDef.vertices = corners;
+    f->hullDef.vertexCount = f->hullDef.triangleCount = 4;
+    f->hullDef.indices = faces;
+    f->hullDef.resolution = 8;
+    Need(swCreateHull(&f->host, &f->hullDef, &f->hull), "hull");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }

@@ -253,10 +253,11 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
     }
 }
 
-static float Attenuate(float kd, float* slope)
+static float Attenuate(const void* context, int system, float k, float depth, float* slope)
 {
-    swDepthShare found = swFindNaturalShare(kd);
-    *slope = found.slope;
+    (void)context, (void)system;
+    swDepthShare found = swFindNaturalShare(k * depth);
+    *slope = found.slope * k;
     return found.share;
 }
 

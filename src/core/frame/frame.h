@@ -170,6 +170,15 @@ static inline float swGetTileWaveNumber(const swTile* tile)
     return 6.2831853f / sqrtf(tile->minWavelength * tile->maxWavelength);
 }
 
+// The same of the octave that a wave is in, as far as floats can tell.
+static inline float swGetOctaveWaveNumber(float wavelength)
+{
+    int exponent;
+    float fraction = frexpf(wavelength, &exponent); // in [0.5, 1): the octave is [2^(exponent - 1), 2^exponent)
+    (void)fraction;
+    return 6.2831853f / ldexpf(0.70710678f, exponent);
+}
+
 // Ticks to multiply a tile's frequencies with, on either half.
 static inline int64_t swGetTileTicks(const swTile* tile, int64_t ticks)
 {

@@ -200,7 +200,7 @@ static void evaluateMotion(const swQuery* query, int count, const swPosXZ* rest,
     }
 }
 
-static void evaluatePlain(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+void swEvaluatePlain(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     size_t rows = (size_t)count * 4 * sizeof(float);
     if (out->velocity != NULL)
@@ -241,7 +241,7 @@ static void evaluateFrame(const swQuery* query, int count, const swPosXZ* rest, 
     }
     else
     {
-        evaluatePlain(query, count, rest, out);
+        swEvaluatePlain(query, count, rest, out);
     }
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The sum of waves that their places shape. With a wave's displacement D, its weight w and the way s by which it has
-// been carried, a particle that rests at x is displaced by w(x) D(x + s(x)); gradients follow by product and chain
+// The sum of waves that their places shape. A look at waves, a copy, has a weight w and a way s: with a wave's
+// displacement D, a particle that rests at x is displaced by w(x) D(x + s(x)); gradients follow by product and chain
 // rule:
 //   d/dx = w (dD/dx (1 + ds_x/dx) + dD/dz ds_z/dx) + dw/dx D,  and so along z.
-// Tiles are added one at a time, each with its shape, and free waves too. How a point's place changes with time makes
-// no part of velocity and acceleration.
+// Where waves lie in coordinates of their own, their horizontal displacement is turned from there to the sea's axes, by
+// an angle a(x): turned H = R(a) H has the gradient R dH + da R' H.
+// Tiles are added one at a time, each with its shape, and free waves by octaves. Waves that are as they would be
+// anywhere are added without a detour, and points of which all waves are so go the way of a sea without places. How a
+// point's place changes with time makes no part of velocity and acceleration.
 
 #include "core/surface/evaluate_shaped.h"
 
@@ -12,26 +15,71 @@
 
 typedef swPointSums Sums[SW_PLACE_BLOCK];
 
-// Add waves of one shape, `own`, to all.
-static void addShaped(const swShape* shape, int i, bool withSlopes, const swPointSums* own, swPointSums* all)
+// ---- one group of waves ----
+
+// Horizontal displacement from a warp's axes to the sea's. Even and odd columns of texels are apart in the sums.
+static void turn(const swWarp* warp, bool withSlopes, swPointSums* own)
 {
-    float weight = shape->weight[i];
-    const float* s = shape->warp[i];
-    for (int c = 0; c < 8; ++c)
+    float c = warp->cosine, s = warp->sine;
+    for (int x = 0; x < 8; x += 4)
     {
-        all->value[c] += weight * own->value[c];
-    }
-    for (int c = 0; c < 8 && withSlopes; ++c)
-    {
-        float alongX = own->alongX[c] * (1.0f + s[0]) + own->alongZ[c] * s[2];
-        float alongZ = own->alongX[c] * s[1] + own->alongZ[c] * (1.0f + s[3]);
-        all->alongX[c] += weight * alongX + shape->alongX[i] * own->value[c];
-        all->alongZ[c] += weight * alongZ + shape->alongZ[i] * own->value[c];
+        int z = x + 2;
+        float valueX = c * own->value[x] - s * own->value[z], valueZ = s * own->value[x] + c * own->value[z];
+        own->value[x] = valueX;
+        own->value[z] = valueZ;
+        if (withSlopes)
+        {
+            float xx = c * own->alongX[x] - s * own->alongX[z], zx = s * own->alongX[x] + c * own->alongX[z];
+            float xz = c * own->alongZ[x] - s * own->alongZ[z], zz = s * own->alongZ[x] + c * own->alongZ[z];
+            own->alongX[x] = xx - warp->turnX * valueZ;
+            own->alongX[z] = zx + warp->turnX * valueX;
+            own->alongZ[x] = xz - warp->turnZ * valueZ;
+            own->alongZ[z] = zz + warp->turnZ * valueX;
+        }
     }
 }
 
-// Waves that the job names, one by one, in the form that tiles have.
-static void sumPart(const swQuery* query, swWaveSumJob* job, int field, bool withSlopes, swPointSums* own)
+// Gradients by the source become those by the place at rest.
+static void chain(const float way[4], swPointSums* own)
+{
+    for (int c = 0; c < 8; ++c)
+    {
+        float alongX = own->alongX[c] * (1.0f + way[0]) + own->alongZ[c] * way[2];
+        own->alongZ[c] = own->alongX[c] * way[1] + own->alongZ[c] * (1.0f + way[3]);
+        own->alongX[c] = alongX;
+    }
+}
+
+// Add a look at waves, `own`, to all.
+static void addCopy(const swPlaceBlock* block, const swShape* shape, const swCopy* copy, bool withSlopes,
+                    swPointSums* own, swPointSums* all)
+{
+    for (int i = 0; i < block->count; ++i)
+    {
+        if (withSlopes)
+        {
+            chain(copy->way[i], &own[i]);
+        }
+        if (shape->isTurned)
+        {
+            turn(&block->warps[i], withSlopes, &own[i]);
+        }
+        float weight = copy->weight[i];
+        for (int c = 0; c < 8; ++c)
+        {
+            all[i].value[c] += weight * own[i].value[c];
+        }
+        for (int c = 0; c < 8 && withSlopes; ++c)
+        {
+            all[i].alongX[c] += weight * own[i].alongX[c] + copy->alongX[i] * own[i].value[c];
+            all[i].alongZ[c] += weight * own[i].alongZ[c] + copy->alongZ[i] * own[i].value[c];
+        }
+    }
+}
+
+// Waves of a group one by one, in the form that tiles have, added to `own`.
+static void sumGroup(const swQuery* query, const swWaveGroup* group, int field, int count, const swPosXZ* points,
+                     bool withSlopes, swPointSums* own)
 {
     float values[SW_PLACE_BLOCK][4] = {{0.0f}};
     float gradients[SW_PLACE_BLOCK][8] = {{0.0f}};
@@ -41,64 +89,93 @@ static void sumPart(const swQuery* query, swWaveSumJob* job, int field, bool wit
         .velocity = field == 1 ? values : NULL,
         .acceleration = field == 2 ? values : NULL,
     };
-    job->surface = &sums;
-    swSumWaves(query->kernels, job);
-    for (int i = 0; i < job->count; ++i)
+    const swWaveSumJob job = {
+        .tileCount = group->tile != NULL ? 1 : 0,
+        .tiles = group->tile,
+        .waveCount = group->waveCount,
+        .waves = group->waves,
+        .ticks = query->ticks,
+        .count = count,
+        .points = points,
+        .surface = &sums,
+    };
+    swSumWaves(query->kernels, &job);
+    for (int i = 0; i < count; ++i)
     {
         const float* g = gradients[i];
-        own[i] = (swPointSums){.alongX = {g[0], g[4], g[2]}, .alongZ = {g[1], g[5], g[3]}};
-        memcpy(own[i].value, values[i], sizeof values[i]);
+        const float alongX[3] = {g[0], g[4], g[2]}, alongZ[3] = {g[1], g[5], g[3]};
+        for (int c = 0; c < 3; ++c)
+        {
+            own[i].value[c] += values[i][c];
+            own[i].alongX[c] += alongX[c];
+            own[i].alongZ[c] += alongZ[c];
+        }
     }
 }
 
-static void addTiles(const swQuery* query, const swWaveSumJob* asked, int field, bool withSlopes, swPlaceBlock* block,
+static void look(const swQuery* query, const swWaveGroup* group, int field, int count, const swPosXZ* points,
+                 bool withSlopes, swPointSums* own)
+{
+    if (group->tile != NULL && swHasTexels(query, field))
+    {
+        swAddTile(query->kernels, group->tile, field, count, points, withSlopes, own);
+    }
+    else
+    {
+        sumGroup(query, group, field, count, points, withSlopes, own);
+    }
+}
+
+static void addGroup(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes, swPlaceBlock* block,
                      swPointSums* all)
 {
+    if (swIsGroupPlain(block, group))
+    {
+        look(query, group, field, block->count, block->rest, withSlopes, all);
+        return;
+    }
     swShape shape;
     Sums own;
-    for (int t = 0; t < query->tileCount; ++t)
+    swFindShape(block, group, &shape);
+    for (int i = 0; i < shape.copyCount; ++i)
     {
-        const swTile* tile = &query->tiles[t];
-        if (!swIsTileChosen(tile, asked->shortest, asked->longest))
-        {
-            continue;
-        }
-        swFindShape(block, tile->system, swGetTileWaveNumber(tile), &shape);
         memset(own, 0, sizeof own);
-        if (swHasTexels(query, field))
-        {
-            swAddTile(query->kernels, tile, field, block->count, shape.source, withSlopes, own);
-        }
-        else
-        {
-            swWaveSumJob job = {
-                .tileCount = 1, .tiles = tile, .ticks = query->ticks, .count = block->count, .points = shape.source};
-            sumPart(query, &job, field, withSlopes, own);
-        }
-        for (int i = 0; i < block->count; ++i)
-        {
-            addShaped(&shape, i, withSlopes, &own[i], &all[i]);
-        }
+        look(query, group, field, block->count, shape.copies[i].source, withSlopes, own);
+        addCopy(block, &shape, &shape.copies[i], withSlopes, own, all);
     }
 }
 
-static void addFreeWaves(const swQuery* query, const swWaveSumJob* asked, int field, bool withSlopes,
-                         swPlaceBlock* block, swPointSums* all)
+// ---- all of them ----
+
+// Goes through the groups of waves that an evaluation asks for: tiles, then free waves.
+typedef struct Groups
 {
-    swShape shape;
-    Sums own;
-    for (int w = 0; w < asked->waveCount; ++w)
+    const swQuery* query;
+    const swWaveSumJob* asked;
+    int tile, wave;
+    swWaveGroup group;
+} Groups;
+
+static bool nextGroup(Groups* groups)
+{
+    const swQuery* query = groups->query;
+    const swWaveSumJob* asked = groups->asked;
+    while (groups->tile < query->tileCount)
     {
-        const swFreeWave* wave = &asked->waves[w];
-        swFindShape(block, wave->system, 6.2831853f / wave->wavelength, &shape);
-        swWaveSumJob job = {
-            .waveCount = 1, .waves = wave, .ticks = query->ticks, .count = block->count, .points = shape.source};
-        sumPart(query, &job, field, withSlopes, own);
-        for (int i = 0; i < block->count; ++i)
+        const swTile* tile = &query->tiles[groups->tile++];
+        if (swIsTileChosen(tile, asked->shortest, asked->longest))
         {
-            addShaped(&shape, i, withSlopes, &own[i], &all[i]);
+            groups->group = swGroupTile(tile);
+            return true;
         }
     }
+    if (groups->wave < asked->waveCount)
+    {
+        groups->group = swGroupFreeWaves(asked->waveCount - groups->wave, asked->waves + groups->wave);
+        groups->wave += groups->group.waveCount;
+        return true;
+    }
+    return false;
 }
 
 // `gradients` may be NULL.
@@ -107,27 +184,88 @@ static void evaluateField(const swQuery* query, const swWaveSumJob* asked, int f
 {
     Sums all;
     memset(all, 0, sizeof all);
-    addTiles(query, asked, field, gradients != NULL, block, all);
-    addFreeWaves(query, asked, field, gradients != NULL, block, all);
+    Groups groups = {.query = query, .asked = asked};
+    while (nextGroup(&groups))
+    {
+        addGroup(query, &groups.group, field, gradients != NULL, block, all);
+    }
     swStorePointSums(query->kernels, block->count, all, out[0], gradients != NULL ? gradients[0] : NULL);
 }
 
+// Answers from point `first` on.
+static swEvaluation skipPoints(const swEvaluation* out, int first)
+{
+    swEvaluation rest = *out;
+    rest.displacement = out->displacement != NULL ? out->displacement + first : NULL;
+    rest.gradients = out->gradients != NULL ? out->gradients + first : NULL;
+    rest.velocity = out->velocity != NULL ? out->velocity + first : NULL;
+    rest.acceleration = out->acceleration != NULL ? out->acceleration + first : NULL;
+    return rest;
+}
+
+static void evaluateBlock(const swQuery* query, const swWaveSumJob* asked, swPlaceBlock* block, const swEvaluation* out)
+{
+    float(*const fields[3])[4] = {out->displacement, out->velocity, out->acceleration};
+    for (int field = 0; field < 3; ++field)
+    {
+        if (fields[field] != NULL)
+        {
+            evaluateField(query, asked, field, block, fields[field], field == 0 ? out->gradients : NULL);
+        }
+    }
+}
+
+// Which points of a block have all waves as they would be anywhere. Returns whether all do.
+static bool findPlainPoints(const swQuery* query, const swWaveSumJob* asked, swPlaceBlock* block, bool* isPlain)
+{
+    Groups groups = {.query = query, .asked = asked};
+    bool areAll = true;
+    memset(isPlain, true, (size_t)block->count * sizeof(bool));
+    while (nextGroup(&groups))
+    {
+        if (!swIsGroupPlain(block, &groups.group))
+        {
+            areAll = swKeepPlainPoints(block, &groups.group, isPlain) && areAll;
+        }
+    }
+    return areAll;
+}
+
+// Whether a point's waves are shaped depends on the point alone, so that its bits do not depend on its neighbours.
 void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
+    const swPlaces* places = query->places;
+    if (places->localSystems == 0 && (swFindTouchedFields(places, query->ticks, count, rest) & ~SW_TOUCHES_LEVEL) == 0)
+    {
+        swEvaluatePlain(query, count, rest, out);
+        return;
+    }
+    bool isPlain[SW_QUERY_BLOCK + 1];
+    isPlain[count] = false;
     for (int first = 0; first < count; first += SW_PLACE_BLOCK)
     {
         int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
         const swWaveSumJob asked = swMakeSumJob(query, out, some, rest + first);
         swPlaceBlock block;
-        swBeginPlaces(&block, query->places, query->ticks, some, rest + first);
-        float(*const fields[3])[4] = {out->displacement, out->velocity, out->acceleration};
-        for (int field = 0; field < 3; ++field)
+        swBeginPlaces(&block, places, query->kernels, query->ticks, some, rest + first);
+        if (!findPlainPoints(query, &asked, &block, isPlain + first))
         {
-            if (fields[field] != NULL)
-            {
-                evaluateField(query, &asked, field, &block, fields[field] + first,
-                              field == 0 && out->gradients != NULL ? out->gradients + first : NULL);
-            }
+            const swEvaluation own = skipPoints(out, first);
+            evaluateBlock(query, &asked, &block, &own);
+        }
+    }
+    for (int begin = 0; begin < count; ++begin)
+    {
+        int end = begin;
+        while (isPlain[end])
+        {
+            end += 1;
+        }
+        if (end > begin)
+        {
+            const swEvaluation own = skipPoints(out, begin);
+            swEvaluatePlain(query, end - begin, rest + begin, &own);
+            begin = end;
         }
     }
 }

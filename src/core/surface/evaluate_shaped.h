@@ -11,6 +11,9 @@ swWaveSumJob swMakeSumJob(const swQuery* query, const swEvaluation* out, int cou
 // Whether tiles have texels of a field (as swTileChoice numbers them) at the query's time.
 bool swHasTexels(const swQuery* query, int field);
 
+// swEvaluate() where waves are the same everywhere.
+void swEvaluatePlain(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out);
+
 // swEvaluate() where waves are shaped by their places. Where a shape leaves waves as they are, tiles give the same
 // bits.
 void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out);

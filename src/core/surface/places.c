@@ -4,80 +4,244 @@
 #include <math.h>
 #include <string.h>
 
-void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, int64_t ticks, int count, const swPosXZ* rest)
+// ---- a block of points ----
+
+uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points)
+{
+    uint32_t there = (places->level != NULL ? SW_TOUCHES_LEVEL : 0) |
+                     (places->depth != NULL && places->attenuate != NULL ? SW_TOUCHES_DEPTH : 0) |
+                     (places->weight != NULL ? SW_TOUCHES_WEIGHT : 0) | (places->warp != NULL ? SW_TOUCHES_WARP : 0) |
+                     (places->flow != NULL ? SW_TOUCHES_FLOW : 0);
+    bool isAsked = there != 0 && places->touched != NULL;
+    return isAsked ? there & places->touched(places->context, ticks, count, points) : there;
+}
+
+static void findDepths(swPlaceBlock* block)
+{
+    const swPlaces* places = block->places;
+    block->leastDepth = INFINITY;
+    if ((block->touched & SW_TOUCHES_DEPTH) == 0)
+    {
+        return;
+    }
+    places->depth(places->context, -1, block->ticks, block->count, block->rest, block->depth, block->depthGradients);
+    for (int i = 0; i < block->count; ++i)
+    {
+        if (!(block->depth[i] > 0.0f)) // dry
+        {
+            block->depth[i] = block->depthGradients[i][0] = block->depthGradients[i][1] = 0.0f;
+        }
+        block->leastDepth = fminf(block->leastDepth, block->depth[i]);
+    }
+}
+
+static void findFlow(swPlaceBlock* block)
+{
+    const swPlaces* places = block->places;
+    if ((block->touched & SW_TOUCHES_FLOW) == 0)
+    {
+        return;
+    }
+    places->flow(places->context, block->ticks, block->count, block->rest, block->flow, block->flowGradients);
+    bool isStill = true;
+    for (int i = 0; i < block->count; ++i)
+    {
+        const float* g = block->flowGradients[i];
+        isStill = isStill && block->flow[i][0] == 0.0f && block->flow[i][1] == 0.0f && g[0] == 0.0f && g[1] == 0.0f &&
+                  g[2] == 0.0f && g[3] == 0.0f;
+    }
+    block->touched &= isStill ? ~SW_TOUCHES_FLOW : SW_TOUCHES_ALL;
+}
+
+void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKernels* kernels, int64_t ticks, int count,
+                   const swPosXZ* rest)
 {
     block->places = places;
+    block->kernels = kernels;
     block->ticks = ticks;
     block->count = count;
     block->rest = rest;
     block->system = -1;
-    if (places->depth != NULL)
-    {
-        places->depth(places->context, -1, ticks, count, rest, block->depth, block->depthGradients);
-    }
+    block->touched = swFindTouchedFields(places, ticks, count, rest);
+    findDepths(block);
+    findFlow(block);
 }
 
-static void findWeights(const swPlaceBlock* block, int system, swShape* shape)
+// ---- a system ----
+
+static void findWeights(swPlaceBlock* block, int system)
 {
     const swPlaces* places = block->places;
-    float gradients[SW_PLACE_BLOCK][2];
-    if (places->weight != NULL)
+    if ((block->touched & SW_TOUCHES_WEIGHT) == 0)
     {
-        places->weight(places->context, system, block->ticks, block->count, block->rest, shape->weight, gradients);
+        block->isWeighted = false;
+        block->isGone = (places->localSystems >> system & 1u) != 0;
+        return;
     }
+    places->weight(places->context, system, block->ticks, block->count, block->rest, block->weight,
+                   block->weightGradients);
+    bool isOne = true, isNone = true;
     for (int i = 0; i < block->count; ++i)
     {
-        bool isSet = places->weight != NULL;
-        shape->weight[i] = isSet ? shape->weight[i] : 1.0f;
-        shape->alongX[i] = isSet ? gradients[i][0] : 0.0f;
-        shape->alongZ[i] = isSet ? gradients[i][1] : 0.0f;
+        bool isEven = block->weightGradients[i][0] == 0.0f && block->weightGradients[i][1] == 0.0f;
+        isOne = isOne && isEven && block->weight[i] == 1.0f;
+        isNone = isNone && isEven && block->weight[i] == 0.0f;
     }
+    block->isWeighted = !isOne;
+    block->isGone = isNone;
 }
 
-static void findSources(const swPlaceBlock* block, int system, swShape* shape)
+static void findSystem(swPlaceBlock* block, int system)
 {
-    const swPlaces* places = block->places;
-    memcpy(shape->source, block->rest, (size_t)block->count * sizeof(swPosXZ));
-    memset(shape->warp, 0, sizeof shape->warp);
-    if (places->warp == NULL)
+    if (block->system == system)
     {
         return;
     }
-    float ways[SW_PLACE_BLOCK][2];
-    places->warp(places->context, system, block->ticks, block->count, block->rest, ways, shape->warp);
+    const swPlaces* places = block->places;
+    block->system = system;
+    findWeights(block, system);
+    block->isWarped = !block->isGone && (block->touched & SW_TOUCHES_WARP) != 0 &&
+                      places->warp(places->context, system, block->ticks, block->count, block->rest, block->warps);
+}
+
+// ---- groups of waves ----
+
+swWaveGroup swGroupTile(const swTile* tile)
+{
+    return (swWaveGroup){.system = tile->system, .k = swGetTileWaveNumber(tile), .tile = tile};
+}
+
+swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves)
+{
+    float k = swGetOctaveWaveNumber(waves[0].wavelength);
+    int some = 1;
+    while (some < count && waves[some].system == waves[0].system && swGetOctaveWaveNumber(waves[some].wavelength) == k)
+    {
+        some += 1;
+    }
+    return (swWaveGroup){.system = waves[0].system, .k = k, .waveCount = some, .waves = waves};
+}
+
+// ---- shapes ----
+
+// Whether the depth takes some of the waves anywhere in the block. The share falls with the depth.
+static bool isAttenuated(const swPlaceBlock* block, const swWaveGroup* group)
+{
+    if ((block->touched & SW_TOUCHES_DEPTH) == 0)
+    {
+        return false;
+    }
+    const swPlaces* places = block->places;
+    float slope;
+    float share = places->attenuate(places->context, group->system, group->k, block->leastDepth, &slope);
+    return share != 1.0f || slope != 0.0f;
+}
+
+bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group)
+{
+    findSystem(block, group->system);
+    return !block->isGone && !block->isWeighted && !block->isWarped && (block->touched & SW_TOUCHES_FLOW) == 0 &&
+           !isAttenuated(block, group);
+}
+
+static bool isPointWarped(const swPlaceBlock* block, int i)
+{
+    const swWarp* warp = &block->warps[i];
+    const swPosXZ* rest = &block->rest[i];
+    const float* g = warp->gradients;
+    return block->isWarped &&
+           (warp->source.x != rest->x || warp->source.z != rest->z || g[0] != 0.0f || g[1] != 0.0f || g[2] != 0.0f ||
+            g[3] != 0.0f || warp->cosine != 1.0f || warp->turnX != 0.0f || warp->turnZ != 0.0f);
+}
+
+static bool isPointPlain(const swPlaceBlock* block, const swWaveGroup* group, int i)
+{
+    const swPlaces* places = block->places;
+    const float* w = block->weightGradients[i];
+    const float* g = block->flowGradients[i];
+    bool isEven = !block->isWeighted || (block->weight[i] == 1.0f && w[0] == 0.0f && w[1] == 0.0f);
+    bool isStill =
+        (block->touched & SW_TOUCHES_FLOW) == 0 || (block->flow[i][0] == 0.0f && block->flow[i][1] == 0.0f &&
+                                                    g[0] == 0.0f && g[1] == 0.0f && g[2] == 0.0f && g[3] == 0.0f);
+    if (block->isGone || isPointWarped(block, i) || !isEven || !isStill)
+    {
+        return false;
+    }
+    float slope = 0.0f;
+    return (block->touched & SW_TOUCHES_DEPTH) == 0 ||
+           (places->attenuate(places->context, group->system, group->k, block->depth[i], &slope) == 1.0f &&
+            slope == 0.0f);
+}
+
+bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain)
+{
+    findSystem(block, group->system);
+    bool areAll = true;
     for (int i = 0; i < block->count; ++i)
     {
-        shape->source[i].x += (double)ways[i][0];
-        shape->source[i].z += (double)ways[i][1];
+        isPlain[i] = isPlain[i] && isPointPlain(block, group, i);
+        areAll = areAll && isPlain[i];
+    }
+    return areAll;
+}
+
+static void placeCopy(const swPlaceBlock* block, swCopy* copy)
+{
+    for (int i = 0; i < block->count; ++i)
+    {
+        copy->source[i] = block->isWarped ? block->warps[i].source : block->rest[i];
+        copy->weight[i] = block->isWeighted ? block->weight[i] : 1.0f;
+        copy->alongX[i] = block->isWeighted ? block->weightGradients[i][0] : 0.0f;
+        copy->alongZ[i] = block->isWeighted ? block->weightGradients[i][1] : 0.0f;
+        for (int g = 0; g < 4; ++g)
+        {
+            copy->way[i][g] = block->isWarped ? block->warps[i].gradients[g] : 0.0f;
+        }
     }
 }
 
 // Product rule: a weight times what the depth leaves.
-static void attenuate(const swPlaceBlock* block, float k, swShape* shape)
+static void attenuate(const swPlaceBlock* block, const swWaveGroup* group, swCopy* copy)
 {
+    const swPlaces* places = block->places;
     for (int i = 0; i < block->count; ++i)
     {
         float slope;
-        float share = block->places->attenuate(k * block->depth[i], &slope);
-        slope *= k * shape->weight[i];
-        shape->alongX[i] = shape->alongX[i] * share + slope * block->depthGradients[i][0];
-        shape->alongZ[i] = shape->alongZ[i] * share + slope * block->depthGradients[i][1];
-        shape->weight[i] *= share;
+        float share = places->attenuate(places->context, group->system, group->k, block->depth[i], &slope);
+        slope *= copy->weight[i];
+        copy->alongX[i] = copy->alongX[i] * share + slope * block->depthGradients[i][0];
+        copy->alongZ[i] = copy->alongZ[i] * share + slope * block->depthGradients[i][1];
+        copy->weight[i] *= share;
     }
 }
 
-void swFindShape(swPlaceBlock* block, int system, float k, swShape* shape)
+void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape)
 {
-    if (block->system != system)
+    findSystem(block, group->system);
+    bool isDeep = !isAttenuated(block, group);
+    shape->copyCount = block->isGone ? 0 : 1;
+    shape->isTurned = block->isWarped;
+    shape->isPlain = shape->copyCount == 1 && isDeep && !block->isWeighted && !block->isWarped &&
+                     !(block->touched & SW_TOUCHES_FLOW);
+    if (shape->copyCount == 0)
     {
-        findWeights(block, system, &block->shape);
-        findSources(block, system, &block->shape);
-        block->system = system;
+        return;
     }
-    *shape = block->shape;
-    if (block->places->depth != NULL && block->places->attenuate != NULL)
+    placeCopy(block, &shape->copies[0]);
+    if (!isDeep)
     {
-        attenuate(block, k, shape);
+        attenuate(block, group, &shape->copies[0]);
+    }
+}
+
+// ---- what lies under the waves ----
+
+static void placeMoved(int count, const swPosXZ* rest, float (*displacement)[4], swPosXZ* points)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        points[i].x = rest[i].x + (double)displacement[i][0];
+        points[i].z = rest[i].z + (double)displacement[i][2];
     }
 }
 
@@ -86,11 +250,7 @@ static void findSomeLevels(const swPlaces* places, int64_t ticks, int count, con
 {
     swPosXZ points[SW_PLACE_BLOCK] = {{0.0, 0.0}};
     float slopes[SW_PLACE_BLOCK][2];
-    for (int i = 0; i < count; ++i)
-    {
-        points[i].x = rest[i].x + (double)displacement[i][0];
-        points[i].z = rest[i].z + (double)displacement[i][2];
-    }
+    placeMoved(count, rest, displacement, points);
     places->level(places->context, -1, ticks, count, points, levels, slopes);
     for (int i = 0; i < count && gradients != NULL; ++i)
     {
@@ -114,5 +274,24 @@ void swFindLevels(const swPlaces* places, int64_t ticks, int count, const swPosX
         int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
         findSomeLevels(places, ticks, some, rest + first, displacement + first, levels + first,
                        gradients != NULL ? gradients + first : NULL);
+    }
+}
+
+void swAddFlow(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[4])
+{
+    if (places == NULL || places->flow == NULL)
+    {
+        return;
+    }
+    float flow[SW_PLACE_BLOCK][2], gradients[SW_PLACE_BLOCK][4];
+    for (int first = 0; first < count; first += SW_PLACE_BLOCK)
+    {
+        int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
+        places->flow(places->context, ticks, some, points + first, flow, gradients);
+        for (int i = 0; i < some; ++i)
+        {
+            velocities[first + i][0] += flow[i][0];
+            velocities[first + i][2] += flow[i][1];
+        }
     }
 }

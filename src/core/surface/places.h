@@ -4,67 +4,136 @@
 // What the water is like at a place, before any wave is added up: functions of position and time that shape the waves
 // or lie under them. Whoever makes a query sets those that there are. With none, each wave is the same everywhere.
 //
-// Fields that shape waves (depth, weight, warp) are read where particles rest. A field that describes a place (level)
-// is read where particles are. Gradients are exact derivatives of the values, per metre along x and z: they end up in
-// normals and in J.
+// Fields that shape waves (depth, weight, warp, flow) are read where particles rest. A field that describes a place
+// (level) is read where particles are. Gradients are exact derivatives of the values, per metre along x and z: they end
+// up in normals and in J.
 
 #include "core/waves/waves_fft.h"
+
+// Fields of swPlaces, as bits.
+#define SW_TOUCHES_LEVEL 1u
+#define SW_TOUCHES_DEPTH 2u
+#define SW_TOUCHES_WEIGHT 4u
+#define SW_TOUCHES_WARP 8u
+#define SW_TOUCHES_FLOW 16u
+#define SW_TOUCHES_ALL 31u
+
+// The fields that may say something about some of the points. Cheap, and on the safe side.
+typedef uint32_t swFindTouched(const void* context, int64_t ticks, int count, const swPosXZ* points);
 
 // Values at points in the sea, and their gradients. `system` is that of the waves in question, of `level` and `depth`
 // -1.
 typedef void swFindField(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
                          float* values, float (*gradients)[2]);
 
-// How far the waves at points have been carried there: a wave at x is the one that would be at x + way without.
-// Gradients are those of the way's x along x and z, then of its z.
-typedef void swFindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
-                        float (*ways)[2], float (*gradients)[4]);
+// Velocity of the water along x and z, m/s. Gradients are those of its x along x and z, then of its z.
+typedef void swFindFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
+                        float (*gradients)[4]);
 
-// The share of its amplitude that a wave keeps where k times the depth is `kd`, and the derivative of that by kd.
-typedef float swAttenuate(float kd, float* slope);
+// Coordinates of a system's own, such as along a spline and across it: where its waves are looked up for a point.
+typedef struct swWarp
+{
+    swPosXZ source;
+    float gradients[4]; // of source - point: of its x along x and z, then of its z
+    float cosine, sine; // of the angle by which the own x axis is turned from the sea's x axis towards z
+    float turnX, turnZ; // gradient of that angle, rad/m
+} swWarp;
+
+// False if the system has no coordinates of its own at these points; then nothing is written.
+typedef bool swFindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
+                        swWarp* warps);
+
+// The share of its amplitude that a wave of a system with wave number k keeps over a depth of 0 and more, and the
+// derivative of that by the depth. Falls with the depth, and from half a wavelength on is exactly 1.
+typedef float swAttenuate(const void* context, int system, float k, float depth, float* slope);
 
 // Each may be NULL.
 typedef struct swPlaces
 {
     const void* context;
+    uint32_t localSystems;  // as bits: their weight is 0 where none is found, of the others it is 1
+    swFindTouched* touched; // NULL: each field may say something everywhere
     swFindField* level;     // of still water above sea level, m
     swFindField* depth;     // of still water, m; with `attenuate`
     swFindField* weight;    // of each system's waves
     swFindWarp* warp;       // of each system's waves
-    swAttenuate* attenuate; // of a tile by a wave number in its middle, of a free wave by its own
+    swFindFlow* flow;       // carries waves
+    swAttenuate* attenuate; // of waves of an octave by a wave number in its middle
 } swPlaces;
 
 // Points whose places are found together. Few, because everything about them lies on the stack.
 #define SW_PLACE_BLOCK 16
 
+// Waves of an octave that are shaped alike: a tile, or free waves.
+typedef struct swWaveGroup
+{
+    int system;
+    float k;            // in its middle, rad/m
+    const swTile* tile; // or NULL, and
+    int waveCount;
+    const swFreeWave* waves;
+} swWaveGroup;
+
+// One look at waves: where, and how much of them counts.
+typedef struct swCopy
+{
+    swPosXZ source[SW_PLACE_BLOCK];
+    float way[SW_PLACE_BLOCK][4]; // gradients of source - rest
+    float weight[SW_PLACE_BLOCK];
+    float alongX[SW_PLACE_BLOCK], alongZ[SW_PLACE_BLOCK]; // of the weight
+} swCopy;
+
 // What shapes waves at some points.
 typedef struct swShape
 {
-    float weight[SW_PLACE_BLOCK];
-    float alongX[SW_PLACE_BLOCK], alongZ[SW_PLACE_BLOCK]; // of the weight
-    swPosXZ source[SW_PLACE_BLOCK];                       // where the waves are looked up
-    float warp[SW_PLACE_BLOCK][4];                        // gradients of the way there
+    int copyCount; // 0: none of the waves are there; 2: a flow carries them
+    bool isPlain;  // one copy, as the waves are
+    bool isTurned; // sideways displacement is, by the warps of the block
+    swCopy copies[2];
 } swShape;
 
 // Begin with the points (at most SW_PLACE_BLOCK), then ask for one shape after another.
 typedef struct swPlaceBlock
 {
     const swPlaces* places;
+    const swWaveKernels* kernels;
     int64_t ticks;
     int count;
     const swPosXZ* rest;
+    uint32_t touched;
+    float leastDepth; // infinite without any
     float depth[SW_PLACE_BLOCK];
     float depthGradients[SW_PLACE_BLOCK][2];
-    int system; // that `shape` was found for, without attenuation
-    swShape shape;
+    float flow[SW_PLACE_BLOCK][2];
+    float flowGradients[SW_PLACE_BLOCK][4];
+    // Of a system that was asked about last.
+    int system;
+    bool isGone, isWeighted, isWarped;
+    float weight[SW_PLACE_BLOCK];
+    float weightGradients[SW_PLACE_BLOCK][2];
+    swWarp warps[SW_PLACE_BLOCK];
 } swPlaceBlock;
 
-void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, int64_t ticks, int count, const swPosXZ* rest);
+void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKernels* kernels, int64_t ticks, int count,
+                   const swPosXZ* rest);
 
-// For waves of a system with wave number k, rad/m.
-void swFindShape(swPlaceBlock* block, int system, float k, swShape* shape);
+// Fields that may say something at any number of points.
+uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points);
+
+// Whether all waves of a group are as they would be with no places; a group that is nowhere near is not.
+bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group);
+// Leave isPlain[] of points where they are, and set it to false of all others. Returns whether it is still true of all.
+bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain);
+void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape);
+
+// Free waves from the first on that are shaped alike.
+swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves);
+swWaveGroup swGroupTile(const swTile* tile);
 
 // Levels where particles are, and, where there are gradients of the surface by rest position, the level's part added to
 // them. `places` may be NULL: levels are 0.
 void swFindLevels(const swPlaces* places, int64_t ticks, int count, const swPosXZ* rest, float (*displacement)[4],
                   float* levels, float (*gradients)[8]);
+
+// Velocity of the flow at points, added to that of the waves. `places` may be NULL.
+void swAddFlow(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[4]);
