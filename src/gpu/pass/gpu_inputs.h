@@ -8,6 +8,7 @@
 #include "core/frame/frame.h"
 #include "gpu/vk/vk_device.h"
 #include "gpu/vk/vk_pipeline.h"
+#include "shared/fields.h"
 
 // Most bytes of data of inputs (rasters, meshes, points) that a device holds.
 #define SW_MOST_INPUT_BYTES ((VkDeviceSize)1 << 30)

@@ -49,13 +49,13 @@ typedef struct swPipeline
 // @return SW_ERROR_INVALID, and an assert, for more than the limits above; likewise below
 swResult swCreateComputePipeline(swGpu* gpu, const swShader* shader, const void* constants, swPipeline* pipeline);
 
-typedef enum swBlend
+typedef enum swColorBlend
 {
-    SW_BLEND_NONE,
-    SW_BLEND_ALPHA,         // source alpha over
-    SW_BLEND_PREMULTIPLIED, // source + (1 - source alpha) destination
-    SW_BLEND_ADD
-} swBlend;
+    SW_COLOR_BLEND_NONE,
+    SW_COLOR_BLEND_ALPHA,         // source alpha over
+    SW_COLOR_BLEND_PREMULTIPLIED, // source + (1 - source alpha) destination
+    SW_COLOR_BLEND_ADD
+} swColorBlend;
 
 // Vertex-less: vertices come from gl_VertexIndex and storage buffers. Dynamic rendering, one colour target, viewport
 // and scissor dynamic. Front faces are counter-clockwise as seen on the screen (y down:
@@ -71,7 +71,7 @@ typedef struct swGraphicsDef
     VkCullModeFlags cullMode;
     VkCompareOp depthCompare; // VK_COMPARE_OP_NEVER (0) turns the test off; reversed Z wants GREATER_OR_EQUAL
     bool depthWrite;
-    swBlend blend;
+    swColorBlend blend;
     const char* name;
 } swGraphicsDef;
 
