@@ -149,7 +149,7 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     {
         Motion own = NO_MOTION;
         addTileMotion(tiles[i], cell, rest, lane, cubic, own);
-        Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, tiles[i].attenuation);
+        Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
         motion.velocity += shape.weight * own.velocity;
         motion.acceleration += shape.weight * own.acceleration;
     }

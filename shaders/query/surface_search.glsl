@@ -240,6 +240,11 @@ Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)
     return attenuated(Shape(weight.x, weight.yz), shaper.ground, k, attenuation);
 }
 
+swAttenuation attenuationOf(swQueryTile tile)
+{
+    return swAttenuation(tile.strength, tile.perFreeDepth);
+}
+
 void addShaped(Shape shape, Sum own, inout Sum sum)
 {
     sum.value += shape.weight * own.value;
@@ -257,7 +262,7 @@ void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, v
     {
         Sum own = NO_WATER;
         addTile(tiles[i], cell, rest, lane, cubic, own);
-        addShaped(shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, tiles[i].attenuation), own, sum);
+        addShaped(shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i])), own, sum);
     }
     for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
     {

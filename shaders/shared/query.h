@@ -92,7 +92,7 @@ SW_PARAMS(swQueryTile)
     sw_uint resolutionBits; // log2 of the resolution
     float waveNumber;       // in the middle of the tile's waves, rad/m
     sw_uint system;
-    swAttenuation attenuation;
+    float strength, perFreeDepth; // of swAttenuation, which as a struct would lie elsewhere in a uniform block
     sw_uint unused0;
 };
 SW_PARAMS_SIZE(swQueryTile, 48);

@@ -26,7 +26,8 @@ static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosX
         .resolutionBits = 4u + (uint32_t)swTileSizeIndex(tile->resolution),
         .waveNumber = swGetTileWaveNumber(tile),
         .system = (uint32_t)tile->system,
-        .attenuation = tile->attenuation,
+        .strength = tile->attenuation.strength,
+        .perFreeDepth = tile->attenuation.perFreeDepth,
     };
 }
 
