@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "hull", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "hull", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -78,6 +78,9 @@ ALLOWED = {
     ("*", "reverseWeight", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "directionVariance", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "leastJacobian", "*"): "counts with SW_WAVES_GERSTNER only",
+    ("swWriteRaster", "host", "*"): "it is the host that knows whom to tell",
+    ("swWriteRaster", "source", "NULL"): "a raster may be of nothing that is known",
+    ("swReadRaster", "def.missing", "infinite"): "a number that no file has",
     ("swCreateSeaReplay", "def.waves.spectrum.*", "*"): "a replay's spectra are its records'",
 }
 
