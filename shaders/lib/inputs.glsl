@@ -53,35 +53,21 @@ bool isLocalSystem(uint system)
     return system < 32u && (inputHead.localSystems >> system & 1u) != 0;
 }
 
-// What lies below all inputs.
-vec4 belowInputs(uint field, uint system)
-{
-    switch (field)
-    {
-    case SW_FIELD_OF_FLOOR:
-        return vec4(SW_NO_FLOOR, 0.0, 0.0, 0.0);
-    case SW_FIELD_OF_WAVES:
-        return vec4(isLocalSystem(system) ? 0.0 : 1.0, 0.0, 0.0, 0.0);
-    case SW_FIELD_OF_SHADOW:
-        return vec4(1.0, 0.0, 0.0, 0.0);
-    default:
-        return vec4(0.0);
-    }
-}
-
-// A field at a place; of SW_FIELD_OF_WAVES only inputs of a system count. Compilers write out all shapes wherever this
+// A field at a place, the twin of swFindInputValues(); of SW_FIELD_OF_WAVES only inputs of a system count. Compilers write out all shapes wherever this
 // is called: call it in one place, in a loop over what is asked.
 swInputValue fieldAt(uint field, uint system, SeaPlace place)
 {
-    swInputValue value = swInputValue(belowInputs(field, system), vec4(0.0), vec4(0.0));
+    swInputValue value = swGetFieldBelow(field);
+    value.value.x = field == SW_FIELD_OF_WAVES && isLocalSystem(system) ? 0.0 : value.value.x;
     uint i = findInput(field, place.cell, place.cell, 0);
     while (i != SW_NO_RECORD)
     {
         swInputRecord record = inputRecords[i];
         if (field != SW_FIELD_OF_WAVES || record.system == system)
         {
-            vec2 own = swPlaceInInput(record, place.cell.x, place.cell.y, place.rest.x, place.rest.y);
-            value = swBlendInput(record, value, swSampleInput(record.firstWord, record, own, 0.0));
+            swInputSample s = swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x,
+                                            place.rest.y, 0.0);
+            value = swBlendInput(record, value, s);
         }
         i = findInput(field, place.cell, place.cell, i + 1);
     }

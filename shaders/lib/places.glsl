@@ -26,7 +26,8 @@ const Ground NO_GROUND = Ground(SW_NO_DEPTH, vec2(0.0), 0.0);
 // Of a level and a height of the floor, each with its slopes along x and z.
 Ground groundBetween(vec3 level, vec3 bottom)
 {
-    return Ground(level.x - bottom.x, level.yz - bottom.yz, level.x);
+    bool isThere = bottom.x > 0.5 * SW_NO_FLOOR;
+    return Ground(isThere ? level.x - bottom.x : SW_NO_DEPTH, isThere ? level.yz - bottom.yz : vec2(0.0), level.x);
 }
 
 // The first of a field's numbers and its slopes.

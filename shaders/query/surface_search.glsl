@@ -231,7 +231,7 @@ Shaper shaperAt(SeaPlace place)
 
 bool doesShape(Shaper shaper)
 {
-    return shaper.isWeighted || shaper.ground.depth < 0.5 * SW_NO_DEPTH;
+    return shaper.isWeighted || shaper.ground.depth < SW_NO_DEPTH;
 }
 
 Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)

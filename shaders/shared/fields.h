@@ -8,7 +8,7 @@
 #include "types.h"
 
 // Depth where there is no floor, m.
-#define SW_NO_DEPTH 1e30f
+#define SW_NO_DEPTH (-SW_NO_FLOOR)
 
 // What stands before the records of inputs.
 SW_PARAMS(swInputHead)

@@ -7,20 +7,20 @@
 #include "shape_plain.h"
 #include "shape_raster.h"
 
-// In own coordinates, before the record's weight. `y` is the place's height above sea level, m.
-SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, float x, float y, float z)
+// At a place in own coordinates, before the record's weight.
+SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_vec3 own)
 {
     if (record.shape == SW_FORM_CIRCLE)
     {
-        return swSampleCircle(record, x, z);
+        return swSampleCircle(record, own.x, own.z);
     }
     if (record.shape == SW_FORM_RECTANGLE)
     {
-        return swSampleRectangle(record, x, z);
+        return swSampleRectangle(record, own.x, own.z);
     }
     if (record.shape == SW_FORM_RASTER)
     {
-        return swSampleRasterInput(words, record, x, z);
+        return swSampleRasterInput(words, record, own.x, own.z);
     }
     return swBeginInputSample(record);
 }
@@ -82,9 +82,15 @@ SW_FORMULA swInputSample swFinishInputSample(swInputRecord record, swInputSample
     return s;
 }
 
-// What a record says at a place `own` in its own coordinates, see swPlaceInInput().
-SW_FORMULA swInputSample swSampleInput(SW_WORDS words, swInputRecord record, sw_vec2 own, float y)
+// What a record says at a place in cells, `height` m above sea level.
+SW_FORMULA swInputSample swSampleInput(SW_WORDS words, swInputRecord record, sw_int cellX, sw_int cellZ, float restX,
+                                       float restZ, float height)
 {
-    return swFinishInputSample(record, swSampleShape(words, record, own.x, y, own.y));
+    sw_vec2 across = swPlaceInInput(record, cellX, cellZ, restX, restZ);
+    sw_vec3 own;
+    own.x = across.x;
+    own.y = height - record.size.w;
+    own.z = across.y;
+    return swFinishInputSample(record, swSampleShape(words, record, own));
 }
 #endif

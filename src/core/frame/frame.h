@@ -301,7 +301,7 @@ typedef struct swFrame
     const swViewFrame* views;
     int zoneCount;
     const swZoneFrame* zones;
-    swInputSet inputs;
+    const swInputSet* inputs; // NULL: there are none
 } swFrame;
 
 // The foam layer's parameters of slice `i`.

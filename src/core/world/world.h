@@ -8,6 +8,7 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
+#include "core/input/inputs.h"
 #include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
@@ -41,6 +42,7 @@ struct swWorld
     swIdPool systemIds; // of the slots of the waves' systems
     swWaves waves;
     swWhitecaps whitecaps;
+    swInputs inputs;
     swWind wind;
 
     swView* views[SW_MAX_VIEWS];
@@ -77,6 +79,8 @@ extern const swFields swViewFields;
 swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQueries);
 
 // view.c
+// Memory for the authored layers of all views, which they have once there are inputs.
+swResult swMakeViewFields(swWorld* world);
 swResult swAddView(swWorld* world, const swViewDef* def, swView** view);
 void swRemoveView(swView* view);
 swLayerStack swDescribeViewLayers(const swViewDef* def); // without texels yet

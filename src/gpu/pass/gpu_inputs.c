@@ -154,8 +154,8 @@ static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inpu
 swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
 {
     swGpuInputs* inputs = &gpuWorld->inputs;
-    const swInputSet* set = &frame->inputs;
-    inputs->isAuthored = set->recordCount > 0 || set->localSystems != 0;
+    const swInputSet* set = frame->inputs;
+    inputs->isAuthored = set != NULL && (set->recordCount > 0 || set->localSystems != 0);
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded
@@ -214,8 +214,8 @@ void swCommitGpuInputs(swGpuInputs* inputs, const swFrame* frame)
     if (inputs->isBrought)
     {
         inputs->isHeld = true;
-        inputs->version = frame->inputs.version;
-        inputs->wordsVersion = frame->inputs.wordsVersion;
+        inputs->version = frame->inputs->version;
+        inputs->wordsVersion = frame->inputs->wordsVersion;
     }
 }
 
