@@ -49,13 +49,13 @@ typedef struct swPipeline
 // @return SW_ERROR_INVALID, and an assert, for more than the limits above; likewise below
 swResult swCreateComputePipeline(swGpu* gpu, const swShader* shader, const void* constants, swPipeline* pipeline);
 
-typedef enum swColorBlend
+typedef enum swBlend
 {
-    SW_COLOR_BLEND_NONE,
-    SW_COLOR_BLEND_ALPHA,         // source alpha over
-    SW_COLOR_BLEND_PREMULTIPLIED, // source + (1 - source alpha) destination
-    SW_COLOR_BLEND_ADD
-} swColorBlend;
+    SW_DRAWS_OVER,
+    SW_DRAWS_ALPHA,         // source alpha over
+    SW_DRAWS_PREMULTIPLIED, // source + (1 - source alpha) destination
+    SW_DRAWS_ADDED
+} swBlend;
 
 // Vertex-less: vertices come from gl_VertexIndex and storage buffers. Dynamic rendering, one colour target, viewport
 // and scissor dynamic. Front faces are counter-clockwise as seen on the screen (y down:
@@ -71,7 +71,7 @@ typedef struct swGraphicsDef
     VkCullModeFlags cullMode;
     VkCompareOp depthCompare; // VK_COMPARE_OP_NEVER (0) turns the test off; reversed Z wants GREATER_OR_EQUAL
     bool depthWrite;
-    swColorBlend blend;
+    swBlend blend;
     const char* name;
 } swGraphicsDef;
 
