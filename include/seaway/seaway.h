@@ -20,4 +20,5 @@
 #include "spectrum.h"
 #include "view.h"
 #include "waves.h"
+#include "wind.h"
 #include "world.h"

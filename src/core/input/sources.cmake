@@ -5,4 +5,6 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/hull_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/polygon.c
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
-    ${CMAKE_CURRENT_LIST_DIR}/raster_def.c)
+    ${CMAKE_CURRENT_LIST_DIR}/raster_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_def.c)

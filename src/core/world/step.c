@@ -17,6 +17,7 @@ void swSetFrameTime(swWorld* world, double time, double dt)
 void swDeriveWater(swWorld* world)
 {
     swDeriveWaves(&world->waves, &world->frame);
+    swDeriveWorldWind(world);
     swFindFoamLaw(&world->whitecaps, &world->frame);
     swTransformWaves(&world->waves); // spectra to tiles
 }
