@@ -115,6 +115,10 @@ typedef struct swWaveSystemDef
     /// seen from the moving water. Range [-SW_MAX_CURRENT, SW_MAX_CURRENT]. Default 0, 0.
     float currentX, currentZ;
 
+    /// The waves are only where inputs of SW_INPUT_WAVES give them weight, see input.h. Default false: they are
+    /// everywhere, but for what inputs take from them.
+    bool isLocal;
+
     /// The waves repeat exactly after this time, s. Range [0, SW_LARGEST_TIME]. Default 0: never.
     float loopPeriod;
 

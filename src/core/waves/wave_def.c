@@ -69,6 +69,8 @@ static const swField systemFields[] = {
               .label = "current along x", .tip = "A current that carries all of these waves, by x", SW_KNOB(-5.0, 5.0)),
     SW_NUMBER(currentZ, "m/s", SW_WITHIN(-SW_MAX_CURRENT, SW_MAX_CURRENT), 0.0, .key = "current_z_m_s",
               .label = "current along z", .tip = "A current that carries all of these waves, by z", SW_KNOB(-5.0, 5.0)),
+    SW_SWITCH(isLocal, false, .key = "is_local", .label = "local",
+              .tip = "Its waves are only where an input gives them weight"),
     SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, SW_LARGEST_TIME), 0.0, .key = "loop_period_s", .label = "loop",
               .tip = "The waves repeat exactly after this time", .zero = "never", SW_LOG_KNOB(1.0, 600.0)),
     SW_NUMBER(seed, "", SW_WITHIN(0.0, 4294967295.0), 1.0, .key = "seed", .label = "seed",
