@@ -60,6 +60,8 @@ layout(std430, binding = 19) readonly buffer InputWords
 {
     float inputWords[];
 };
+layout(binding = 20) uniform sampler2DArray wakeFoamLayer;
+layout(binding = 21) uniform sampler2DArray shoreFoamLayer;
 #include "lib/inputs.glsl"
 
 // 1 on a device that is a CPU, where every texture sample counts.
@@ -70,6 +72,8 @@ layout(constant_id = 1) const uint filtersByHand = 0;
 layout(constant_id = 2) const uint isClear = 0;
 // 1 where inputs say how deep the water is, or how high it stands.
 layout(constant_id = 3) const uint hasPlaces = 0;
+// 1 where inputs or shores make foam.
+layout(constant_id = 5) const uint hasMadeFoam = 0;
 // 1 where inputs colour the water or shade it.
 layout(constant_id = 4) const uint hasColors = 0;
 
@@ -192,6 +196,13 @@ void main()
         slopes.mean += standing.slope;
     }
     float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest, filtersByHand != 0);
+    if (hasMadeFoam != 0)
+    {
+        bool byHand = filtersByHand != 0;
+        float wake = foamAmountAt(grid, pair, place, wakeFoamLayer, 0.0, byHand);
+        float shore = foamAmountAt(grid, pair, place, shoreFoamLayer, 0.0, byHand);
+        amount = 1.0 - (1.0 - amount) * (1.0 - wake) * (1.0 - shore);
+    }
     if (picture.debugMode != 0)
     {
         float deviations = height / max(picture.deviation, 0.01);
