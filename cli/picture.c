@@ -160,7 +160,7 @@ bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst
         return false;
     }
     const swStageTargets* targets = &maker->targets;
-    swStage_DrawPicture(maker->stage, frame.commands, maker->picture, targets, dt, isFirst);
+    swStage_DrawPicture(maker->stage, frame.commands, maker->picture, targets, NULL, dt, isFirst);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->hdr, SW_STAGE_USE_SAMPLED, &maker->hdrData);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->output, SW_STAGE_USE_COLOR_TARGET, &maker->outputData);
     return FinishFrame(maker, &frame);

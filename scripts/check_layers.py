@@ -89,7 +89,7 @@ def may_include(root, path, target):
         if target.startswith("shared/"):
             return True
         if target.endswith((".inc", "_shader.h")) and "/" not in target:
-            return path.startswith("src/gpu/")  # made by the build: SPIR-V and its bindings
+            return path.startswith(("src/gpu/", "src/stage/"))  # made by the build: SPIR-V and its bindings
         if path.startswith("src/core/"):
             return target.startswith("core/") and check_core(path, target)
         if path.startswith("src/gpu/"):

@@ -53,6 +53,10 @@ ALLOWED = {
     ("swGpu_GetPassTimes", "times", "NULL"): "there is room for none",
     ("swStage_DrawPicture", "stage", "NULL"): "it is the stage that knows whom to tell",
     ("swStage_BeginDrawing", "depth", "NULL"): "drawing without depth",
+    ("swStage_DrawPicture", "terrain", "NULL"): "the sea has no land",
+    ("swStage_DestroyTerrain", "terrain", "NULL"): "nothing to destroy",
+    ("swStage_DestroyTerrain", "stage", "NULL"): "it is the terrain that knows whom to tell",
+    ("swStageTerrain_Prepare", "shot.*", "*"): "swPicture_Prepare() checks the shot",
     ("swStage_SubmitFrame", "sync", "NULL"): "waits for nothing and signals nothing",
     ("swGpu_FitView", "def.*", "*"): "swCreateView() checks the def",
     ("swMoment_QueryHeightMap", "map.originX", "*"): "every point is bad, and NaN",
@@ -278,12 +282,12 @@ class Writer:
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
 FIXED = {"swHost", "swRasterDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
-         "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swSeaBins", "swSeaGauges"}
+         "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swStageTerrainDef", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.
 COPIED = {"swShot", "swHeightMapDef", "swSeaGauges"}
 # Made with a host, which is told.
 OBJECTS = {"swWorld", "swRaster", "swHull", "swMoment", "swView", "swGpu", "swGpuWorld", "swGpuQuery", "swRenderer", "swPicture", "swMeasuredSea",
-           "swSeaReplay", "swScene", "swStage", "swSeaPatches"}
+           "swSeaReplay", "swScene", "swStage", "swStageTerrain", "swSeaPatches"}
 VULKAN = {"VkCommandBuffer", "VkInstance", "VkPhysicalDevice", "VkImageView", "VkBuffer", "PFN_vkGetInstanceProcAddr"}
 # Calls whose misuse nobody can tell: they take an address and give memory back.
 FREES = set()

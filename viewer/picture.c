@@ -86,7 +86,7 @@ bool RecordPicture(const PictureDef* def)
     {
         return false;
     }
-    swStage_DrawPicture(def->stage, commands, picture, &def->targets->stage, def->dt, def->jumpExposure);
+    swStage_DrawPicture(def->stage, commands, picture, &def->targets->stage, NULL, def->dt, def->jumpExposure);
     if (def->capture == CAPTURE_SEA && !Capture(def))
     {
         return false;

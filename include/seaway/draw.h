@@ -105,6 +105,16 @@ typedef struct swShot
     swDebugMode debug;
     double time;      ///< for clouds, s
     float exposureEv; ///< added to automatic exposure, stops. Range [-40, 40]. Default 0
+
+    /// What stands in the water and behind it: copies of the colour and the depth that the host has drawn before the
+    /// surface, as large as the target that it draws the surface to, both VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL.
+    /// Colour is radiance as the picture has it, see swPicture_GetSources(), and is unfiltered; of a format with depth
+    /// and stencil the view shows depth alone; 0 is nothing. With them the water is clear: the bottom is seen through
+    /// it, absorbed and scattered over by the water's def, bent by its slopes, and the surface ends softly where the
+    /// water does. Things under water are drawn in the light that they would have without it, and as wet as they are.
+    /// Both or none; default none: nothing is seen through the water.
+    VkImageView opaqueColor;
+    VkImageView opaqueDepth;
 } swShot;
 
 /// After swGpuWorld_Record() and outside of rendering: sky tables, culling, indirect arguments.
@@ -112,8 +122,22 @@ typedef struct swShot
 SW_API swResult swPicture_Prepare(swPicture* picture, VkCommandBuffer commands, const swShot* shot,
                                   uint64_t frameIndex);
 
+/// What shaders of a host read to stand in the light and the air of a prepared picture, as the sea does.
+typedef struct swPictureSources
+{
+    VkBuffer params; ///< swPictureParams of shared/picture.h: camera, sun, sea level
+    VkDeviceSize paramsOffset, paramsSize;
+    VkBuffer light;  ///< swSkyLight of shared/picture.h: light of sun and sky at sea level, pre-exposed lux
+    VkImageView air; ///< for behindAir() of lib/atmosphere.glsl. VK_IMAGE_LAYOUT_GENERAL, sampled linearly, clamped
+} swPictureSources;
+
+/// The sources of a picture after swPicture_Prepare(), until it is prepared again. Fragment shaders of the
+/// same command buffer read them without a barrier. Colours that a host draws are radiance times SW_PRE_EXPOSURE.
+/// @return SW_ERROR_INVALID if the picture was not prepared
+SW_API swResult swPicture_GetSources(const swPicture* picture, swPictureSources* sources);
+
 /// Inside the host's dynamic rendering with the def's formats, viewport and scissor set, depth cleared to 0 (reversed
-/// Z): opaque water, and the sky behind everything with depth 0.
+/// Z) or with what the host has drawn in it: the water, and the sky behind everything with depth 0.
 SW_API void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands);
 SW_API void swPicture_DrawSky(swPicture* picture, VkCommandBuffer commands);
 

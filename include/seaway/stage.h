@@ -165,6 +165,8 @@ typedef struct swStageTargets
 {
     swStageImage hdr, depth; ///< the sea and the sky
     swStageImage output;     ///< sRGB bytes: `view` reads and blends them as they are, `otherView` encodes
+    /// What the water is drawn over, once there is land; see swStageTerrain_Prepare().
+    swStageImage opaqueColor, opaqueDepth;
 } swStageTargets;
 
 /// Targets for a picture of width x height pixels. The sea may be drawn with fewer or more, and is stretched over the
@@ -174,8 +176,40 @@ SW_API swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t h
                                       uint32_t drawnHeight, swStageTargets* targets);
 SW_API void swStage_DestroyTargets(swStage* stage, swStageTargets* targets);
 
-/// After swPicture_Prepare(): draw surface and sky, measure exposure and tone map. `dt` is the time since the last
-/// picture, s; `immediate` jumps to the measured exposure. Leaves hdr in SW_STAGE_USE_SAMPLED and output in
-/// SW_STAGE_USE_COLOR_TARGET.
+/// Heights of land and sea floor at places, m above the same zero as the camera's; NaN where there is none. It is
+/// called by swStageTerrain_Prepare(), for a line of places at a time.
+typedef void swStageFloorFcn(void* context, int count, const swPosXZ* points, float* heights);
+
+/// Land and sea floor, drawn plainly: sand, grass and rock by height and slope. Must be initialized with
+/// swDefaultStageTerrainDef().
+typedef struct swStageTerrainDef
+{
+    swStageFloorFcn* floor; ///< needed
+    void* context;          ///< given to `floor`
+    float finestSpacing;    ///< of its grid near the camera, m. Range [0.01, 1000]. Default 0.5
+    float reach;            ///< how far land is seen, m. Range [10, 1e6]. Default 50e3
+    int internalValue;
+} swStageTerrainDef;
+SW_API swStageTerrainDef swDefaultStageTerrainDef(void);
+
+/// Squares of the floor that a camera sees are sampled once and kept; far ones have fewer places than near ones.
+typedef struct swStageTerrain swStageTerrain;
+
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
+SW_API swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* def, swStageTerrain** terrain);
+/// The device must be done with it. NULL is allowed.
+SW_API void swStage_DestroyTerrain(swStage* stage, swStageTerrain* terrain);
+
+/// The floor has changed: sample it again. Waits for the device.
+SW_API void swStageTerrain_Refresh(swStageTerrain* terrain);
+
+/// Before swPicture_Prepare() of the shot: samples what its camera sees, makes the targets' opaque images the first
+/// time, and has the shot show them through the water.
+/// @return SW_ERROR_INVALID, SW_ERROR_UNSUPPORTED, SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
+SW_API swResult swStageTerrain_Prepare(swStageTerrain* terrain, swStageTargets* targets, swShot* shot);
+
+/// After swPicture_Prepare(): draw land if there is some, surface and sky, measure exposure and tone map. `terrain` is
+/// the one that the shot was prepared with, or NULL. `dt` is the time since the last picture, s; `immediate` jumps to
+/// the measured exposure. Leaves hdr in SW_STAGE_USE_SAMPLED and output in SW_STAGE_USE_COLOR_TARGET.
 SW_API void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swPicture* picture,
-                                const swStageTargets* targets, float dt, bool immediate);
+                                const swStageTargets* targets, const swStageTerrain* terrain, float dt, bool immediate);

@@ -9,6 +9,7 @@
 #include "lib/foam_look.glsl"
 #include "lib/surface_sample.glsl"
 #include "lib/water_brdf.glsl"
+#include "lib/water_floor.glsl"
 #include "lib/water_optics.glsl"
 #include "lib/water_reflection.glsl"
 #include "surface/surface_debug.glsl"
@@ -39,11 +40,15 @@ layout(std430, binding = 12) readonly buffer Waves
 {
     swDetailWave waves[];
 };
+layout(binding = 13) uniform sampler2D opaqueColor;
+layout(binding = 14) uniform sampler2D opaqueDepth;
 
 // 1 on a device that is a CPU, where every texture sample counts.
 layout(constant_id = 0) const uint isSoftware = 0;
 // 1 on a device that does not filter 32-bit floats.
 layout(constant_id = 1) const uint filtersByHand = 0;
+// 1 where the host's images show what stands in the water.
+layout(constant_id = 2) const uint isClear = 0;
 
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
@@ -52,6 +57,9 @@ layout(location = 3) in float height;
 layout(location = 4) flat in uint ring;
 
 layout(location = 0) out vec4 color;
+
+// m of water along the line of sight over which its edge begins.
+const float softEdge = 0.12;
 
 swMeshSlice meshSlice(uint index)
 {
@@ -66,6 +74,36 @@ swDetailParams detailBand(uint index)
 swDetailWave detailWave(uint index)
 {
     return waves[index];
+}
+
+// What a pixel of clear water shows of the bottom.
+struct Bottom
+{
+    Column column;
+    vec3 radiance; // of what the line of sight ends at
+    vec3 beside;   // of the image right behind the pixel
+    float edge;    // 0 where the water has no depth
+};
+
+Bottom bottomAt(Water water, vec3 view, vec3 normal)
+{
+    Lens lens = Lens(picture.clip[0], picture.clip[1], picture.clip[2], picture.clip[3], picture.forward, picture.rayX,
+                     picture.rayY);
+    Sunken sunken = seenThrough(lens, opaqueColor, opaqueDepth, position, view, normal, water.index);
+    Bottom bottom = Bottom(Column(vec3(0.0), vec3(1.0)), vec3(0.0), vec3(0.0), 1.0);
+    if (sunken.isThere)
+    {
+        bottom.column = columnOf(water, sunken.depth, sunken.way, max(picture.sun.y, 0.0));
+        bottom.radiance = sunken.radiance;
+    }
+    vec2 uv = gl_FragCoord.xy / vec2(textureSize(opaqueDepth, 0));
+    vec3 straight;
+    if (opaqueAt(lens, opaqueDepth, uv, straight))
+    {
+        bottom.edge = smoothstep(0.0, softEdge, length(straight - position));
+        bottom.beside = textureLod(opaqueColor, uv, 0.0).rgb;
+    }
+    return bottom;
 }
 
 void main()
@@ -91,6 +129,12 @@ void main()
     vec3 sun = picture.sun;
     vec3 normal = facetNormal(slopes.mean);
     vec3 leaving = leavingWater(water, enteringWater(water, sun, light.sun.rgb, light.sky.rgb), amount);
+    Bottom bottom;
+    if (isClear != 0)
+    {
+        bottom = bottomAt(water, view, normal);
+        leaving *= bottom.column.water;
+    }
     float reflectance;
     vec3 radiance = reflectedSky(skyMap, view, slopes, leaving, water.index, reflectance);
     float area = facingArea(view, slopes.mean, slopes.variance);
@@ -102,5 +146,12 @@ void main()
     vec3 white = foamRadiance(picture.foamAlbedo, normal, sun, light.sun.rgb, light.sky.rgb);
     radiance = mix(radiance, white, foam.cover * foam.thickness);
     radiance = behindAir(air, radiance, -view, sun, range * 1e-3, picture.cameraHeight * 1e-3);
+    if (isClear != 0)
+    {
+        // The image has its own air in front of it.
+        float seen = (1.0 - reflectance) * (1.0 - foam.cover * foam.thickness);
+        radiance += seen * bottom.column.bottom * bottom.radiance;
+        radiance = mix(bottom.beside, radiance, bottom.edge);
+    }
     color = vec4(min(radiance, vec3(60000.0)), 1.0);
 }

@@ -37,5 +37,8 @@ struct swStage
 // A sentence in the log and the swResult that a VkResult means; VK_SUCCESS gives SW_SUCCESS.
 swResult swCheckStage(const swStage* stage, VkResult result, const char* what);
 
+// Inside of rendering to targets of a picture's default formats.
+void swDrawTerrain(const swStageTerrain* terrain, VkCommandBuffer commands, const swPicture* picture);
+
 swResult swCreateStageSlots(swStage* stage, int count);
 void swDestroyStageSlots(swStage* stage);

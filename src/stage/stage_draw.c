@@ -107,15 +107,9 @@ void swStage_CopyToHost(swStage* stage, VkCommandBuffer commands, const swStageI
     stage->vk.CmdPipelineBarrier2(commands, &dependency);
 }
 
-void swStage_BeginDrawing(swStage* stage, VkCommandBuffer commands, const swStageImage* color, VkImageView view,
-                          bool keepsColor, const swStageImage* depth)
+static void beginDrawing(swStage* stage, VkCommandBuffer commands, const swStageImage* color, VkImageView view,
+                         bool keepsColor, const swStageImage* depth, bool keepsDepth)
 {
-    if (!canRecord(stage, commands, "swStage_BeginDrawing()"))
-    {
-        return;
-    }
-    SW_REQUIRE_VOID(isImage(color) && view != VK_NULL_HANDLE, &stage->host,
-                    "swStage_BeginDrawing() needs an image and one of its views");
     const VkRenderingAttachmentInfo colorInfo = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
         .imageView = view,
@@ -127,8 +121,8 @@ void swStage_BeginDrawing(swStage* stage, VkCommandBuffer commands, const swStag
         .sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
         .imageView = depth != NULL ? depth->view : VK_NULL_HANDLE,
         .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-        .storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE,
+        .loadOp = keepsDepth ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR,
+        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
     };
     const VkRenderingInfo info = {
         .sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
@@ -142,6 +136,18 @@ void swStage_BeginDrawing(swStage* stage, VkCommandBuffer commands, const swStag
     stage->vk.CmdBeginRendering(commands, &info);
     stage->vk.CmdSetViewport(commands, 0, 1, &viewport);
     stage->vk.CmdSetScissor(commands, 0, 1, &info.renderArea);
+}
+
+void swStage_BeginDrawing(swStage* stage, VkCommandBuffer commands, const swStageImage* color, VkImageView view,
+                          bool keepsColor, const swStageImage* depth)
+{
+    if (!canRecord(stage, commands, "swStage_BeginDrawing()"))
+    {
+        return;
+    }
+    SW_REQUIRE_VOID(isImage(color) && view != VK_NULL_HANDLE, &stage->host,
+                    "swStage_BeginDrawing() needs an image and one of its views");
+    beginDrawing(stage, commands, color, view, keepsColor, depth, false);
 }
 
 void swStage_EndDrawing(swStage* stage, VkCommandBuffer commands)
@@ -171,7 +177,8 @@ swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t height, 
                                  .height = drawnHeight != 0 ? drawnHeight : height};
     const swStageImageDef depth = {.name = "the picture's depth",
                                    .format = formats.depthFormat,
-                                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                   .usage =
+                                       VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                                    .width = hdr.width,
                                    .height = hdr.height};
     const swStageImageDef output = {.name = "the finished picture",
@@ -197,10 +204,37 @@ void swStage_DestroyTargets(swStage* stage, swStageTargets* targets)
     swStage_DestroyImage(stage, &targets->hdr);
     swStage_DestroyImage(stage, &targets->depth);
     swStage_DestroyImage(stage, &targets->output);
+    swStage_DestroyImage(stage, &targets->opaqueColor);
+    swStage_DestroyImage(stage, &targets->opaqueDepth);
+}
+
+static void copyImage(swStage* stage, VkCommandBuffer commands, const swStageImage* from, swStageUse use,
+                      const swStageImage* to)
+{
+    const VkImageSubresourceLayers layers = {from->aspect, 0, 0, 1};
+    const VkImageCopy region = {
+        .srcSubresource = layers, .dstSubresource = layers, .extent = {from->width, from->height, 1}};
+    swStage_UseImage(stage, commands, from, use, SW_STAGE_USE_COPY_FROM);
+    swStage_UseImage(stage, commands, to, SW_STAGE_USE_DISCARD, SW_STAGE_USE_COPY_TO);
+    stage->vk.CmdCopyImage(commands, from->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to->image,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+    swStage_UseImage(stage, commands, to, SW_STAGE_USE_COPY_TO, SW_STAGE_USE_SAMPLED);
+    swStage_UseImage(stage, commands, from, SW_STAGE_USE_COPY_FROM, use);
+}
+
+// The land, and copies of it for the water to be seen through.
+static void drawOpaque(swStage* stage, VkCommandBuffer commands, swPicture* picture, const swStageTargets* targets,
+                       const swStageTerrain* terrain)
+{
+    beginDrawing(stage, commands, &targets->hdr, targets->hdr.view, false, &targets->depth, false);
+    swDrawTerrain(terrain, commands, picture);
+    swStage_EndDrawing(stage, commands);
+    copyImage(stage, commands, &targets->hdr, SW_STAGE_USE_COLOR_TARGET, &targets->opaqueColor);
+    copyImage(stage, commands, &targets->depth, SW_STAGE_USE_DEPTH_TARGET, &targets->opaqueDepth);
 }
 
 void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swPicture* picture, const swStageTargets* targets,
-                         float dt, bool immediate)
+                         const swStageTerrain* terrain, float dt, bool immediate)
 {
     if (!canRecord(stage, commands, "swStage_DrawPicture()"))
     {
@@ -209,9 +243,16 @@ void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swPicture* pi
     SW_REQUIRE_VOID(picture != NULL && targets != NULL && isImage(&targets->hdr) && isImage(&targets->depth) &&
                         isImage(&targets->output),
                     &stage->host, "swStage_DrawPicture() needs a picture and targets");
+    SW_REQUIRE_VOID(terrain == NULL || isImage(&targets->opaqueDepth), &stage->host,
+                    "swStage_DrawPicture() needs targets that swStageTerrain_Prepare() has seen");
     swStage_UseImage(stage, commands, &targets->hdr, SW_STAGE_USE_DISCARD, SW_STAGE_USE_COLOR_TARGET);
     swStage_UseImage(stage, commands, &targets->depth, SW_STAGE_USE_DISCARD, SW_STAGE_USE_DEPTH_TARGET);
-    swStage_BeginDrawing(stage, commands, &targets->hdr, targets->hdr.view, false, &targets->depth);
+    bool hasLand = terrain != NULL;
+    if (hasLand)
+    {
+        drawOpaque(stage, commands, picture, targets, terrain);
+    }
+    beginDrawing(stage, commands, &targets->hdr, targets->hdr.view, hasLand, &targets->depth, hasLand);
     swPicture_DrawSurface(picture, commands);
     swPicture_DrawSky(picture, commands);
     swStage_EndDrawing(stage, commands);

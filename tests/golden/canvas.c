@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <seaway/stage.h>
-
 #define MAX_PASSES 48
 
 struct Canvas
@@ -28,6 +26,7 @@ typedef struct Sea
     swGpuWorld* gpuWorld;
     swRenderer* renderer;
     swPicture* picture;
+    swStageTerrain* terrain; // NULL: no land
 } Sea;
 
 static float Radians(float degrees)
@@ -83,8 +82,9 @@ void DestroyCanvas(Canvas* canvas)
     free(canvas);
 }
 
-static void DestroySea(Sea* sea)
+static void DestroySea(const Canvas* canvas, Sea* sea)
 {
+    swStage_DestroyTerrain(canvas->stage, sea->terrain);
     swDestroyPicture(sea->picture);
     swDestroyRenderer(sea->renderer);
     swDestroyGpuWorld(sea->gpuWorld);
@@ -112,6 +112,9 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
     swViewDef viewDef = swDefaultViewDef();
     viewDef.enableCpuLayers = shot->hasCoreLayers;
     swPictureDef pictureDef = swDefaultPictureDef();
+    swStageTerrainDef land = swDefaultStageTerrainDef();
+    land.floor = shot->floor;
+    land.context = shot->floorContext;
     swWaveSystemId id;
     return swCreateWorld(&canvas->host, &worldDef, &sea->world) == SW_SUCCESS &&
            swCreateWaveSystem(sea->world, &waves, &id) == SW_SUCCESS &&
@@ -119,7 +122,8 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
            swCreateView(sea->world, &viewDef, &sea->view) == SW_SUCCESS &&
            swCreateGpuWorld(canvas->gpu, sea->world, &sea->gpuWorld) == SW_SUCCESS &&
            swCreateRenderer(sea->gpuWorld, &sea->renderer) == SW_SUCCESS &&
-           swCreatePicture(sea->renderer, &pictureDef, &sea->picture) == SW_SUCCESS;
+           swCreatePicture(sea->renderer, &pictureDef, &sea->picture) == SW_SUCCESS &&
+           (shot->floor == NULL || swStage_CreateTerrain(canvas->stage, &land, &sea->terrain) == SW_SUCCESS);
 }
 
 static float HalfToFloat(uint16_t half)
@@ -132,7 +136,7 @@ static float HalfToFloat(uint16_t half)
     return half & 0x8000 ? -value : value;
 }
 
-static bool RecordAll(Canvas* canvas, Sea* sea, const swShot* what, bool readHdr, const swStageFrame* frame)
+static bool RecordAll(Canvas* canvas, Sea* sea, swShot* what, bool readHdr, const swStageFrame* frame)
 {
     if (swGpuWorld_Record(sea->gpuWorld, frame->commands, frame->index) != SW_SUCCESS)
     {
@@ -142,19 +146,23 @@ static bool RecordAll(Canvas* canvas, Sea* sea, const swShot* what, bool readHdr
     {
         return true;
     }
+    if (sea->terrain && swStageTerrain_Prepare(sea->terrain, &canvas->targets, what) != SW_SUCCESS)
+    {
+        return false;
+    }
     if (swPicture_Prepare(sea->picture, frame->commands, what, frame->index) != SW_SUCCESS)
     {
         return false;
     }
     const swStageTargets* targets = &canvas->targets;
-    swStage_DrawPicture(canvas->stage, frame->commands, sea->picture, targets, 0.0f, true);
+    swStage_DrawPicture(canvas->stage, frame->commands, sea->picture, targets, sea->terrain, 0.0f, true);
     swStage_CopyToHost(canvas->stage, frame->commands, readHdr ? &targets->hdr : &targets->output,
                        readHdr ? SW_STAGE_USE_SAMPLED : SW_STAGE_USE_COLOR_TARGET, &canvas->readback);
     return true;
 }
 
 // One frame, of the waves alone or with the what.
-static bool RunFrame(Canvas* canvas, Sea* sea, const swShot* what, bool readHdr, bool isDroppedFirst)
+static bool RunFrame(Canvas* canvas, Sea* sea, swShot* what, bool readHdr, bool isDroppedFirst)
 {
     swStageFrame frame;
     if (isDroppedFirst)
@@ -224,8 +232,13 @@ bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr)
     Sea sea = {0};
     bool isGood = CreateSea(canvas, shot, &sea) && DrawSea(canvas, &sea, shot, pixels, hdr);
     swStage_Wait(canvas->stage);
-    DestroySea(&sea);
+    DestroySea(canvas, &sea);
     return isGood;
+}
+
+swStage* GetCanvasStage(const Canvas* canvas)
+{
+    return canvas->stage;
 }
 
 const swGpu* GetCanvasGpu(const Canvas* canvas)

@@ -6,6 +6,7 @@
 #include <seaway/draw.h>
 #include <seaway/gpu.h>
 #include <seaway/seaway.h>
+#include <seaway/stage.h>
 
 // What is in front of the lens.
 typedef struct Shot
@@ -25,6 +26,8 @@ typedef struct Shot
     bool dropsCommands;           // each frame is recorded once more before, and thrown away
     bool hasBlackFoam;            // so that foam is seen by the difference
     const swWaveSystemDef* waves; // instead of a sea of that wind and swell; NULL for none
+    swStageFloorFcn* floor;       // of land and sea floor; NULL for none
+    void* floorContext;
 } Shot;
 
 typedef struct Canvas Canvas;
@@ -38,6 +41,7 @@ void DestroyCanvas(Canvas* canvas);
 // Draw; `pixels` (RGBA, sRGB) and `hdr` (RGBA, linear) have width * height * 4 elements; either may be NULL.
 bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr);
 
+swStage* GetCanvasStage(const Canvas* canvas);
 const swGpu* GetCanvasGpu(const Canvas* canvas);
 const char* GetCanvasDevice(const Canvas* canvas);
 int GetCanvasValidationCount(const Canvas* canvas);

@@ -89,7 +89,8 @@ static void Record(const Show* show, const swShot* shots, float dt, bool immedia
     {
         if (show->pictures[i] != NULL)
         {
-            swStage_DrawPicture(s_set.stage, frame->commands, show->pictures[i], &s_set.targets[i], dt, immediate);
+            swStage_DrawPicture(s_set.stage, frame->commands, show->pictures[i], &s_set.targets[i], NULL, dt,
+                                immediate);
             swStage_CopyToHost(s_set.stage, frame->commands, &s_set.targets[i].output, SW_STAGE_USE_COLOR_TARGET,
                                &s_set.bytes[i]);
         }

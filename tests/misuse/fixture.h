@@ -59,6 +59,8 @@ typedef struct Fixture
     swStageImage image;
     swStageBuffer buffer;
     swStageFrame frame;
+    swStageTerrain* stageTerrain;
+    swStageTerrainDef terrainDef;
     swGpu* gpu;
     swGpuWorld* gpuWorld;
     swGpuQuery* gpuQuery;
@@ -105,6 +107,7 @@ typedef struct Fixture
 #define FIX_swStageBuffer (&f->buffer)
 #define FIX_swStageFrame (&f->frame)
 #define FIX_swStageTargets (&f->targets)
+#define FIX_swStageTerrainDef (&f->terrainDef)
 #define FIX_swScene (f->scene)
 #define FIX_swSceneSea (&f->sceneSea)
 #define FIX_swSceneView (&f->sceneView)
@@ -232,6 +235,13 @@ static inline void MakeWorld(Fixture* f)
 }
 
 #if MISUSE_GPU
+static inline void GiveFloor(void* context, int count, const swPosXZ* points, float* heights)
+{
+    (void)context;
+    (void)points;
+    memset(heights, 0, (size_t)count * sizeof(float));
+}
+
 static inline void MakeGpu(Fixture* f)
 {
     swGpuDef gpuDef = swDefaultGpuDef();
@@ -246,6 +256,9 @@ static inline void MakeGpu(Fixture* f)
     Need(swStage_CreateTargets(f->stage, 64, 64, 0, 0, &f->targets), "targets");
     Need(swStage_CreateBuffer(f->stage, 4 * 64 * 64, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &f->buffer), "buffer");
     f->image = f->targets.output;
+    f->terrainDef = swDefaultStageTerrainDef();
+    f->terrainDef.floor = GiveFloor;
+    Need(swStage_CreateTerrain(f->stage, &f->terrainDef, &f->stageTerrain), "land");
     f->VkImageView = f->targets.hdr.view;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     swPictureDef pictureDef = swDefaultPictureDef();

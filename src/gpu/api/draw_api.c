@@ -147,6 +147,9 @@ swResult swPicture_Prepare(swPicture* picture, VkCommandBuffer commands, const s
                (int)shot->debug, shot->time, (double)shot->exposureEv, (double)SW_MOST_STOPS);
     SW_REQUIRE(isCameraGood(&shot->camera), SW_ERROR_INVALID, host,
                "swPicture_Prepare() needs a camera with numbers and a size, as swMakeCamera() makes it");
+    SW_REQUIRE((shot->opaqueColor != VK_NULL_HANDLE) == (shot->opaqueDepth != VK_NULL_HANDLE), SW_ERROR_INVALID, host,
+               "swPicture_Prepare() was given a shot with opaque %s alone; the water needs both images or none",
+               shot->opaqueColor != VK_NULL_HANDLE ? "colour" : "depth");
     return swPreparePicture(picture, commands, shot, frameIndex);
 }
 
@@ -164,6 +167,30 @@ static bool checkPrepared(const swPicture* picture)
     return true;
 }
 
+swResult swPicture_GetSources(const swPicture* picture, swPictureSources* sources)
+{
+    if (sources != NULL)
+    {
+        *sources = (swPictureSources){0};
+    }
+    SW_REQUIRE(picture != NULL && sources != NULL, SW_ERROR_INVALID,
+               picture != NULL ? findHost(picture->renderer) : NULL,
+               "swPicture_GetSources() needs a picture and a place for the sources");
+    if (!checkPrepared(picture))
+    {
+        return SW_ERROR_INVALID;
+    }
+    const swUpload* params = &picture->frame.paramsUpload;
+    *sources = (swPictureSources){
+        .params = params->buffer,
+        .paramsOffset = params->offset,
+        .paramsSize = params->size,
+        .light = picture->sky.light.handle,
+        .air = picture->sky.air.view,
+    };
+    return SW_SUCCESS;
+}
+
 void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands)
 {
     if (!canDraw(picture, commands, "swPicture_DrawSurface()") || !checkPrepared(picture))
@@ -171,15 +198,15 @@ void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands)
         return;
     }
     const swRenderer* renderer = picture->renderer;
-    const swFormatPipelines* pipelines = picture->pipelines;
     const swSurfaceSources sources = {
         .gpuWorld = renderer->gpuWorld,
         .view = picture->view,
         .foam = &renderer->foam,
         .sky = &picture->sky,
+        .opaqueColor = picture->opaqueColor,
+        .opaqueDepth = picture->opaqueDepth,
     };
-    bool isWire = picture->debug == SW_DEBUG_WIREFRAME && pipelines->wire.handle != VK_NULL_HANDLE;
-    swDrawSurface(renderer->gpuWorld->gpu, commands, isWire ? &pipelines->wire : &pipelines->surface, &sources,
+    swDrawSurface(renderer->gpuWorld->gpu, commands, &picture->pipelines->surfaces[swChooseSurface(picture)], &sources,
                   &picture->surface, &picture->frame);
 }
 

@@ -33,8 +33,10 @@ swResult swMakeRenderer(swGpuWorld* gpuWorld, swRenderer** renderer)
 
 static void freeFormats(swGpu* gpu, swFormatPipelines* formats)
 {
-    swDestroyPipeline(gpu, &formats->surface);
-    swDestroyPipeline(gpu, &formats->wire);
+    for (int i = 0; i < SW_SURFACE_KIND_COUNT; ++i)
+    {
+        swDestroyPipeline(gpu, &formats->surfaces[i]);
+    }
     swDestroyPipeline(gpu, &formats->sky);
     swDestroyPipeline(gpu, &formats->tonemap);
     swFree(&gpu->host, formats, sizeof(*formats));
@@ -105,7 +107,7 @@ static swResult makeFormats(swRenderer* renderer, const swPictureDef* def)
     created->color = def->colorFormat;
     created->depth = def->depthFormat;
     created->output = def->outputFormat;
-    result = swCreateSurfacePipelines(gpu, def, &created->surface, &created->wire);
+    result = swCreateSurfacePipeline(gpu, created->color, created->depth, 0, &created->surfaces[0]);
     result = result == SW_SUCCESS ? swCreateSkyPipeline(gpu, def, &created->sky) : result;
     result = result == SW_SUCCESS ? swCreateTonemapPipeline(gpu, def, &created->tonemap) : result;
     if (result != SW_SUCCESS)
@@ -118,9 +120,9 @@ static swResult makeFormats(swRenderer* renderer, const swPictureDef* def)
     return SW_SUCCESS;
 }
 
-static const swFormatPipelines* findFormats(const swRenderer* renderer, const swPictureDef* def)
+static swFormatPipelines* findFormats(const swRenderer* renderer, const swPictureDef* def)
 {
-    const swFormatPipelines* formats = renderer->firstFormats;
+    swFormatPipelines* formats = renderer->firstFormats;
     while (formats != NULL && (formats->color != def->colorFormat || formats->depth != def->depthFormat ||
                                formats->output != def->outputFormat))
     {
@@ -217,6 +219,23 @@ static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view
     return NULL;
 }
 
+int swChooseSurface(const swPicture* picture)
+{
+    bool isWire = picture->debug == SW_DEBUG_WIREFRAME && picture->renderer->gpuWorld->gpu->hasWireframe;
+    return (isWire ? SW_SURFACE_IS_WIRE : 0) | (picture->opaqueColor != VK_NULL_HANDLE ? SW_SURFACE_IS_CLEAR : 0);
+}
+
+// The pipeline of the shot's surface, which the first picture that needs it makes.
+static swResult prepareSurfacePipeline(swGpu* gpu, swPicture* picture)
+{
+    swFormatPipelines* formats = picture->pipelines;
+    int kind = swChooseSurface(picture);
+    swPipeline* pipeline = &formats->surfaces[kind];
+    return pipeline->handle != VK_NULL_HANDLE
+               ? SW_SUCCESS
+               : swCreateSurfacePipeline(gpu, formats->color, formats->depth, kind, pipeline);
+}
+
 static void recordPreparation(swPicture* picture, VkCommandBuffer commands)
 {
     swRenderer* renderer = picture->renderer;
@@ -246,9 +265,12 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->time = (float)fmod(shot->time, 4096.0);
     picture->exposureEv = shot->exposureEv;
     picture->debug = shot->debug;
+    picture->opaqueColor = shot->opaqueColor;
+    picture->opaqueDepth = shot->opaqueDepth;
     swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, swGetDetailImage(gpuWorld)->width,
                    &picture->frame);
     swResult result = swUploadPicture(gpu, &picture->frame);
+    result = result == SW_SUCCESS ? prepareSurfacePipeline(gpu, picture) : result;
     result = result == SW_SUCCESS ? swPrepareSurface(gpu, &picture->surface, &picture->frame) : result;
     result = result == SW_SUCCESS ? swPrepareFoamTexture(gpu, &picture->renderer->foam) : result;
     if (result != SW_SUCCESS)

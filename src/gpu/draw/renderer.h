@@ -12,7 +12,7 @@ typedef struct swFormatPipelines
 {
     struct swFormatPipelines* next;
     VkFormat color, depth, output;
-    swPipeline surface, wire; // wire is null if the device has no wireframe
+    swPipeline surfaces[SW_SURFACE_KIND_COUNT]; // by abilities; null until a picture needs them
     swPipeline sky, tonemap;
 } swFormatPipelines;
 
@@ -31,7 +31,7 @@ struct swPicture
 {
     swRenderer* renderer;
     swPicture *previous, *next; // in the renderer's list
-    const swFormatPipelines* pipelines;
+    swFormatPipelines* pipelines;
     swSky sky;
     swSurface surface;
     swTonemap tonemap;
@@ -41,6 +41,7 @@ struct swPicture
     const swGpuView* view;
     float time, exposureEv;
     swDebugMode debug;
+    VkImageView opaqueColor, opaqueDepth;
 };
 
 swResult swMakeRenderer(swGpuWorld* gpuWorld, swRenderer** renderer);
@@ -50,6 +51,9 @@ void swFreeRenderer(swRenderer* renderer);
 swResult swMakePicture(swRenderer* renderer, const swPictureDef* formats, swPicture** picture);
 // What frames in flight may use goes later.
 void swFreePicture(swPicture* picture);
+
+// The abilities of the surface that the prepared shot wants.
+int swChooseSurface(const swPicture* picture);
 
 // All that comes before drawing, outside of rendering. Nothing is recorded if it fails.
 swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const swShot* shot, uint64_t frameIndex);

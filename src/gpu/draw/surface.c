@@ -6,31 +6,27 @@
 #include "surface_cull_shader.h"
 #include "surface_shader.h"
 
-swResult swCreateSurfacePipelines(swGpu* gpu, const swPictureDef* formats, swPipeline* fill, swPipeline* wire)
+swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int kind, swPipeline* pipeline)
 {
     const swSurfaceConstants constants = {
         .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
         .filtersByHand = gpu->filtersFloats ? 0 : 1,
+        .isClear = (kind & SW_SURFACE_IS_CLEAR) != 0 ? 1 : 0,
     };
-    swGraphicsDef draw = {
+    bool isWire = (kind & SW_SURFACE_IS_WIRE) != 0;
+    const swGraphicsDef draw = {
         .vertex = &swSurfaceVertex,
         .fragment = &swSurfaceFragment,
         .constants = &constants,
-        .colorFormat = formats->colorFormat,
-        .depthFormat = formats->depthFormat,
+        .colorFormat = color,
+        .depthFormat = depth,
         .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+        .polygonMode = isWire ? VK_POLYGON_MODE_LINE : VK_POLYGON_MODE_FILL,
         .depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL,
         .depthWrite = true,
-        .name = "surface",
+        .name = isWire ? "surface wireframe" : "surface",
     };
-    swResult result = swCreateGraphicsPipeline(gpu, &draw, fill);
-    if (result == SW_SUCCESS && gpu->hasWireframe)
-    {
-        draw.polygonMode = VK_POLYGON_MODE_LINE;
-        draw.name = "surface wireframe";
-        result = swCreateGraphicsPipeline(gpu, &draw, wire);
-    }
-    return result;
+    return swCreateGraphicsPipeline(gpu, &draw, pipeline);
 }
 
 swResult swCreateCullPipeline(swGpu* gpu, swPipeline* pipeline)
@@ -120,6 +116,14 @@ void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* cul
     swEndPass(gpu, commands);
 }
 
+// A binding must have some image, also where the pipeline does not read it.
+static swBinding bindOpaque(const swGpu* gpu, const swSurfaceSources* from, VkImageView view)
+{
+    return view != VK_NULL_HANDLE
+               ? swBindView(gpu, view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, SW_SAMPLER_NEAREST_CLAMP)
+               : swBindImage(gpu, &from->foam->image, SW_SAMPLER_NEAREST_CLAMP);
+}
+
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSurfaceSources* from,
                    const swSurface* surface, const swPictureFrame* picture)
 {
@@ -138,6 +142,8 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .air = swBindImage(gpu, &from->sky->air, SW_SAMPLER_LINEAR_CLAMP),
         .foamTexture = swBindImage(gpu, &from->foam->image, SW_SAMPLER_LINEAR_REPEAT),
         .waves = swBindUpload(&picture->wavesUpload),
+        .opaqueColor = bindOpaque(gpu, from, from->opaqueColor),
+        .opaqueDepth = bindOpaque(gpu, from, from->opaqueDepth),
     };
     swBeginPass(gpu, commands, "surface");
     swBindSurface(gpu, commands, pipeline, &bindings);

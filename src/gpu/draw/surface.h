@@ -22,10 +22,19 @@ typedef struct swSurfaceSources
     const swGpuView* view;
     const swFoamTexture* foam;
     const swSky* sky;
+    VkImageView opaqueColor, opaqueDepth; // null: nothing is seen through the water
 } swSurfaceSources;
 
-// To a picture's formats. `wire` stays null if the device has no wireframe.
-swResult swCreateSurfacePipelines(swGpu* gpu, const swPictureDef* formats, swPipeline* fill, swPipeline* wire);
+// What a surface's pipeline can do beyond a sea with nothing in it: bits.
+typedef enum swSurfaceAbility
+{
+    SW_SURFACE_IS_CLEAR = 1, // shows what stands in the water
+    SW_SURFACE_IS_WIRE = 2,
+    SW_SURFACE_KIND_COUNT = 4
+} swSurfaceAbility;
+
+// To the formats of colour and depth. `kind` is a sum of abilities.
+swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int kind, swPipeline* pipeline);
 swResult swCreateCullPipeline(swGpu* gpu, swPipeline* pipeline);
 
 swResult swCreateSurface(swGpu* gpu, swSurface* surface);
