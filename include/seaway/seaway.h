@@ -20,5 +20,6 @@
 #include "sea.h"
 #include "spectrum.h"
 #include "view.h"
+#include "water_body.h"
 #include "waves.h"
 #include "world.h"

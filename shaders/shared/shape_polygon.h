@@ -42,4 +42,20 @@ SW_FORMULA sw_vec3 swPolygonDistance(SW_WORDS words, sw_uint count, float x, flo
     result.z = distance > 0.0f ? sign * awayZ / distance : 0.0f;
     return result;
 }
+
+SW_FORMULA swInputSample swSamplePolygon(SW_WORDS words, swInputRecord record, float x, float z)
+{
+    swInputSample s = swBeginInputSample(record);
+    if (SW_INPUT_ABS(x - record.middleX) > record.halfX || SW_INPUT_ABS(z - record.middleZ) > record.halfZ)
+    {
+        s.share = 0.0f;
+        return s;
+    }
+    sw_vec3 distance = swPolygonDistance(words, record.extra0, x, z);
+    sw_vec2 cover = swFeatherInput(-distance.x, record.feather);
+    s.share = cover.x;
+    s.shareX = -cover.y * distance.y;
+    s.shareZ = -cover.y * distance.z;
+    return s;
+}
 #endif

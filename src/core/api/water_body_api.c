@@ -49,6 +49,7 @@ swResult swCreateWaterBody(swWorld* world, const swWaterBodyDef* def, swWaterBod
     {
         const swWaterBodyDef placed = placeInSea(world, def);
         result = swAddWaterBody(&world->waterBodies, &placed, &id);
+        world->frame.bodies = world->waterBodies.shown.data; // which may have moved
     }
     *idOut = makeId(id);
     return result;

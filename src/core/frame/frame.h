@@ -250,6 +250,16 @@ typedef struct swFoamLaw
     swFoamRest rest;     // of all waves that make foam
 } swFoamLaw;
 
+// A body of water as pictures see it, see core/input/water_bodies.h.
+typedef struct swBodyFrame
+{
+    int number; // that the field BODY has in it
+    int look;
+    bool setsLevel;
+    float level;       // of still water above sea level, m, if it sets one
+    swPosXZ low, high; // bounds, in the sea
+} swBodyFrame;
+
 typedef struct swFrame
 {
     double time;
@@ -270,6 +280,8 @@ typedef struct swFrame
     int zoneCount;
     const swZoneFrame* zones;
     const swInputSet* inputs; // NULL: there are none
+    int bodyCount;
+    const swBodyFrame* bodies;
 } swFrame;
 
 // The foam layer's parameters of slice `i`.

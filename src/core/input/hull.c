@@ -62,7 +62,7 @@ static swResult makeHull(const swHost* host, const swHullMesh* mesh, int resolut
         return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the grid of %s, %zu bytes.", mesh->name, size);
     }
     *made = (swHull){.host = *host,
-                     .users = 1,
+                     .references = 1,
                      .grid = grid,
                      .memory = size,
                      .wordCount = (int)count,
@@ -105,17 +105,20 @@ swResult swCreateHull(const swHost* host, const swHullDef* def, swHull** hull)
     return result;
 }
 
-void swHoldHull(swHull* hull)
+void swRetainHull(const swHull* hull)
 {
-    hull->users += 1;
+    if (hull != NULL)
+    {
+        atomic_fetch_add(&((swHull*)hull)->references, 1);
+    }
 }
 
-void swReleaseHull(swHull* hull)
+void swReleaseHull(const swHull* hull)
 {
-    if (hull != NULL && --hull->users == 0)
+    if (hull != NULL && atomic_fetch_sub(&((swHull*)hull)->references, 1) == 1)
     {
         swHost host = hull->host;
-        swFree(&host, hull, hull->memory);
+        swFree(&host, (swHull*)hull, hull->memory);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/frame/frame.h"
 #include "core/input/polygon.h"
 
 void swBeginWaterBodies(swWaterBodies* bodies, swInputs* inputs)

@@ -4,6 +4,8 @@
 // The bodies of water of a world. Each owns up to four inputs over its polygon, which say all that queries, slices and
 // pictures know of it. What a body's number is in the field BODY is its slot here.
 
+#include "core/base/field.h"
+#include "core/frame/frame.h"
 #include "core/input/inputs.h"
 #include "seaway/water_body.h"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <stdio.h>
+
 #include "core/input/polygon.h"
 #include "core/input/water_bodies.h"
 
@@ -54,5 +56,5 @@ swResult swCheckWaterBodyDef(const swHost* host, const swWaterBodyDef* def)
     }
     char what[SW_MAX_INPUT_NAME + 32];
     snprintf(what, sizeof what, "the body of water '%s'", def->name);
-    return swCheckPolygon(host, what, def->pointCount, def->points);
+    return swCheckPolygon(host, what, def->pointCount, &def->points->x, 2);
 }

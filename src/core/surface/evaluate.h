@@ -29,6 +29,8 @@ typedef struct swQuery
     int tileCount;
     const swTile* tiles; // of the frame; see swIsTileAsked()
     int64_t tileTicks;   // of their texels
+    float lowestLevel, highestLevel; // of still water above sea level, m, wherever it is
+    const swInputSet* clip; // inputs that cut holes, NULL if there are none
     float sideways;      // root mean square of the particles' horizontal displacement, m
     float longestFelt;   // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
 
