@@ -110,7 +110,11 @@ SW_FORMULA float swJoinClip(float below, SW_WORDS words, swInputRecord record, f
         float distance = swClipEdgeDistance(words, record, x, y, z);
         return record.value.x * record.weight > 0.5f ? swSolidLeast(below, distance) : swSolidMost(below, -distance);
     }
-    swInputSample s = swSampleShape(words, record, x, y, z);
+    sw_vec3 own;
+    own.x = x;
+    own.y = y - record.size.w;
+    own.z = z;
+    swInputSample s = swSampleShape(words, record, own);
     s.share = s.share * record.weight;
     s.shareX = s.shareX * record.weight;
     s.shareZ = s.shareZ * record.weight;

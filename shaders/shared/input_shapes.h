@@ -21,7 +21,7 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     }
     if (record.shape == SW_FORM_POLYGON)
     {
-        return swSamplePolygon(words, record, x, z);
+        return swSamplePolygon(words, record, own.x, own.z);
     }
     if (record.shape == SW_FORM_RASTER)
     {
