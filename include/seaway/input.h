@@ -262,7 +262,7 @@ typedef struct swFieldSamples
     swVec2* flow;  ///< m/s along x and z
     float* weight; ///< of the waves of `system`, by its inputs; without swWaveSystemDef::weight
     swWaveSystemId system;
-    float* clip; ///< above 0.5: no water. It rises from 0 to 1 within 1 m across the edge of still water
+    float* clip;    ///< above 0.5: no water. It rises from 0 to 1 within 1 m across the edge of still water
     float* foam;    ///< made by inputs, per second
     swVec4* albedo; ///< red, green, blue, cover
     swVec2* wind;   ///< m/s along x and z, by inputs

@@ -22,4 +22,5 @@
 #include "view.h"
 #include "water_body.h"
 #include "waves.h"
+#include "wind.h"
 #include "world.h"

@@ -8,10 +8,10 @@
 #include "world.h"
 
 /// @file
-/// Bodies of water: lakes, basins, canals, a bay of the sea. A body is a polygon with a level, waves, a look and a name of
-/// its own. It is built of inputs (SW_INPUT_LEVEL, SW_INPUT_CLIP, SW_INPUT_WAVES and SW_INPUT_BODY over its polygon), so
-/// queries, slices and pictures know nothing else of it; but pictures draw each body by itself, so that its level ends
-/// at its shore, sharply, at any distance.
+/// Bodies of water: lakes, basins, canals, a bay of the sea. A body is a polygon with a level, waves, a look and a name
+/// of its own. It is built of inputs (SW_INPUT_LEVEL, SW_INPUT_CLIP, SW_INPUT_WAVES and SW_INPUT_BODY over its
+/// polygon), so queries, slices and pictures know nothing else of it; but pictures draw each body by itself, so that
+/// its level ends at its shore, sharply, at any distance.
 ///
 ///     const swVec2 shore[] = {{-40, -30}, {50, -25}, {60, 40}, {-30, 35}};
 ///     swWaterBodyDef lake = swDefaultWaterBodyDef();
@@ -40,8 +40,8 @@ typedef struct swWaterBodyDef
     const swVec2* points;
     int pointCount;
 
-    /// Where bodies overlap, the greatest order counts; of equal ones the last that was made. Its inputs have this order
-    /// among those of their fields. Range [-1000000, 1000000]. Default 0.
+    /// Where bodies overlap, the greatest order counts; of equal ones the last that was made. Its inputs have this
+    /// order among those of their fields. Range [-1000000, 1000000]. Default 0.
     int order;
 
     /// Its water stands at position.y. Default true. False: at whatever level the sea and other inputs have there, as
@@ -76,8 +76,9 @@ SW_API swWaterBodyDef swDefaultWaterBodyDef(void);
 SW_API const swFields* swGetWaterBodyFields(void);
 
 /// Make a body of water, from the next step on.
-/// @return SW_ERROR_INVALID (the host's log says what is wrong: a shore that crosses itself, a point that is not finite),
-/// SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (more than SW_MAX_WATER_BODIES, or than SW_MAX_INPUTS); then nothing is made
+/// @return SW_ERROR_INVALID (the host's log says what is wrong: a shore that crosses itself, a point that is not
+/// finite), SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (more than SW_MAX_WATER_BODIES, or than SW_MAX_INPUTS); then nothing is
+/// made
 SW_API swResult swCreateWaterBody(swWorld* world, const swWaterBodyDef* def, swWaterBodyId* id);
 
 /// Take it away, from the next step on.

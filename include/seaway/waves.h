@@ -117,6 +117,11 @@ typedef struct swWaveSystemDef
     /// heights add up instead of their energies. The log warns of it.
     uint32_t seed;
 
+    /// Take speed and direction of the world's wind (wind.h) in place of the spectrum's, and change with it; the
+    /// spectrum's own stand where the world names no wind. Heights and periods that are given stay. Not of a table, nor
+    /// of given components. Default false.
+    bool takesWind;
+
     /// Set by swDefaultWaveSystemDef().
     int internalValue;
 } swWaveSystemDef;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Holes in the water. The field CLIP is the signed distance to the edge of the holes, m: above 0 there is water, below 0
-// none. It is evaluated where the surface is: at the displaced point, at its height.
+// Holes in the water. The field CLIP is the signed distance to the edge of the holes, m: above 0 there is water, below
+// 0 none. It is evaluated where the surface is: at the displaced point, at its height.
 //
 // Below all inputs there is water everywhere, or none. Inputs join by order: one that cuts takes the least of the
 // distance so far and its own, one that leaves water takes the greatest of the distance so far and its own turned

@@ -127,8 +127,11 @@ static void ASeaThatIsDryHasWaterWhereItIsLeft(void** state)
     (void)state;
     swWorld* world = MakeWorld(false);
     swInputDef dry = MakeClip(SW_SHAPE_EVERYWHERE, 1.0f, -1000000), lake = MakeClip(SW_SHAPE_POLYGON, 0.0f, 0);
-    const swInputPoint shore[] = {{.x = -50.0f, .z = -50.0f}, {.x = 50.0f, .z = -50.0f}, {.x = 0.0f, .z = 0.0f},
-                                  {.x = 50.0f, .z = 50.0f},   {.x = -50.0f, .z = 50.0f}};
+    const swInputPoint shore[] = {{.x = -50.0f, .z = -50.0f},
+                                  {.x = 50.0f, .z = -50.0f},
+                                  {.x = 0.0f, .z = 0.0f},
+                                  {.x = 50.0f, .z = 50.0f},
+                                  {.x = -50.0f, .z = 50.0f}};
     lake.points = shore;
     lake.pointCount = 5;
     Add(world, &dry);
@@ -261,11 +264,11 @@ static void OverlappingConcaveHullsAreOneHole(void** state)
     assert_false(IsClippedAt(world, 0.0, 0.0));
     assert_true(IsClippedAt(world, -13.0, 0.0));
     assert_true(IsClippedAt(world, 0.0, 8.0));
-    assert_true(IsClippedAt(world, 14.0, 8.0));    // both walls
-    assert_true(IsClippedAt(world, 20.0, -8.0));   // the other's wall
-    assert_true(IsClippedAt(world, 26.5, 0.0));    // and end: 5.5 to 7.5 m from its middle
+    assert_true(IsClippedAt(world, 14.0, 8.0));  // both walls
+    assert_true(IsClippedAt(world, 20.0, -8.0)); // the other's wall
+    assert_true(IsClippedAt(world, 26.5, 0.0));  // and end: 5.5 to 7.5 m from its middle
     assert_false(IsClippedAt(world, 27.7, 0.0));
-    assert_false(IsClippedAt(world, 20.0, 0.0));   // its basin
+    assert_false(IsClippedAt(world, 20.0, 0.0)); // its basin
     swDestroyWorld(world);
 }
 
@@ -394,8 +397,8 @@ static void WhatCanCutNothingIsRefusedInASentence(void** state)
     def = MakeClip(SW_SHAPE_BOX, 1.0f, 0);
     def.field = SW_INPUT_LEVEL;
     Refuses(&def, "has a height, which only clip looks at");
-    const swInputPoint bow[] = {{.x = 0.0f, .z = 0.0f}, {.x = 10.0f, .z = 10.0f}, {.x = 10.0f, .z = 0.0f},
-                                {.x = 0.0f, .z = 10.0f}};
+    const swInputPoint bow[] = {
+        {.x = 0.0f, .z = 0.0f}, {.x = 10.0f, .z = 10.0f}, {.x = 10.0f, .z = 0.0f}, {.x = 0.0f, .z = 10.0f}};
     def = MakeClip(SW_SHAPE_POLYGON, 1.0f, 0);
     Refuses(&def, "has no points");
     def.points = bow;

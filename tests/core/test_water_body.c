@@ -132,6 +132,7 @@ static void LevelsChangeWhileRunning(void** state)
     assert_int_equal(swWaterBody_Set(world, id, &lock), SW_SUCCESS);
     swWorld_Step(world, 0.1);
     assert_true(HeightAt(world, 0.0) == 2.0 && HeightAt(world, 500.0) == 4.25);
+    lock = swWaterBody_Get(world, id);
     lock.isEnabled = false;
     assert_int_equal(swWaterBody_Set(world, id, &lock), SW_SUCCESS);
     swWorld_Step(world, 0.1);

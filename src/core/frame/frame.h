@@ -260,6 +260,34 @@ typedef struct swBodyFrame
     swPosXZ low, high; // bounds, in the sea
 } swBodyFrame;
 
+// One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns -
+// frequency ticks + phaseAlong)), and so across.
+#define SW_GUSTS 12
+
+typedef struct swGust
+{
+    double turnsX, turnsZ; // turns per metre
+    uint64_t frequency;    // turns per tick, as swMode has it
+    uint32_t phaseAlong, phaseAcross;
+    float alongX, alongZ; // m/s
+} swGust;
+
+typedef struct swGustyWind
+{
+    float meanX, meanZ; // m/s
+    int gustCount;
+    swGust gusts[SW_GUSTS];
+} swGustyWind;
+
+// The wind of the world: one, or one that turns into another over `length` ticks.
+typedef struct swWindFrame
+{
+    bool isNamed; // false: the world names no wind, and all winds here are 0
+    int64_t begin, length;
+    swGustyWind from, to;
+    swWindDef fromDef, toDef; // that they are made of
+} swWindFrame;
+
 typedef struct swFrame
 {
     double time;
@@ -267,7 +295,8 @@ typedef struct swFrame
     double dt;
     double seaLevel;
     float gravity;
-    float wind; // m/s at 10 m, as the waves tell; see core/waves/wind_level.h
+    float wind; // m/s at 10 m: the world's mean, or where it names none, as the waves tell (core/waves/wind_level.h)
+    swWindFrame windField;
     swFoamDef foam;
     swFoamLaw foamLaw;
     uint32_t tilesVersion; // changes when the list of tiles does

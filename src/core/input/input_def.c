@@ -12,16 +12,17 @@ static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "d
                                          "foam",  "albedo", "wind", "shadow", "body",         NULL};
 static const char* const fieldNames[] = {"sea floor", "water level", "flow", "waves",  "displacement",  "clip",
                                          "foam",      "colour",      "wind", "shadow", "body of water", NULL};
-static const char* const shapeWords[] = {"everywhere", "circle",   "rectangle", "polygon", "polyline", "spline",
-                                         "mesh",       "raster",   "particles", "function", "box",     "ellipsoid",
-                                         "cylinder",   "capsule",  "hull",      NULL};
+static const char* const shapeWords[] = {"everywhere", "circle",  "rectangle", "polygon",  "polyline", "spline",
+                                         "mesh",       "raster",  "particles", "function", "box",      "ellipsoid",
+                                         "cylinder",   "capsule", "hull",      NULL};
 static const char* const shapeNames[] = {"the whole sea", "circle",  "rectangle", "polygon",  "polyline", "spline",
                                          "mesh",          "raster",  "particles", "function", "box",      "ellipsoid",
                                          "cylinder",      "capsule", "hull",      NULL};
 static const char* const blendWords[] = {"add", "alpha", "multiply", "min", "max", "replace", NULL};
 static const char* const blendNames[] = {"added", "mixed", "multiplied", "the lesser", "the greater", "replaced", NULL};
 
-#define VALUES (SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_MESH) | SW_KIND(SW_SHAPE_FUNCTION))
+#define VALUES                                                                                                         \
+    (SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_MESH) | SW_KIND(SW_SHAPE_FUNCTION))
 #define PLACED (~SW_KIND(SW_SHAPE_EVERYWHERE))
 #define SIZED                                                                                                          \
     (SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYLINE) |                             \
@@ -66,12 +67,13 @@ static const swField inputFields[] = {
     SW_GIVEN(hull, .key = NULL, .label = "hull"),
     SW_NUMBERS(scale, float, "", SW_ABOVE(0.0, 1e4), SW_EACH(1.0, 1.0, 1.0), .key = "scale", .label = "scale",
                SW_LOG_KNOB(0.01, 100.0), .kinds = SW_KIND(SW_SHAPE_HULL)),
-    SW_NUMBER(rounding, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "rounding_m", .label = "rounded by",
-              SW_KNOB(0.0, 10.0), .kinds = SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_CYLINDER)),
+    SW_NUMBER(rounding, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "rounding_m", .label = "rounded by", SW_KNOB(0.0, 10.0),
+              .kinds = SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_CYLINDER)),
     SW_GIVEN(spline, .key = NULL, .label = "spline"),
     SW_GIVEN(points, .key = NULL, .label = "points"),
     SW_GIVEN(pointCount, .key = NULL, .label = "number of points"),
-    SW_GIVEN(pointCapacity, .key = NULL, .label = "room for points"),
+    SW_NUMBER(pointCapacity, "", SW_WITHIN(0.0, SW_MAX_INPUT_POINTS), 0.0, .key = NULL, .label = "room for points",
+              .use = SW_USE_STATE),
     SW_GIVEN(function, .key = NULL, .label = "function"),
     SW_GIVEN(functionContext, .key = NULL, .label = "function's context"),
     SW_GIVEN(functionFingerprint, .key = NULL, .label = "function's fingerprint"),
@@ -106,9 +108,9 @@ const char* swGetInputShapeWord(int shape)
 
 // Shapes that can be made. A shape that is added is added here.
 static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
-                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) |
-                                    SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) |
-                                    SW_KIND(SW_SHAPE_CYLINDER) | SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL);
+                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
+                                    SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
+                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \

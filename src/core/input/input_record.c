@@ -121,29 +121,29 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
 {
     switch (def->shape)
     {
-        case SW_SHAPE_CIRCLE:
-            placeCentred(record, def->size.x, def->size.x);
-            break;
-        case SW_SHAPE_RECTANGLE:
-            placeCentred(record, def->size.x, def->size.z);
-            break;
-        case SW_SHAPE_RASTER:
-            return placeRaster(def, data->raster, record);
-        case SW_SHAPE_POLYGON:
-            placePolygon(data->words[data->shown], data->pointCount, record);
-            break;
-        case SW_SHAPE_BOX:
-        case SW_SHAPE_ELLIPSOID:
-        case SW_SHAPE_CYLINDER:
-        case SW_SHAPE_CAPSULE:
-            placeSolid(def, record);
-            break;
-        case SW_SHAPE_HULL:
-            placeHull(def, data->hull, record);
-            break;
-        default:
-            record->flags |= SW_INPUT_IS_BOUNDLESS;
-            break;
+    case SW_SHAPE_CIRCLE:
+        placeCentred(record, def->size.x, def->size.x);
+        break;
+    case SW_SHAPE_RECTANGLE:
+        placeCentred(record, def->size.x, def->size.z);
+        break;
+    case SW_SHAPE_RASTER:
+        return placeRaster(def, data->raster, record);
+    case SW_SHAPE_POLYGON:
+        placePolygon(data->words[data->shown], data->pointCount, record);
+        break;
+    case SW_SHAPE_BOX:
+    case SW_SHAPE_ELLIPSOID:
+    case SW_SHAPE_CYLINDER:
+    case SW_SHAPE_CAPSULE:
+        placeSolid(def, record);
+        break;
+    case SW_SHAPE_HULL:
+        placeHull(def, data->hull, record);
+        break;
+    default:
+        record->flags |= SW_INPUT_IS_BOUNDLESS;
+        break;
     }
     return (swPosXZ){0.0, 0.0};
 }

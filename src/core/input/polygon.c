@@ -69,8 +69,8 @@ static bool isBetween(Point a, Point b, Point c)
 
 static bool doMeet(Point a, Point b, Point c, Point d)
 {
-    if (fmaxf(a.x, b.x) < fminf(c.x, d.x) || fmaxf(c.x, d.x) < fminf(a.x, b.x) ||
-        fmaxf(a.z, b.z) < fminf(c.z, d.z) || fmaxf(c.z, d.z) < fminf(a.z, b.z))
+    if (fmaxf(a.x, b.x) < fminf(c.x, d.x) || fmaxf(c.x, d.x) < fminf(a.x, b.x) || fmaxf(a.z, b.z) < fminf(c.z, d.z) ||
+        fmaxf(c.z, d.z) < fminf(a.z, b.z))
     {
         return false;
     }

@@ -54,10 +54,8 @@ static void listParts(const swWaterBodies* bodies, const swWaterBodyDef* def, in
 {
     float level = (float)(def->position.y - bodies->inputs->seaLevel);
     const Part all[SW_BODY_INPUTS] = {
-        {SW_INPUT_LEVEL, level, def->setsLevel, false},
-        {SW_INPUT_CLIP, 0.0f, def->leavesWater, false},
-        {SW_INPUT_WAVES, 0.0f, def->isCalm, false},
-        {SW_INPUT_WAVES, 1.0f, !SW_IS_NULL(def->waves), true},
+        {SW_INPUT_LEVEL, level, def->setsLevel, false}, {SW_INPUT_CLIP, 0.0f, def->leavesWater, false},
+        {SW_INPUT_WAVES, 0.0f, def->isCalm, false},     {SW_INPUT_WAVES, 1.0f, !SW_IS_NULL(def->waves), true},
         {SW_INPUT_BODY, (float)number, true, false},
     };
     memcpy(parts, all, sizeof all);
@@ -134,7 +132,8 @@ static swResult fillBody(swWaterBodies* bodies, swWaterBody* body, const swWater
     size_t count = (size_t)def->pointCount;
     swVec2* points = swAllocate(host, count * sizeof *points);
     swInputPoint* shore = swAllocateZero(host, count * sizeof *shore);
-    swResult result = points != NULL && shore != NULL ? SW_SUCCESS : swFailMemory(bodies->inputs->memory, "a body of water");
+    swResult result =
+        points != NULL && shore != NULL ? SW_SUCCESS : swFailMemory(bodies->inputs->memory, "a body of water");
     for (size_t i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         points[i] = def->points[i];
@@ -188,7 +187,8 @@ swResult swAddWaterBody(swWaterBodies* bodies, const swWaterBodyDef* def, swId* 
                       "the world has %d bodies of water, which is the most", SW_MAX_WATER_BODIES);
     }
     swWaterBody* body = takeSlot(bodies);
-    swResult result = body != NULL ? fillBody(bodies, body, def) : swFailMemory(bodies->inputs->memory, "a body of water");
+    swResult result =
+        body != NULL ? fillBody(bodies, body, def) : swFailMemory(bodies->inputs->memory, "a body of water");
     if (result != SW_SUCCESS)
     {
         return result;

@@ -17,9 +17,9 @@ typedef struct swWaterBody
 {
     bool isUsed;
     uint32_t generation;
-    swWaterBodyDef def;         // its place is in the sea, its points are `points`
-    swVec2* points;             // [def.pointCount]
-    swVec2 low, high;           // their bounds
+    swWaterBodyDef def;          // its place is in the sea, its points are `points`
+    swVec2* points;              // [def.pointCount]
+    swVec2 low, high;            // their bounds
     swId inputs[SW_BODY_INPUTS]; // null where it has none
 } swWaterBody;
 

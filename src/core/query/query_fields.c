@@ -195,7 +195,7 @@ static void answerBlock(const swFrame* frame, int system, const Block* block, co
 }
 
 int swFindFields(const swFrame* frame, swPosXZ origin, int system, int count, const swPosXZ* points,
-                  const swFieldSamples* samples)
+                 const swFieldSamples* samples)
 {
     int badCount = 0;
     Block block = {0};

@@ -71,6 +71,8 @@ static const swField systemFields[] = {
               .tip = "The waves repeat exactly after this time", .zero = "never", SW_LOG_KNOB(1.0, 600.0)),
     SW_NUMBER(seed, "", SW_WITHIN(0.0, 4294967295.0), 1.0, .key = "seed", .label = "seed",
               .tip = "Another seed is another sea of the same statistics", SW_KNOB(0.0, 100.0)),
+    SW_SWITCH(takesWind, false, .key = "takes_wind", .label = "takes the world's wind",
+              .tip = "Speed and direction of the world's wind in place of its own"),
 };
 #undef SW_DEF
 
@@ -121,6 +123,13 @@ swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def)
         return swFail(host, SW_ERROR_INVALID,
                       "swWaveSystemDef::minWavelength is %g m; it must be below maxWavelength, which is %g m.",
                       (double)def->minWavelength, (double)def->maxWavelength);
+    }
+    bool isByHand = def->method == SW_WAVES_GERSTNER && def->componentCount > 0;
+    if (result == SW_SUCCESS && def->takesWind && (def->spectrum.kind == SW_SPECTRUM_TABLE || isByHand))
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "swWaveSystemDef::takesWind is true; it must be false of a table and of given components, which "
+                      "no wind can change.");
     }
     return result == SW_SUCCESS && def->method == SW_WAVES_FFT ? checkTiles(host, def) : result;
 }

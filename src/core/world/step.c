@@ -32,6 +32,7 @@ void swDeriveWater(swWorld* world)
     swStepInputs(&world->inputs, world->frame.time, findLocalSystems(world));
     swStepWaterBodies(&world->waterBodies, &world->frame);
     swDeriveWaves(&world->waves, &world->frame);
+    swDeriveWorldWind(world);
     swFindFoamLaw(&world->whitecaps, &world->frame);
     swTransformWaves(&world->waves); // spectra to tiles
 }

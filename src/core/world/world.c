@@ -28,6 +28,8 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     };
     world->moment =
         (swMoment){.host = &world->host, .kernels = kernels, .frame = &world->frame, .origin = &world->origin};
+    world->wind = swMakeWind(&def->wind);
+    swDeriveWind(&world->wind, 0, &world->frame.windField);
     *worldOut = world;
     return SW_SUCCESS;
 }
@@ -57,7 +59,7 @@ swResult swCreateSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
                       SW_MAX_WAVE_SYSTEMS);
     }
     *id = swAllocId(&world->systemIds);
-    swResult result = swAddSystem(&world->waves, id->index1 - 1, def);
+    swResult result = swAddWorldSystem(world, id->index1 - 1, def);
     if (result != SW_SUCCESS)
     {
         swFreeId(&world->systemIds, *id);
