@@ -109,11 +109,6 @@ typedef struct swSurfaceSamples
     /// surface is folded and the search did not converge.
     float* residual;
 
-    /// Whether the water is cut away there: whether the surface, where it is displaced to, lies in a hole that inputs
-    /// of SW_INPUT_CLIP make, see docs/clip.md. The other answers are those of the surface that would be there. False
-    /// at a point that cannot be answered.
-    bool* isClipped;
-
     /// Velocity, m/s, and acceleration, m/s^2, of the water particle that is there. Fast with
     /// swWorldDef::enableVelocity and enableAcceleration, else summed wave by wave.
     swVec3* velocity;
@@ -122,6 +117,11 @@ typedef struct swSurfaceSamples
     /// Read before and written after the search, or NULL. See swSurfaceHint. swWorld_QueryParticles() leaves them
     /// alone.
     swSurfaceHint* hints;
+
+    /// Whether the water is cut away there: whether the surface, where it is displaced to, lies in a hole that inputs
+    /// of SW_INPUT_CLIP make, see docs/clip.md. The other answers are those of the surface that would be there. False
+    /// at a point that cannot be answered.
+    bool* isClipped;
 } swSurfaceSamples;
 
 /// Of a batch; every query takes one, or NULL.

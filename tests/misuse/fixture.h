@@ -49,8 +49,12 @@ typedef struct Fixture
     swSeaPatches* seaPatches;
     swRaster* raster;
     swRasterDef rasterDef;
+    swSpline* spline;
+    swSplineDef splineDef;
     swFieldSamples fieldSamples;
     swInputId inputId, staleInputId;
+    swWaterBodyDef waterBodyDef;
+    swWaterBodyId waterBodyId, staleWaterBodyId;
     swHull* hull;
     swHullDef hullDef;
     swSeaBins bins;
@@ -92,7 +96,10 @@ typedef struct Fixture
 #define FIX_swHost (&f->host)
 #define FIX_swWaveSystemId (f->id)
 #define FIX_swInputId (f->inputId)
+#define FIX_swWaterBodyDef (&f->waterBodyDef)
+#define FIX_swWaterBodyId (f->waterBodyId)
 #define FIX_STALE_swInputId (f->staleInputId)
+#define FIX_STALE_swWaterBodyId (f->staleWaterBodyId)
 #define FIX_STALE_swWaveSystemId (f->staleId)
 #define FIX_swFieldSamples (&f->fieldSamples)
 #define FIX_swSeaReplayDef (&f->replayDef)
@@ -104,6 +111,7 @@ typedef struct Fixture
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swRasterDef (&f->rasterDef)
+#define FIX_swSplineDef (&f->splineDef)
 #define FIX_swHullDef (&f->hullDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
@@ -231,6 +239,13 @@ static inline void MakeWorld(Fixture* f)
     Need(swCreateInput(f->world, &inputDef, &f->staleInputId), "input");
     swDestroyInput(f->world, f->staleInputId);
     Need(swCreateInput(f->world, &inputDef, &f->inputId), "input");
+    static const swVec2 shore[3] = {{0.0f, 0.0f}, {10.0f, 0.0f}, {0.0f, 10.0f}};
+    f->waterBodyDef = swDefaultWaterBodyDef();
+    f->waterBodyDef.points = shore;
+    f->waterBodyDef.pointCount = 3;
+    Need(swCreateWaterBody(f->world, &f->waterBodyDef, &f->staleWaterBodyId), "body of water");
+    swDestroyWaterBody(f->world, f->staleWaterBodyId);
+    Need(swCreateWaterBody(f->world, &f->waterBodyDef, &f->waterBodyId), "body of water");
     static const swVec3 corners[4] = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
     static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     f->hullDef = swDefaultHullDef();
@@ -239,6 +254,13 @@ static inline void MakeWorld(Fixture* f)
     f->hullDef.indices = faces;
     f->hullDef.resolution = 8;
     Need(swCreateHull(&f->host, &f->hullDef, &f->hull), "hull");
+    static swSplinePoint points[2];
+    points[0] = swDefaultSplinePoint(0.0, 0.0, 0.0);
+    points[1] = swDefaultSplinePoint(9.0, 0.0, 0.0);
+    f->splineDef = swDefaultSplineDef();
+    f->splineDef.points = points;
+    f->splineDef.pointCount = 2;
+    Need(swCreateSpline(&f->host, &f->splineDef, &f->spline), "spline");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }
