@@ -43,7 +43,9 @@ typedef struct swWaterDef
     swVec3 scattering;     ///< per metre. Range [0, 100]. Default clear ocean
     float refractiveIndex; ///< Range [1, 3]. Default 1.34
     swVec3 foamAlbedo;     ///< Range [0, 1]. Default 0.9 grey
-    float windSpeed; ///< for the roughness of ripples that no band holds [Cox 1954], m/s. Range [0, 100]. Default 7
+    /// For the roughness of ripples that no band holds [Cox 1954], m/s. Range [0, 100]. Default 0: the mean of the
+    /// world's wind, or 7 where it names none.
+    float windSpeed;
     int internalValue;
 } swWaterDef;
 SW_API swWaterDef swDefaultWaterDef(void);

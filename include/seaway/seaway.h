@@ -9,6 +9,7 @@
 #include "field.h"
 #include "hull.h"
 #include "id.h"
+#include "input.h"
 #include "math.h"
 #include "measured.h"
 #include "moment.h"
@@ -20,4 +21,5 @@
 #include "spectrum.h"
 #include "view.h"
 #include "waves.h"
+#include "wind.h"
 #include "world.h"

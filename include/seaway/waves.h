@@ -105,6 +105,10 @@ typedef struct swWaveSystemDef
     /// shore only. Range [0, 1e4]. Default 0: by their lengths alone.
     float shallowsDepth;
 
+    /// The waves are only where inputs of SW_INPUT_WAVES give them weight, see input.h. Default false: they are
+    /// everywhere, but for what inputs take from them.
+    bool isLocal;
+
     /// The waves repeat exactly after this time, s. Range [0, SW_LARGEST_TIME]. Default 0: never.
     float loopPeriod;
 
@@ -112,6 +116,11 @@ typedef struct swWaveSystemDef
     /// world a seed of its own: of FFT systems with one seed the waves that they have in common run in step, and their
     /// heights add up instead of their energies. The log warns of it.
     uint32_t seed;
+
+    /// Take speed and direction of the world's wind (wind.h) in place of the spectrum's, and change with it; the
+    /// spectrum's own stand where the world names no wind. Heights and periods that are given stay. Not of a table, nor
+    /// of given components. Default false.
+    bool takesWind;
 
     /// Set by swDefaultWaveSystemDef().
     int internalValue;

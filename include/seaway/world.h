@@ -4,12 +4,11 @@
 #include "base.h"
 #include "id.h"
 #include "math.h"
+#include "wind.h"
 
 /// @file
 /// A world: wave systems and simulations on one clock. Any number of threads may use a `const swWorld*`; a function
 /// that takes `swWorld*` wants the world to itself.
-
-typedef struct swWorld swWorld;
 
 /// Instruction sets of the wide kernels. All give the same bits.
 typedef enum swIsa
@@ -33,8 +32,8 @@ typedef struct swFoamDef
     /// Factor on the whitecap cover that the waves' wind gives, for an artist. Range [0, 100]. Default 1.
     float coverage;
 
-    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the wind that a spectrum knows (see
-    /// swSpectrumDef::hasWind), or else the one that the waves themselves tell of, by the level of the equilibrium
+    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the mean of the world's wind (see wind.h), or where it
+    /// names none the wind that a spectrum knows (see swSpectrumDef::hasWind), or else the one that the waves themselves tell of, by the level of the equilibrium
     /// range above their peak [Phillips 1985]. Give a wind where it was measured, or where waves and weather disagree.
     float windSpeed;
 
@@ -80,6 +79,9 @@ typedef struct swWorldDef
     bool enableAcceleration;
 
     swFoamDef foam;
+
+    /// See wind.h.
+    swWindDef wind;
 
     /// Default SW_ISA_BEST: the widest that this machine has.
     swIsa isa;
@@ -128,9 +130,9 @@ SW_API swPosXZ swWorld_GetOrigin(const swWorld* world);
 /// What makes foam, as the last step found it.
 typedef struct swFoamState
 {
-    float
-        windSpeed; ///< m/s at 10 m, at most 100: the def's, the strongest that a spectrum knows, or what waves tell of
-    float cover;   ///< mean foam of the steady state
+    float windSpeed; ///< m/s at 10 m, at most 100: the def's, the world's mean, the strongest that a spectrum knows, or
+                     ///< what waves tell of
+    float cover;     ///< mean foam of the steady state
     float threshold; ///< folding (determinant of the Jacobian) below which foam is born
 } swFoamState;
 

@@ -138,6 +138,7 @@ static const Rule rules[] = {
     {"min_wavelength_m", SPECTRA},
     {"max_wavelength_m", SPECTRA},
     {"seed", SPECTRA},
+    {"takes_wind", FORMULAS},
     {"components_per_octave", SPECTRA},
     {"reverse_weight", SPECTRA},
     {"direction_variance_deg", SPECTRA},

@@ -224,7 +224,9 @@ static size_t FindSets(const swWorld* world)
 {
     swStream count = {.purpose = SW_STREAM_COUNT};
     swWorldDef def = world->def;
+    swWind wind = world->wind;
     swStreamDef(&count, &swWorldFields, &def);
+    swStreamWind(&count, &def.wind, &wind);
     return 12 + count.at + 41 + 4;
 }
 
@@ -246,7 +248,7 @@ static Saved RepeatSet(const swWorld* world, int copies)
         uint8_t* to = many.data + at + (size_t)i * record;
         memcpy(to, one.data + at, record);
         uint32_t seed = 1 + (uint32_t)i;
-        memcpy(to + record - 8, &seed, 4); // before the number of components
+        memcpy(to + record - 9, &seed, 4); // before takesWind and the number of components
     }
     memcpy(many.data + at + (size_t)copies * record, one.data + at + record, one.size - at - record);
     Sign(&many);

@@ -9,7 +9,7 @@
 #include "seaway/save.h"
 
 #define SAVE_MARK 0x5741534159415753u // "SWAYASAW"
-#define SAVE_VERSION 5u
+#define SAVE_VERSION 6u
 #define HASH_SIZE 8
 
 static uint64_t hashBytes(const uint8_t* data, size_t size)
@@ -199,11 +199,12 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     return SW_SUCCESS;
 }
 
-// A world can go back to another foam, but to nothing else of another def.
+// A world can go back to another foam and wind, but to nothing else of another def.
 static bool isSameWorld(const swWorldDef* a, const swWorldDef* b)
 {
     swWorldDef other = *b;
     other.foam = a->foam;
+    other.wind = a->wind;
     return swIsSameDef(&swWorldFields, a, &other);
 }
 
@@ -231,11 +232,14 @@ swResult swWorld_Rewind(swWorld* world, const void* data, size_t size)
                       "the world cannot go back to a saved state: that is of a world with another def");
     }
     const swFoamDef foam = world->def.foam;
+    const swWindDef wind = world->def.wind;
     world->def.foam = world->frame.foam = def.foam;
+    world->def.wind = def.wind;
     result = swRewindState(world, &stream);
     if (result != SW_SUCCESS)
     {
         world->def.foam = world->frame.foam = foam;
+        world->def.wind = wind;
     }
     return result == SW_ERROR_FORMAT ? failFormat(&world->host, "hold a state that cannot be") : result;
 }

@@ -45,6 +45,7 @@ static swWaveSystemDef makeSwell(const swWorld* world, const swSeaDef* def, int 
 {
     swWaveSystemDef swell = def->windSea;
     swell.spectrum = def->swells[index];
+    swell.takesWind = false; // a swell has left its wind behind
     swell.seed += SEED_STEP * (uint32_t)(index + 1);
     swSeaState seaState;
     if (swell.spectrum.kind != SW_SPECTRUM_TABLE &&

@@ -64,19 +64,16 @@ swResult swWaveSystem_Set(swWorld* world, swWaveSystemId id, const swWaveSystemD
     SW_REQUIRE(isTransition(seconds), SW_ERROR_INVALID, &world->host,
                "swWaveSystem_Set() was asked to take %g s; a change takes 0 to %g s", seconds, SW_MAX_TRANSITION);
     swResult result = swCheckWaveSystemDef(&world->host, def);
-    return result == SW_SUCCESS ? swChangeSystem(&world->waves, id.index1 - 1, def, seconds) : result;
+    return result == SW_SUCCESS ? swChangeWorldSystem(world, id.index1 - 1, def, seconds) : result;
 }
 
 swWaveSystemDef swWaveSystem_Get(const swWorld* world, swWaveSystemId id)
 {
-    const swWaveSystem* system = findSystem(world, id, "swWaveSystem_Get()");
-    if (system == NULL)
+    if (findSystem(world, id, "swWaveSystem_Get()") == NULL)
     {
         return swDefaultWaveSystemDef();
     }
-    swWaveSystemDef def = *swGetSystemDef(system);
-    def.weight = system->weight.to;
-    return def;
+    return swGetWorldSystemDef(world, id.index1 - 1);
 }
 
 swResult swWaveSystem_SetSpectrum(swWorld* world, swWaveSystemId id, const swSpectrumDef* spectrum)

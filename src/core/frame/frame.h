@@ -18,6 +18,7 @@
 #include "seaway/view.h"
 #include "seaway/waves.h"
 #include "core/base/seam.h"
+#include "core/frame/input_set.h"
 #include "core/frame/layers.h"
 #include "shared/depth_share.h"
 #include "shared/foam.h"
@@ -249,6 +250,34 @@ typedef struct swFoamLaw
     swFoamRest rest;     // of all waves that make foam
 } swFoamLaw;
 
+// One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns - frequency
+// ticks + phaseAlong)), and so across.
+#define SW_GUSTS 12
+
+typedef struct swGust
+{
+    double turnsX, turnsZ; // turns per metre
+    uint64_t frequency;    // turns per tick, as swMode has it
+    uint32_t phaseAlong, phaseAcross;
+    float alongX, alongZ; // m/s
+} swGust;
+
+typedef struct swGustyWind
+{
+    float meanX, meanZ; // m/s
+    int gustCount;
+    swGust gusts[SW_GUSTS];
+} swGustyWind;
+
+// The wind of the world: one, or one that turns into another over `length` ticks.
+typedef struct swWindFrame
+{
+    bool isNamed; // false: the world names no wind, and all winds here are 0
+    int64_t begin, length;
+    swGustyWind from, to;
+    swWindDef fromDef, toDef; // that they are made of
+} swWindFrame;
+
 typedef struct swFrame
 {
     double time;
@@ -256,7 +285,8 @@ typedef struct swFrame
     double dt;
     double seaLevel;
     float gravity;
-    float wind; // m/s at 10 m, as the waves tell; see core/waves/wind_level.h
+    float wind; // m/s at 10 m: the world's mean, or where it names none, as the waves tell (core/waves/wind_level.h)
+    swWindFrame windField;
     swFoamDef foam;
     swFoamLaw foamLaw;
     uint32_t tilesVersion; // changes when the list of tiles does
@@ -268,6 +298,7 @@ typedef struct swFrame
     const swViewFrame* views;
     int zoneCount;
     const swZoneFrame* zones;
+    const swInputSet* inputs; // NULL: there are none
 } swFrame;
 
 // The foam layer's parameters of slice `i`.

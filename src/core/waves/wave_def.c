@@ -65,10 +65,14 @@ static const swField systemFields[] = {
     SW_NUMBER(shallowsDepth, "m", SW_WITHIN(0.0, 1e4), 0.0, .key = "shallows_depth_m", .label = "shallows end",
               .tip = "Deeper water attenuates none of them, however long", .zero = "by their lengths",
               SW_LOG_KNOB(1.0, 1000.0)),
+    SW_SWITCH(isLocal, false, .key = "is_local", .label = "local",
+              .tip = "Its waves are only where an input gives them weight"),
     SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, SW_LARGEST_TIME), 0.0, .key = "loop_period_s", .label = "loop",
               .tip = "The waves repeat exactly after this time", .zero = "never", SW_LOG_KNOB(1.0, 600.0)),
     SW_NUMBER(seed, "", SW_WITHIN(0.0, 4294967295.0), 1.0, .key = "seed", .label = "seed",
               .tip = "Another seed is another sea of the same statistics", SW_KNOB(0.0, 100.0)),
+    SW_SWITCH(takesWind, false, .key = "takes_wind", .label = "takes the world's wind",
+              .tip = "Speed and direction of the world's wind in place of its own"),
 };
 #undef SW_DEF
 
@@ -119,6 +123,13 @@ swResult swCheckWaveSystemDef(const swHost* host, const swWaveSystemDef* def)
         return swFail(host, SW_ERROR_INVALID,
                       "swWaveSystemDef::minWavelength is %g m; it must be below maxWavelength, which is %g m.",
                       (double)def->minWavelength, (double)def->maxWavelength);
+    }
+    bool isByHand = def->method == SW_WAVES_GERSTNER && def->componentCount > 0;
+    if (result == SW_SUCCESS && def->takesWind && (def->spectrum.kind == SW_SPECTRUM_TABLE || isByHand))
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "swWaveSystemDef::takesWind is true; it must be false of a table and of given components, which "
+                      "no wind can change.");
     }
     return result == SW_SUCCESS && def->method == SW_WAVES_FFT ? checkTiles(host, def) : result;
 }

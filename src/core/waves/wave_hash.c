@@ -124,6 +124,12 @@ void swAddHashSystem(swHash* hash, const swWaveSystem* system, int64_t ticks)
 {
     swAddHash(hash, (uint64_t)system->partCount);
     addRamp(hash, &system->weight, ticks);
+    if (system->own.isReplaced) // a new wind will change it
+    {
+        swAddHash(hash, system->own.isKnown ? 2 : 1);
+        swAddHashDouble(hash, (double)system->own.speed);
+        swAddHashDouble(hash, (double)system->own.direction);
+    }
     for (int i = 0; i < system->partCount; ++i)
     {
         const swWavePart* part = &system->parts[i];

@@ -61,11 +61,20 @@ typedef struct swWavePart
     swRecordClock records; // of a part that a replay shows
 } swWavePart;
 
+// Of a system that takes the world's wind: what its def says of its own.
+typedef struct swOwnWind
+{
+    bool isReplaced;
+    bool isKnown; // swSpectrumDef::hasWind
+    float speed, direction;
+} swOwnWind;
+
 typedef struct swWaveSystem
 {
     int partCount;                       // 0: the slot is empty
     swWavePart parts[SW_MAX_WAVE_PARTS]; // newest last
     swRamp weight;
+    swOwnWind own;
 } swWaveSystem;
 
 typedef struct swWaves

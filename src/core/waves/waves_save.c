@@ -4,6 +4,7 @@
 
 #include "core/waves/waves_save.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/base/host.h"
@@ -285,11 +286,22 @@ static void streamPart(swStream* stream, const swSetList* list, swWavePart* part
     }
 }
 
+static void streamOwnWind(swStream* stream, swOwnWind* own)
+{
+    swStreamBool(stream, &own->isReplaced);
+    swStreamBool(stream, &own->isKnown);
+    swStreamF32(stream, &own->speed);
+    swStreamF32(stream, &own->direction);
+    bool isFine = !own->isReplaced || (own->speed > 0.0f && own->speed <= 100.0f && fabsf(own->direction) <= 1000.0f);
+    stream->isBroken = stream->isBroken || !isFine;
+}
+
 void swStreamSystem(swStream* stream, const swSetList* list, swWaveSystem* system)
 {
     int count = system->partCount;
     swStreamRange(stream, &count, 1, SW_MAX_WAVE_PARTS);
     streamRamp(stream, &system->weight);
+    streamOwnWind(stream, &system->own);
     for (int i = 0; i < count && !stream->isBroken; ++i)
     {
         streamPart(stream, list, &system->parts[i]);

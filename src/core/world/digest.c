@@ -53,6 +53,7 @@ uint64_t swHashWorld(const swWorld* world)
     {
         swAddHashFreeWave(&hash, &frame->waves[i]);
     }
+    swAddHashWind(&hash, &world->wind, frame->ticks);
     swHashZones(&hash, world);
     return swEndHash(&hash);
 }

@@ -11,9 +11,10 @@
 
 #include "core/base/hash.h"
 #include "core/base/host.h"
+#include "core/input/wind.h"
 
 #define MOMENT_MARK 0x544e454d4f4d5753u // "SWMOMENT"
-#define MOMENT_VERSION 1u
+#define MOMENT_VERSION 2u
 #define ALIGNMENT 64
 
 // Of any legal tile, m.
@@ -35,6 +36,7 @@ typedef struct Head
     swPosXZ origin;
     float gravity;
     int32_t tileCount, waveCount;
+    swWind wind;
     uint64_t tiles, waves; // offsets
 } Head;
 
@@ -223,6 +225,7 @@ void swSignMoment(void* block)
 static void writeHead(swOwnMoment* moment)
 {
     const swTileList* list = &moment->list;
+    const swWindFrame* wind = &moment->frame.windField;
     char* block = moment->memory;
     memset(block, 0, getHeadSize(list->tileCount, list->waveCount));
     Head head = {
@@ -239,6 +242,7 @@ static void writeHead(swOwnMoment* moment)
         .seaLevel = moment->frame.seaLevel,
         .origin = moment->origin,
         .gravity = moment->frame.gravity,
+        .wind = {.from = wind->fromDef, .to = wind->toDef, .begin = wind->begin, .length = wind->length},
         .tileCount = list->tileCount,
         .waveCount = list->waveCount,
         .tiles = roundUp(sizeof(Head)),
@@ -311,6 +315,10 @@ static void showList(swOwnMoment* moment)
 swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double time)
 {
     const swWaves* waves = source->waves;
+    if (source->frame->inputs->recordCount > 0)
+    {
+        return swFail(source->host, SW_ERROR_UNSUPPORTED, "a moment cannot hold inputs yet, and the world has some");
+    }
     int64_t ticks = (int64_t)floor(time * SW_TICKS_PER_SECOND + 0.5);
     swShown shown;
     swFindShown(waves, time, ticks, &shown);
@@ -342,6 +350,7 @@ swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double t
         .ticks = ticks,
         .seaLevel = source->frame->seaLevel,
         .gravity = source->frame->gravity,
+        .windField = source->frame->windField,
     };
     moment->usedSize = fill.at;
     showList(moment);
@@ -430,7 +439,8 @@ static swResult readHead(const swHost* host, const char* block, size_t size, Hea
                     head->waves == head->tiles + roundUp((size_t)head->tileCount * sizeof(StoredTile));
     bool isTime =
         fabs(head->time) <= SW_LARGEST_TIME && head->ticks == (int64_t)floor(head->time * SW_TICKS_PER_SECOND + 0.5);
-    return isPlaced && isTime ? SW_SUCCESS : refuse(host, "holds a state that cannot be");
+    bool isWind = swIsWindGood(&head->wind);
+    return isPlaced && isTime && isWind ? SW_SUCCESS : refuse(host, "holds a state that cannot be");
 }
 
 // An address in the block, or NULL if `bytes` there would not lie within it.
@@ -531,6 +541,7 @@ swResult swMapMomentBlock(const swHost* host, const void* memory, size_t size, s
         .seaLevel = head.seaLevel,
         .gravity = head.gravity,
     };
+    swDeriveWind(&head.wind, head.ticks, &moment->frame.windField);
     showList(moment);
     *momentOut = moment;
     return SW_SUCCESS;

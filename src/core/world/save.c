@@ -39,18 +39,20 @@ static void streamSystems(swStream* stream, const swSetList* list, swIdPool* ids
 
 // ---- all of it ----
 
-// Times, the origin, and whether a change waits for the next step.
+// Times, the origin, whether a change waits for the next step, and how far the wind has changed.
 typedef struct Clocks
 {
     double time, stepped;
     int64_t ticks;
     swPosXZ origin;
     bool isChanged;
+    swWind wind;
 } Clocks;
 
 static Clocks getClocks(const swWorld* world)
 {
-    return (Clocks){world->time, world->frame.time, world->frame.ticks, world->origin, world->waves.isChanged};
+    return (Clocks){world->time,   world->frame.time,      world->frame.ticks,
+                    world->origin, world->waves.isChanged, world->wind};
 }
 
 static bool isWithin(double value, double largest)
@@ -58,7 +60,7 @@ static bool isWithin(double value, double largest)
     return value <= largest && value >= -largest; // false for NaN
 }
 
-static void streamClocks(swStream* stream, Clocks* clocks)
+static void streamClocks(swStream* stream, const swWorld* world, Clocks* clocks)
 {
     swStreamF64(stream, &clocks->time);
     swStreamF64(stream, &clocks->stepped);
@@ -66,6 +68,7 @@ static void streamClocks(swStream* stream, Clocks* clocks)
     swStreamF64(stream, &clocks->origin.x);
     swStreamF64(stream, &clocks->origin.z);
     swStreamBool(stream, &clocks->isChanged);
+    swStreamWind(stream, &world->def.wind, &clocks->wind);
     bool isFine = isWithin(clocks->time, SW_LARGEST_TIME) && isWithin(clocks->stepped, SW_LARGEST_TIME) &&
                   isWithin(clocks->origin.x, SW_FARTHEST_ORIGIN) && isWithin(clocks->origin.z, SW_FARTHEST_ORIGIN) &&
                   clocks->ticks == (int64_t)floor(clocks->stepped * SW_TICKS_PER_SECOND + 0.5);
@@ -76,6 +79,7 @@ static void streamClocks(swStream* stream, Clocks* clocks)
 static void finishReading(swWorld* world, const Clocks* clocks, const swPos last[SW_MAX_VIEWS])
 {
     world->origin = clocks->origin;
+    world->wind = clocks->wind;
     swSetFrameTime(world, clocks->stepped, 0.0);
     world->waves.isTileListStale = true;
     swAdvanceWaves(&world->waves, world->frame.ticks);
@@ -91,7 +95,12 @@ swResult swStreamState(swWorld* world, swStream* stream)
     Clocks clocks = getClocks(world);
     swSetList list = {0};
     swPos last[SW_MAX_VIEWS];
-    streamClocks(stream, &clocks);
+    if (world->inputs.count > 0)
+    {
+        return swFail(&world->host, SW_ERROR_UNSUPPORTED,
+                      "a saved world cannot hold inputs yet, and the world has some");
+    }
+    streamClocks(stream, world, &clocks);
     if (stream->isBroken)
     {
         return SW_ERROR_FORMAT;
@@ -210,7 +219,7 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
 swResult swRewindState(swWorld* world, swStream* stream)
 {
     Rewind rewind = {.ids = swMakeIdPool(SW_MAX_WAVE_SYSTEMS)};
-    streamClocks(stream, &rewind.clocks);
+    streamClocks(stream, world, &rewind.clocks);
     swResult result = stream->isBroken ? SW_ERROR_FORMAT : findSets(world, stream, &rewind.sets);
     if (result != SW_SUCCESS)
     {

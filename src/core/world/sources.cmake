@@ -10,5 +10,6 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/view_save.c
     ${CMAKE_CURRENT_LIST_DIR}/world.c
     ${CMAKE_CURRENT_LIST_DIR}/world_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/world_wind.c
     ${CMAKE_CURRENT_LIST_DIR}/zone.c
     ${CMAKE_CURRENT_LIST_DIR}/zone_save.c)

@@ -16,7 +16,9 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     world->kernels = kernels;
     swBeginWaves(&world->waves, &world->memory, kernels, def);
     world->systemIds = swMakeIdPool(SW_MAX_WAVE_SYSTEMS);
+    swBeginInputs(&world->inputs, &world->memory, &world->systemIds, def->seaLevel);
     world->frame = (swFrame){
+        .inputs = &world->inputs.set,
         .seaLevel = def->seaLevel,
         .gravity = def->gravity,
         .foam = def->foam,
@@ -25,6 +27,8 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     };
     world->moment =
         (swMoment){.host = &world->host, .kernels = kernels, .frame = &world->frame, .origin = &world->origin};
+    world->wind = swMakeWind(&def->wind);
+    swDeriveWind(&world->wind, 0, &world->frame.windField);
     *worldOut = world;
     return SW_SUCCESS;
 }
@@ -39,6 +43,7 @@ void swFreeWorld(swWorld* world)
     {
         swRemoveView(world->views[world->viewCount - 1]);
     }
+    swEndInputs(&world->inputs);
     swEndWaves(&world->waves);
     swHost host = world->host;
     swFree(&host, world, sizeof(swWorld));
@@ -52,7 +57,7 @@ swResult swCreateSystem(swWorld* world, const swWaveSystemDef* def, swId* id)
                       SW_MAX_WAVE_SYSTEMS);
     }
     *id = swAllocId(&world->systemIds);
-    swResult result = swAddSystem(&world->waves, id->index1 - 1, def);
+    swResult result = swAddWorldSystem(world, id->index1 - 1, def);
     if (result != SW_SUCCESS)
     {
         swFreeId(&world->systemIds, *id);
@@ -64,6 +69,7 @@ void swDestroySystem(swWorld* world, swId id)
 {
     swRemoveSystem(&world->waves, id.index1 - 1);
     swFreeId(&world->systemIds, id);
+    world->inputs.isChanged = true; // those that weigh its waves have none any more
 }
 
 const swFrame* swGetWorldFrame(const swWorld* world)

@@ -8,6 +8,8 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
+#include "core/input/inputs.h"
+#include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/waves.h"
@@ -40,6 +42,8 @@ struct swWorld
     swIdPool systemIds; // of the slots of the waves' systems
     swWaves waves;
     swWhitecaps whitecaps;
+    swInputs inputs;
+    swWind wind;
 
     swView* views[SW_MAX_VIEWS];
     int viewCount;
@@ -60,6 +64,13 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
 void swFreeWorld(swWorld* world);
 swResult swCreateSystem(swWorld* world, const swWaveSystemDef* def, swId* id);
 void swDestroySystem(swWorld* world, swId id);
+
+// world_wind.c: the world's wind, and the systems that take it, known by their slots.
+swResult swChangeWorldWind(swWorld* world, const swWindDef* def, double seconds);
+void swDeriveWorldWind(swWorld* world);
+swResult swAddWorldSystem(swWorld* world, int slot, const swWaveSystemDef* def);
+swResult swChangeWorldSystem(swWorld* world, int slot, const swWaveSystemDef* def, double seconds);
+swWaveSystemDef swGetWorldSystemDef(const swWorld* world, int slot); // what was asked for last
 
 // world_def.c and view_def.c: what defs must hold; SW_ERROR_INVALID and a sentence in the log otherwise.
 extern const char* const swIsaWords[SW_ISA_COUNT + 1]; // ends with NULL

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/field.h"
+#include "core/input/wind.h"
 #include "core/sim/foam.h"
 #include "core/world/world.h"
 
@@ -20,6 +21,8 @@ static const swField worldFields[] = {
     SW_SWITCH(enableAcceleration, false, .key = NULL, .label = "accelerations",
               .tip = "Keep accelerations of the surface, for fast queries", .use = SW_USE_STATE),
     SW_PART(foam, &swFoamFields, .key = "foam", .label = "foam"),
+    // The digest has it where one is named.
+    SW_PART(wind, &swWindFields, .key = "wind", .label = "wind", .use = SW_USE_STATE),
     SW_CHOICE(isa, swIsaWords, swIsaWords, SW_ISA_BEST, .key = NULL, .label = "instruction set", .use = SW_USE_HERE),
 };
 #undef SW_DEF

@@ -35,8 +35,9 @@ static const swField waterFields[] = {
               .use = SW_USE_HERE, SW_KNOB(1.0, 2.0)),
     SW_NUMBERS(foamAlbedo, float, "", SW_WITHIN(0.0, 1.0), SW_EACH(0.9, 0.9, 0.9), .key = "foam_albedo",
                .label = "foam colour", .form = SW_FORM_COLOR, .use = SW_USE_HERE, SW_KNOB(0.0, 1.0)),
-    SW_NUMBER(windSpeed, "m/s", SW_WITHIN(0.0, 100.0), 7.0, .key = "wind_speed_mps", .label = "wind on ripples",
-              .tip = "Roughens what no wave resolves; it makes no waves", .use = SW_USE_HERE, SW_KNOB(0.0, 40.0)),
+    SW_NUMBER(windSpeed, "m/s", SW_WITHIN(0.0, 100.0), 0.0, .key = "wind_speed_mps", .label = "wind on ripples",
+              .tip = "Roughens what no wave resolves; it makes no waves", .zero = "the world's, or 7",
+              .use = SW_USE_HERE, SW_KNOB(0.0, 40.0)),
 };
 #undef SW_DEF
 

@@ -16,6 +16,7 @@
 #define SW_SUN_BLUE 0.915f
 #define SW_FOAM_PERIOD 1024.0
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
+#define USUAL_WIND 7.0f      // m/s on ripples where nothing names a wind
 #define SW_CLOUD_DRIFT 0.015 // km/s
 
 static double wrap(double x, double period)
@@ -93,7 +94,8 @@ static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* b
     p->index = water->refractiveIndex;
     p->deviation = deviation;
     p->foamAlbedo = water->foamAlbedo;
-    p->rippleVariance = swRippleVariance(water->windSpeed, slopes);
+    float worldWind = frame->windField.isNamed ? frame->wind : USUAL_WIND;
+    p->rippleVariance = swRippleVariance(water->windSpeed > 0.0f ? water->windSpeed : worldWind, slopes);
     p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
     p->verticalReach = 6.0f * deviation + 0.1f;
