@@ -52,11 +52,11 @@ typedef struct swSceneWaves
 typedef struct swSceneRaster
 {
     char name[64];
-    char file[512];       ///< relative to the scene's folder
-    char variable[64];    ///< of def.variable; empty: NULL
-    swRasterFileDef def;  ///< how the file was read
-    swRaster* raster;     ///< NULL until it is read
-    int item;             ///< which of the file's rasters it is, from 1 on
+    char file[512];      ///< relative to the scene's folder
+    char variable[64];   ///< of def.variable; empty: NULL
+    swRasterFileDef def; ///< how the file was read
+    swRaster* raster;    ///< NULL until it is read
+    int item;            ///< which of the file's rasters it is, from 1 on
 } swSceneRaster;
 
 /// An input of a scene. Its system is that of the scene's waves, see `waves`; what it names is the scene's.

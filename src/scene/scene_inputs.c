@@ -47,7 +47,8 @@ static swResult allocateItems(swYaml* yaml, yaml_node_t* node, const char* what,
     *items = swAllocateZero(yaml->host, (size_t)*count * size);
     if (*items == NULL)
     {
-        swResult failed = swFail(yaml->host, SW_ERROR_NO_MEMORY, "No memory for %d %s of %s.", *count, what, yaml->name);
+        swResult failed =
+            swFail(yaml->host, SW_ERROR_NO_MEMORY, "No memory for %d %s of %s.", *count, what, yaml->name);
         *count = 0;
         return failed;
     }
@@ -124,8 +125,8 @@ static swResult readRaster(swYaml* yaml, yaml_node_t* node, const Reader* reader
     swBeginYamlMapping(&mapping, "a raster");
     swAddYamlFields(&mapping, swGetSceneRasterFields(), 0, "rasters");
     swResult result = swReadYamlMapping(yaml, node, &mapping, raster);
-    result = swKeepFailure(result, checkName(yaml, node, &mapping, "raster", reader->scene->rasters,
-                                             sizeof(swSceneRaster), index));
+    result = swKeepFailure(
+        result, checkName(yaml, node, &mapping, "raster", reader->scene->rasters, sizeof(swSceneRaster), index));
     if (node->type == YAML_MAPPING_NODE && swGetYamlNode(&mapping, "file") == NULL)
     {
         result = swKeepFailure(result, swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
@@ -255,7 +256,7 @@ typedef struct Need
 } Need;
 
 static const Need needs[] = {
-    {SW_SHAPE_RASTER, "raster"},   {SW_SHAPE_POLYGON, "points"},   {SW_SHAPE_POLYLINE, "points"},
+    {SW_SHAPE_RASTER, "raster"},    {SW_SHAPE_POLYGON, "points"}, {SW_SHAPE_POLYLINE, "points"},
     {SW_SHAPE_PARTICLES, "points"}, {SW_SHAPE_SPLINE, "spline"},
 };
 
@@ -312,12 +313,12 @@ static swResult readWaves(swYaml* yaml, yaml_node_t* node, const InputKeys* keys
     input->waves = -1;
     if (waves == NULL || !isWeight)
     {
-        return isWeight        ? swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
-                                            "the field 'waves' needs waves: which of the scene's waves it weighs, 1 to %d.",
-                                            scene->wavesCount)
-               : waves != NULL ? swFailYaml(yaml, waves, SW_MISTAKE_NO_EFFECT,
-                                            "waves has no effect on this field; remove it.")
-                               : SW_SUCCESS;
+        return isWeight ? swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
+                                     "the field 'waves' needs waves: which of the scene's waves it weighs, 1 to %d.",
+                                     scene->wavesCount)
+               : waves != NULL
+                   ? swFailYaml(yaml, waves, SW_MISTAKE_NO_EFFECT, "waves has no effect on this field; remove it.")
+                   : SW_SUCCESS;
     }
     float number = 0.0f;
     swResult result = readNumber(yaml, waves, "waves", &number);
@@ -388,8 +389,8 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const Reader* reader,
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)
     {
-        result = swKeepFailure(
-            result, readNumbers(yaml, value, "value", countNumbers(input->def.field), input->def.value));
+        result =
+            swKeepFailure(result, readNumbers(yaml, value, "value", countNumbers(input->def.field), input->def.value));
     }
     return points != NULL ? swKeepFailure(result, readPoints(yaml, points, input)) : result;
 }
