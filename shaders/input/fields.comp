@@ -101,8 +101,7 @@ void main()
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
-        uint block =
-            (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+        uint block = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
         blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems);
     }
 }
