@@ -270,10 +270,9 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->opaqueColor = shot->opaqueColor;
     picture->opaqueDepth = shot->opaqueDepth;
     picture->hasPlaces = view->stack.layers[SW_LAYER_PLACES].isAuthored;
-    picture->hasMadeFoam = view->stack.layers[SW_LAYER_WAKE_FOAM].isAuthored ||
-                           view->stack.layers[SW_LAYER_SHORE_FOAM].isAuthored;
-    picture->hasColors =
-        swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
+    picture->hasMadeFoam =
+        view->stack.layers[SW_LAYER_WAKE_FOAM].isAuthored || view->stack.layers[SW_LAYER_SHORE_FOAM].isAuthored;
+    picture->hasColors = swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
     swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, swGetDetailImage(gpuWorld)->width,
                    &picture->frame);
     swResult result = swUploadPicture(gpu, &picture->frame);
