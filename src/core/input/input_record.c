@@ -140,6 +140,30 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
     swSetInputTime(def, time, record);
 }
 
+// Of functions nothing is known.
+#define FUNCTION_REACH 1e4f
+
+float swFindInputReach(const swInputDef* def, const swInputData* data)
+{
+    float reach = 0.0f;
+    if (def->shape == SW_SHAPE_RASTER && def->raster->least <= def->raster->most)
+    {
+        reach = fmaxf(fabsf(def->raster->least), fabsf(def->raster->most));
+    }
+    if (def->shape == SW_SHAPE_FUNCTION)
+    {
+        return FUNCTION_REACH;
+    }
+    for (int i = 0; data != NULL && i < data->pointCount; ++i)
+    {
+        for (int k = 0; k < 4; ++k)
+        {
+            reach = fmaxf(reach, fabsf(data->points[i].value[k]));
+        }
+    }
+    return reach * fabsf(def->gain);
+}
+
 // ---- time ----
 
 bool swDoesInputChange(const swInputDef* def)

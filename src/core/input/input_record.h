@@ -32,6 +32,9 @@ int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint*
 void swMakeInputRecord(const swInputDef* def, const swInputData* data, double seaLevel, double time,
                        swInputRecord* record, swCellBox* box);
 
+// What no value that the shape brings of its own is farther from 0 than.
+float swFindInputReach(const swInputDef* def, const swInputData* data);
+
 // What changes with time alone: false if nothing of the def does.
 bool swDoesInputChange(const swInputDef* def);
 void swSetInputTime(const swInputDef* def, double time, swInputRecord* record);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/input/inputs.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/input/raster.h"
@@ -9,6 +10,7 @@ void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds
 {
     *inputs = (swInputs){.memory = memory, .systemIds = systemIds, .seaLevel = seaLevel};
     inputs->set.version = inputs->set.wordsVersion = 1;
+    inputs->set.weightReach = 1.0f;
 }
 
 // ---- data ----
@@ -102,7 +104,7 @@ typedef struct Room
     size_t itemSize; // bytes an input
 } Room;
 
-#define ROOMS 9
+#define ROOMS 10
 
 static void listRooms(swInputs* inputs, Room rooms[ROOMS])
 {
@@ -113,6 +115,7 @@ static void listRooms(swInputs* inputs, Room rooms[ROOMS])
         {(void**)&inputs->words, sizeof *inputs->words},
         {(void**)&inputs->functions, sizeof *inputs->functions},
         {(void**)&inputs->contexts, sizeof *inputs->contexts},
+        {(void**)&inputs->reaches, sizeof *inputs->reaches},
         {(void**)&inputs->boxes, sizeof *inputs->boxes},
         {(void**)&inputs->items, 2 * sizeof *inputs->items},
         {(void**)&inputs->nodes, SW_INDEX_NODES(1) * sizeof *inputs->nodes},
@@ -367,7 +370,33 @@ static void addRecord(swInputs* inputs, uint32_t slot, int at, double time)
     inputs->words[at] = showWords(input->data);
     inputs->functions[at] = def->function;
     inputs->contexts[at] = def->functionContext;
+    inputs->reaches[at] = swFindInputReach(def, input->data);
     swMakeInputRecord(def, input->data, inputs->seaLevel, time, &inputs->records[at], &inputs->boxes[at]);
+}
+
+// How far from 0 a field may be, whatever the order of its records and wherever they lie: added up they go on, mixed
+// they do not.
+static float findReach(const swInputs* inputs, int field, float below)
+{
+    const swInputRange* range = &inputs->set.ranges[field];
+    float reach = below;
+    for (uint32_t i = range->firstRecord; i < range->firstRecord + range->recordCount; ++i)
+    {
+        const swInputRecord* record = &inputs->records[i];
+        float own = inputs->reaches[i];
+        own += fmaxf(fmaxf(fabsf(record->value.x), fabsf(record->value.y)), fabsf(record->value.z));
+        reach = record->blend == SW_JOIN_ADD        ? reach + record->weight * own
+                : record->blend == SW_JOIN_MULTIPLY ? reach * fmaxf(1.0f, own)
+                                                    : fmaxf(reach, own);
+    }
+    return reach;
+}
+
+static void findReaches(swInputs* inputs)
+{
+    inputs->set.levelReach = findReach(inputs, SW_INPUT_LEVEL, 0.0f);
+    inputs->set.weightReach = findReach(inputs, SW_INPUT_WAVES, 1.0f);
+    inputs->set.displacementReach = findReach(inputs, SW_INPUT_DISPLACEMENT, 0.0f);
 }
 
 static void makeSet(swInputs* inputs, double time)
@@ -391,6 +420,7 @@ static void makeSet(swInputs* inputs, double time)
     set->nodeCount = swBuildInputIndex(set, inputs->boxes, inputs->items, inputs->scratch, inputs->nodes);
     set->version += 1;
     set->wordsVersion += 1;
+    findReaches(inputs);
 }
 
 // Records that change with time alone.
@@ -406,7 +436,11 @@ static void moveTime(swInputs* inputs, double time)
             hasChanged = true;
         }
     }
-    inputs->set.version += hasChanged ? 1 : 0;
+    if (hasChanged)
+    {
+        inputs->set.version += 1;
+        findReaches(inputs);
+    }
 }
 
 void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)

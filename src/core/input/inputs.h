@@ -37,6 +37,7 @@ typedef struct swInputs
     const float** words;
     swInputFunctionFcn* functions;
     void** contexts;
+    float* reaches; // [capacity] see swFindInputReach()
     swCellBox* boxes;
     swIndexItem* items;
     swIndexItem* scratch;

@@ -57,6 +57,7 @@ static void useFrame(swQuery* query, const swFrame* frame)
 
 static void usePlaces(swQuery* query, const swFrame* frame)
 {
+    query->inputs = frame->inputs;
     query->places = swMakeInputPlaces(frame->inputs, &query->inputPlaces) ? &query->inputPlaces : NULL;
 }
 
