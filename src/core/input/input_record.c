@@ -116,7 +116,6 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         .blend = (sw_uint)def->blend,
         .flags = def->followsWaves ? SW_INPUT_FOLLOWS_WAVES : 0u,
         .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : 0u,
-        .wordCount = data != NULL ? (sw_uint)data->wordCount[data->shown] : 0u,
         .gain = def->gain,
     };
     // Heights of floors count from sea level, so that they are as good wherever that is.
@@ -138,6 +137,54 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         *box = findBox(record, origin);
     }
     swSetInputTime(def, time, record);
+}
+
+const float* swGetInputWords(const swInputData* data, int* count)
+{
+    *count = 0;
+    if (data == NULL)
+    {
+        return NULL;
+    }
+    if (data->raster != NULL)
+    {
+        const swRaster* raster = data->raster;
+        *count = raster->width * raster->height * raster->channels * raster->frames;
+        return raster->values;
+    }
+    int which = data->isNew ? 1 - data->shown : data->shown;
+    *count = data->wordCount[which];
+    return *count > 0 ? data->words[which] : NULL;
+}
+
+static bool isRasterGood(const swInputRecord* record)
+{
+    uint64_t cells = (uint64_t)record->extra0 * record->extra1;
+    bool isSized = record->extra0 >= 1 && record->extra0 <= SW_MAX_RASTER_SIDE && record->extra1 >= 1 &&
+                   record->extra1 <= SW_MAX_RASTER_SIDE && record->extra2 >= swCountInputNumbers(record->field) &&
+                   record->extra2 <= 4 && record->part0 > 0.0f && record->part1 > 0.0f;
+    uint64_t frame = cells * record->extra2;
+    return isSized && record->extra3 + frame <= record->wordCount && record->extra4 + frame <= record->wordCount;
+}
+
+bool swIsInputRecordGood(const swInputRecord* record)
+{
+    if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
+        record->wordCount > SW_MAX_RASTER_VALUES)
+    {
+        return false;
+    }
+    switch (record->shape)
+    {
+    case SW_SHAPE_EVERYWHERE:
+    case SW_SHAPE_CIRCLE:
+    case SW_SHAPE_RECTANGLE:
+        return true;
+    case SW_SHAPE_RASTER:
+        return isRasterGood(record);
+    default:
+        return false;
+    }
 }
 
 // Of functions nothing is known.

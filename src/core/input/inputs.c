@@ -9,8 +9,8 @@
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
 {
     *inputs = (swInputs){.memory = memory, .systemIds = systemIds, .seaLevel = seaLevel};
-    inputs->set.version = inputs->set.wordsVersion = 1;
-    inputs->set.weightReach = 1.0f;
+    inputs->arrays.set.version = inputs->arrays.set.wordsVersion = 1;
+    inputs->arrays.set.weightReach = 1.0f;
 }
 
 // ---- data ----
@@ -96,81 +96,27 @@ static void freeDead(swInputs* inputs)
     }
 }
 
-// ---- room ----
-
-typedef struct Room
-{
-    void** place;
-    size_t itemSize; // bytes an input
-} Room;
-
-#define ROOMS 10
-
-static void listRooms(swInputs* inputs, Room rooms[ROOMS])
-{
-    const Room all[ROOMS] = {
-        {(void**)&inputs->order, sizeof *inputs->order},
-        {(void**)&inputs->sources, sizeof *inputs->sources},
-        {(void**)&inputs->records, sizeof *inputs->records},
-        {(void**)&inputs->words, sizeof *inputs->words},
-        {(void**)&inputs->functions, sizeof *inputs->functions},
-        {(void**)&inputs->contexts, sizeof *inputs->contexts},
-        {(void**)&inputs->reaches, sizeof *inputs->reaches},
-        {(void**)&inputs->boxes, sizeof *inputs->boxes},
-        {(void**)&inputs->items, 2 * sizeof *inputs->items},
-        {(void**)&inputs->nodes, SW_INDEX_NODES(1) * sizeof *inputs->nodes},
-    };
-    memcpy(rooms, all, sizeof all);
-}
-
-static void showArrays(swInputs* inputs)
-{
-    inputs->scratch = inputs->items + inputs->capacity;
-    inputs->set.records = inputs->records;
-    inputs->set.nodes = inputs->nodes;
-    inputs->set.words = inputs->words;
-    inputs->set.functions = inputs->functions;
-    inputs->set.contexts = inputs->contexts;
-}
-
 static bool reserve(swInputs* inputs, int count)
 {
-    if (count <= inputs->capacity)
-    {
-        return true;
-    }
     const swHost* host = &inputs->memory->host;
-    int capacity = inputs->capacity > 0 ? 2 * inputs->capacity : 16;
-    Room rooms[ROOMS];
-    void* made[ROOMS] = {NULL};
-    bool isFine = true;
-    listRooms(inputs, rooms);
-    for (int i = 0; i < ROOMS && isFine; ++i)
+    if (count > inputs->orderCapacity)
     {
-        made[i] = swAllocateZero(host, (size_t)capacity * rooms[i].itemSize);
-        isFine = made[i] != NULL;
-    }
-    for (int i = 0; i < ROOMS; ++i)
-    {
-        size_t size = (size_t)inputs->capacity * rooms[i].itemSize;
-        if (!isFine)
+        int capacity = inputs->orderCapacity > 0 ? 2 * inputs->orderCapacity : 16;
+        uint32_t* order = swAllocateZero(host, (size_t)capacity * sizeof *order);
+        if (order == NULL)
         {
-            swFree(host, made[i], (size_t)capacity * rooms[i].itemSize);
-            continue;
+            return false;
         }
+        size_t size = (size_t)inputs->orderCapacity * sizeof *order;
         if (size > 0)
         {
-            memcpy(made[i], *rooms[i].place, size);
+            memcpy(order, inputs->order, size);
         }
-        swFree(host, *rooms[i].place, size);
-        *rooms[i].place = made[i];
+        swFree(host, inputs->order, size);
+        inputs->order = order;
+        inputs->orderCapacity = capacity;
     }
-    if (isFine)
-    {
-        inputs->capacity = capacity;
-        showArrays(inputs);
-    }
-    return isFine;
+    return swReserveInputArrays(host, &inputs->arrays, count);
 }
 
 void swEndInputs(swInputs* inputs)
@@ -185,12 +131,8 @@ void swEndInputs(swInputs* inputs)
         }
     }
     freeDead(inputs);
-    Room rooms[ROOMS];
-    listRooms(inputs, rooms);
-    for (int i = 0; i < ROOMS; ++i)
-    {
-        swFree(host, *rooms[i].place, (size_t)inputs->capacity * rooms[i].itemSize);
-    }
+    swFreeInputArrays(host, &inputs->arrays);
+    swFree(host, inputs->order, (size_t)inputs->orderCapacity * sizeof *inputs->order);
     swFreeItems(host, &inputs->slots, sizeof(swInput));
 }
 
@@ -348,113 +290,93 @@ static bool counts(const swInputs* inputs, const swInput* input)
            (def->field != SW_INPUT_WAVES || swIsIdValid(inputs->systemIds, system));
 }
 
-static const float* showWords(swInputData* data)
+// Words that were made since the last step are shown from now on.
+static void showWords(swInputs* inputs)
 {
-    if (data == NULL)
+    swInput* slots = inputs->slots.data;
+    for (size_t i = 0; i < inputs->slots.count; ++i)
     {
-        return NULL;
+        swInputData* data = slots[i].data;
+        if (data != NULL && data->isNew)
+        {
+            data->shown = 1 - data->shown;
+            data->isNew = false;
+        }
     }
-    if (data->isNew)
-    {
-        data->shown = 1 - data->shown;
-        data->isNew = false;
-    }
-    return data->raster != NULL ? data->raster->values : data->words[data->shown];
 }
 
-static void addRecord(swInputs* inputs, uint32_t slot, int at, double time)
+static void addRecord(const swInputs* inputs, uint32_t slot, double time, swInputArrays* arrays)
 {
-    swInput* input = getSlot(inputs, slot);
+    const swInput* input = getSlot(inputs, slot);
     const swInputDef* def = &input->def;
-    inputs->sources[at] = slot;
-    inputs->words[at] = showWords(input->data);
-    inputs->functions[at] = def->function;
-    inputs->contexts[at] = def->functionContext;
-    inputs->reaches[at] = swFindInputReach(def, input->data);
-    swMakeInputRecord(def, input->data, inputs->seaLevel, time, &inputs->records[at], &inputs->boxes[at]);
+    int at = arrays->set.recordCount++;
+    swInputRecord* record = &arrays->records[at];
+    swMakeInputRecord(def, input->data, inputs->seaLevel, time, record, &arrays->boxes[at]);
+    int count = 0;
+    arrays->words[at] = swGetInputWords(input->data, &count);
+    record->wordCount = (sw_uint)count;
+    arrays->sources[at] = slot;
+    arrays->functions[at] = def->function;
+    arrays->contexts[at] = def->functionContext;
+    arrays->reaches[at] = swFindInputReach(def, input->data);
+    swInputRange* range = &arrays->set.ranges[def->field];
+    range->firstRecord = range->recordCount == 0 ? (uint32_t)at : range->firstRecord;
+    range->recordCount += 1;
 }
 
-// How far from 0 a field may be, whatever the order of its records and wherever they lie: added up they go on, mixed
-// they do not.
-static float findReach(const swInputs* inputs, int field, float below)
+void swFillInputArrays(const swInputs* inputs, double time, uint32_t localSystems, swInputArrays* arrays)
 {
-    const swInputRange* range = &inputs->set.ranges[field];
-    float reach = below;
-    for (uint32_t i = range->firstRecord; i < range->firstRecord + range->recordCount; ++i)
-    {
-        const swInputRecord* record = &inputs->records[i];
-        float own = inputs->reaches[i];
-        own += fmaxf(fmaxf(fabsf(record->value.x), fabsf(record->value.y)), fabsf(record->value.z));
-        reach = record->blend == SW_JOIN_ADD        ? reach + record->weight * own
-                : record->blend == SW_JOIN_MULTIPLY ? reach * fmaxf(1.0f, own)
-                                                    : fmaxf(reach, own);
-    }
-    return reach;
-}
-
-static void findReaches(swInputs* inputs)
-{
-    inputs->set.levelReach = findReach(inputs, SW_INPUT_LEVEL, 0.0f);
-    inputs->set.weightReach = findReach(inputs, SW_INPUT_WAVES, 1.0f);
-    inputs->set.displacementReach = findReach(inputs, SW_INPUT_DISPLACEMENT, 0.0f);
-}
-
-static void makeSet(swInputs* inputs, double time)
-{
-    swInputSet* set = &inputs->set;
+    swInputSet* set = &arrays->set;
     memset(set->ranges, 0, sizeof set->ranges);
     set->recordCount = 0;
     for (int i = 0; i < inputs->count; ++i)
     {
-        const swInput* input = swGetInputAt(inputs, i);
-        if (!counts(inputs, input))
+        if (counts(inputs, swGetInputAt(inputs, i)))
         {
-            continue;
+            addRecord(inputs, inputs->order[i], time, arrays);
         }
-        addRecord(inputs, inputs->order[i], set->recordCount, time);
-        swInputRange* range = &set->ranges[input->def.field];
-        range->firstRecord = range->recordCount == 0 ? (uint32_t)set->recordCount : range->firstRecord;
-        range->recordCount += 1;
-        set->recordCount += 1;
     }
-    set->nodeCount = swBuildInputIndex(set, inputs->boxes, inputs->items, inputs->scratch, inputs->nodes);
+    set->nodeCount = swBuildInputIndex(set, arrays->boxes, arrays->items, arrays->scratch, arrays->nodes);
     set->version += 1;
     set->wordsVersion += 1;
-    findReaches(inputs);
+    set->time = time;
+    set->localSystems = localSystems;
+    swFindSetReaches(arrays);
 }
 
 // Records that change with time alone.
 static void moveTime(swInputs* inputs, double time)
 {
+    swInputArrays* arrays = &inputs->arrays;
     bool hasChanged = false;
-    for (int i = 0; i < inputs->set.recordCount; ++i)
+    for (int i = 0; i < arrays->set.recordCount; ++i)
     {
-        const swInputDef* def = &getSlot(inputs, inputs->sources[i])->def;
+        const swInputDef* def = &getSlot(inputs, arrays->sources[i])->def;
         if (swDoesInputChange(def))
         {
-            swSetInputTime(def, time, &inputs->records[i]);
+            swSetInputTime(def, time, &arrays->records[i]);
             hasChanged = true;
         }
     }
     if (hasChanged)
     {
-        inputs->set.version += 1;
-        findReaches(inputs);
+        arrays->set.version += 1;
+        swFindSetReaches(arrays);
     }
+    arrays->set.time = time;
 }
 
 void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
 {
-    if (inputs->isChanged)
+    if (inputs->isChanged || localSystems != inputs->arrays.set.localSystems)
     {
-        makeSet(inputs, time);
+        showWords(inputs);
+        swFillInputArrays(inputs, time, localSystems, &inputs->arrays);
         freeDead(inputs);
         inputs->isChanged = false;
     }
-    else if (time != inputs->set.time)
+    else if (time != inputs->arrays.set.time)
     {
         moveTime(inputs, time);
     }
-    inputs->set.time = time;
-    inputs->set.localSystems = localSystems;
 }

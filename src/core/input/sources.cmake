@@ -3,6 +3,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/hull.c
     ${CMAKE_CURRENT_LIST_DIR}/hull_def.c
     ${CMAKE_CURRENT_LIST_DIR}/hull_grid.c
+    ${CMAKE_CURRENT_LIST_DIR}/input_arrays.c
     ${CMAKE_CURRENT_LIST_DIR}/input_def.c
     ${CMAKE_CURRENT_LIST_DIR}/input_index.c
     ${CMAKE_CURRENT_LIST_DIR}/input_record.c

@@ -18,7 +18,7 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     world->systemIds = swMakeIdPool(SW_MAX_WAVE_SYSTEMS);
     swBeginInputs(&world->inputs, &world->memory, &world->systemIds, def->seaLevel);
     world->frame = (swFrame){
-        .inputs = &world->inputs.set,
+        .inputs = &world->inputs.arrays.set,
         .seaLevel = def->seaLevel,
         .gravity = def->gravity,
         .foam = def->foam,

@@ -93,6 +93,7 @@ void swPlanLayers(const swWorld* world, const swLayerStack* layers, swStackFrame
 void swMakeFrameLayers(const swWorld* world, swLayerStack* layers, swStackFrame* stack);
 
 // step.c: a step advances what has a past, and derives the water of its time, which has none.
+uint32_t swFindLocalSystems(const swWorld* world); // as swInputSet has them
 void swSetFrameTime(swWorld* world, double time, double dt);
 void swDeriveWater(swWorld* world);
 void swStepWorld(swWorld* world, double dt);
