@@ -578,6 +578,100 @@ static void MomentsHoldTheInputsOfTheirTime(void** state)
     free(copy);
 }
 
+// ---- saving ----
+
+static const swRaster* s_raster; // that the host still has
+
+static bool FindResource(void* context, swResourceKind kind, uint64_t hash, const char* name, swResource* resource)
+{
+    (void)context;
+    (void)name;
+    resource->raster = s_raster;
+    return kind == SW_RESOURCE_RASTER && s_raster != NULL && swRaster_GetInfo(s_raster).hash == hash;
+}
+
+static size_t Save(const swWorld* world, void* bytes, size_t room)
+{
+    size_t size = room;
+    assert_int_equal(swWorld_Save(world, bytes, &size), SW_SUCCESS);
+    return size;
+}
+
+static void SavedWorldsNameTheirRasters(void** state)
+{
+    (void)state;
+    static uint8_t bytes[1 << 20], again[1 << 20];
+    static swPosXZ points[POINTS];
+    static float heights[POINTS], restoredHeights[POINTS];
+    static swVec3 normals[POINTS];
+    swWorld* world = MakeEmptyWorld();
+    FillWorld(world);
+    swInputId last = swWorld_GetInput(world, 2);
+    swWorld_Step(world, 1.3);
+    ScatterPoints(points, POINTS, 20.0, 20.0, 150.0);
+    QueryHeights(world, points, heights, normals);
+    size_t size = Save(world, bytes, sizeof bytes);
+    s_raster = swInput_Get(world, swWorld_GetInput(world, 0)).raster;
+
+    swHost host = MakeHost();
+    swRestoreDef def = swDefaultRestoreDef();
+    swWorld* restored = NULL;
+    assert_int_equal(swRestoreWorld(&host, bytes, size, &def, &restored), SW_ERROR_UNSUPPORTED);
+    assert_null(restored);
+    assert_non_null(strstr(s_messages, "raster with the hash"));
+    def.findResource = FindResource;
+    assert_int_equal(swRestoreWorld(&host, bytes, size, &def, &restored), SW_SUCCESS);
+    assert_true(swWorld_GetDigest(restored) == swWorld_GetDigest(world));
+    assert_true(swInput_IsValid(restored, last));
+    QueryHeights(restored, points, restoredHeights, normals);
+    assert_memory_equal(heights, restoredHeights, sizeof heights);
+    assert_int_equal(Save(restored, again, sizeof again), size);
+    assert_memory_equal(bytes, again, size);
+
+    // Each input has a part in the digest.
+    uint64_t digest = swWorld_GetDigest(restored);
+    for (int i = 0; i < swWorld_GetInputCount(restored); ++i)
+    {
+        swInputId id = swWorld_GetInput(restored, i);
+        swInput_SetWeight(restored, id, 0.75f);
+        assert_true(swWorld_GetDigest(restored) != digest);
+        swInput_SetWeight(restored, id, 1.0f);
+        assert_true(swWorld_GetDigest(restored) == digest);
+    }
+    swDestroyWorld(restored);
+    swDestroyWorld(world);
+}
+
+static void AWorldGoesBackOverWhatMovedAndWasMade(void** state)
+{
+    (void)state;
+    static uint8_t bytes[1 << 20];
+    swWorld* world = MakeEmptyWorld();
+    FillWorld(world);
+    swWorld_Step(world, 1.0);
+    size_t size = Save(world, bytes, sizeof bytes);
+    uint64_t digest = swWorld_GetDigest(world);
+    swInputId lake = swWorld_GetInput(world, 1);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 3.0f, 0.0f);
+    swInput_Move(world, lake, (swPos){500.0, 0.0, 0.0}, (swAngles){1.0f, 0.0f, 0.0f});
+    swInput_SetWeight(world, lake, 0.5f);
+    swInputDef more = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_EVERYWHERE, 9.0f);
+    swInputId made = Add(world, &more);
+    swWorld_Step(world, 1.0);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 9.0f, 0.0f);
+    assert_int_equal(swWorld_Rewind(world, bytes, size), SW_SUCCESS);
+    assert_false(swInput_IsValid(world, made));
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 3.0f, 0.0f);
+    assert_true(swWorld_GetDigest(world) == digest);
+    // Not over what was destroyed; then nothing changes.
+    swDestroyInput(world, lake);
+    swWorld_Step(world, 1.0);
+    digest = swWorld_GetDigest(world);
+    assert_int_equal(swWorld_Rewind(world, bytes, size), SW_ERROR_UNSUPPORTED);
+    assert_true(swWorld_GetDigest(world) == digest);
+    swDestroyWorld(world);
+}
+
 static void AWarmStepAllocatesNothing(void** state)
 {
     (void)state;
@@ -715,6 +809,8 @@ int main(void)
         cmocka_unit_test(InputsStayWhereTheyAreWhenTheOriginMoves),
         cmocka_unit_test(SequencesOfRastersPlayAndLoop),
         cmocka_unit_test(MomentsHoldTheInputsOfTheirTime),
+        cmocka_unit_test(SavedWorldsNameTheirRasters),
+        cmocka_unit_test(AWorldGoesBackOverWhatMovedAndWasMade),
         cmocka_unit_test(AWarmStepAllocatesNothing),
         cmocka_unit_test(EveryAllocationMayFail),
         cmocka_unit_test(WhatCannotBeIsRefusedInASentence),

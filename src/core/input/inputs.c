@@ -266,17 +266,86 @@ void swRemoveInput(swInputs* inputs, swInput* input)
     inputs->isChanged = true;
 }
 
-void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points)
+// Words of the points that are there.
+static void writeWords(swInputs* inputs, swInput* input, int count)
 {
     swInputData* data = input->data;
-    if (count > 0)
-    {
-        memcpy(data->points, points, (size_t)count * sizeof *points);
-    }
-    data->pointCount = input->def.pointCount = count;
     int next = 1 - data->shown;
+    data->pointCount = input->def.pointCount = count;
+    input->def.points = count > 0 ? data->points : NULL;
     data->wordCount[next] = swWriteInputWords(&input->def, count, data->points, data->words[next]);
     data->isNew = true;
+    inputs->isChanged = true;
+}
+
+void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points)
+{
+    if (count > 0)
+    {
+        memmove(input->data->points, points, (size_t)count * sizeof *points);
+    }
+    if (input->data != NULL)
+    {
+        writeWords(inputs, input, count);
+    }
+}
+
+// ---- saved inputs ----
+
+swResult swRestoreFreeSlot(swInputs* inputs, int slot, uint32_t generation)
+{
+    swInput* input = (size_t)slot < inputs->slots.count
+                         ? getSlot(inputs, (size_t)slot)
+                         : swAppendItems(&inputs->memory->host, &inputs->slots, 1, sizeof(swInput));
+    if (input == NULL)
+    {
+        return swFailMemory(inputs->memory, "an input");
+    }
+    *input = (swInput){.generation = generation};
+    return SW_SUCCESS;
+}
+
+swResult swRestoreInput(swInputs* inputs, const swInputDef* def, int slot, uint32_t generation, uint64_t serial)
+{
+    swResult result = swRestoreFreeSlot(inputs, slot, generation);
+    bool isFine = result == SW_SUCCESS && reserve(inputs, inputs->count + 1);
+    swInputData* data = isFine ? makeData(&inputs->memory->host, def, &isFine) : NULL;
+    if (!isFine)
+    {
+        return result != SW_SUCCESS ? result : swFailMemory(inputs->memory, "an input");
+    }
+    swInput* input = getSlot(inputs, (size_t)slot);
+    input->isUsed = true;
+    input->serial = serial;
+    adoptDef(input, def, data);
+    insertInOrder(inputs, (uint32_t)slot);
+    inputs->isChanged = true;
+    return SW_SUCCESS;
+}
+
+void swRewindInput(swInputs* inputs, swInput* input, const swInputDef* def, uint64_t serial)
+{
+    uint32_t slot = (uint32_t)swGetInputId(inputs, input).index1 - 1;
+    removeFromOrder(inputs, slot);
+    swInputDef rewound = *def;
+    rewound.raster = input->def.raster;
+    rewound.mesh = input->def.mesh;
+    rewound.spline = input->def.spline;
+    rewound.function = input->def.function;
+    rewound.functionContext = input->def.functionContext;
+    rewound.functionFingerprint = input->def.functionFingerprint;
+    input->serial = serial;
+    swInputData* data = input->data;
+    if (data != NULL)
+    {
+        data->pointCount = def->pointCount;
+    }
+    adoptDef(input, &rewound, data);
+    insertInOrder(inputs, slot);
+    if (data != NULL)
+    {
+        writeWords(inputs, input, def->pointCount);
+    }
     inputs->isChanged = true;
 }
 

@@ -48,6 +48,12 @@ swInput* swFindInput(const swInputs* inputs, swId id);
 swId swGetInputId(const swInputs* inputs, const swInput* input);
 swInput* swGetInputAt(const swInputs* inputs, int index); // in the order in which they join
 
+// For saved worlds: an input in a slot of its own, which is the next one; a slot that is free; an input that is as it
+// was, with the data that it has and points that were written there.
+swResult swRestoreInput(swInputs* inputs, const swInputDef* def, int slot, uint32_t generation, uint64_t serial);
+swResult swRestoreFreeSlot(swInputs* inputs, int slot, uint32_t generation);
+void swRewindInput(swInputs* inputs, swInput* input, const swInputDef* def, uint64_t serial);
+
 void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points);
 
 // Make the set of a time, with what was ordered since the last step, in arrays that have room for all inputs.

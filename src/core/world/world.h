@@ -9,6 +9,7 @@
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
 #include "core/input/inputs.h"
+#include "core/input/inputs_save.h"
 #include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
@@ -100,7 +101,7 @@ void swStepWorld(swWorld* world, double dt);
 void swStepWorldTo(swWorld* world, double time);
 
 // save.c
-swResult swStreamState(swWorld* world, swStream* stream); // everything but the def
+swResult swStreamState(swWorld* world, swStream* stream, const swRestoreDef* find); // everything but the def
 swResult swRewindState(swWorld* world, swStream* stream); // the same, read into a world that has all of the waves
 
 // digest.c
