@@ -10,7 +10,7 @@ typedef struct Room
     size_t itemSize; // bytes an input
 } Room;
 
-#define ROOMS 9
+#define ROOMS 10
 
 static void listRooms(swInputArrays* arrays, Room rooms[ROOMS])
 {
@@ -20,7 +20,8 @@ static void listRooms(swInputArrays* arrays, Room rooms[ROOMS])
         {(void**)&arrays->words, sizeof *arrays->words},
         {(void**)&arrays->functions, sizeof *arrays->functions},
         {(void**)&arrays->contexts, sizeof *arrays->contexts},
-        {(void**)&arrays->reaches, sizeof *arrays->reaches},
+        {(void**)&arrays->least, sizeof *arrays->least},
+        {(void**)&arrays->most, sizeof *arrays->most},
         {(void**)&arrays->boxes, sizeof *arrays->boxes},
         {(void**)&arrays->items, 2 * sizeof *arrays->items},
         {(void**)&arrays->nodes, SW_INDEX_NODES(1) * sizeof *arrays->nodes},
@@ -93,26 +94,54 @@ void swFreeInputArrays(const swHost* host, swInputArrays* arrays)
     arrays->capacity = 0;
 }
 
-// How far from 0 a field may be, wherever its records lie: added up they go on, mixed they do not.
-static float findReach(const swInputArrays* arrays, int field, float below)
+// Between which numbers the first number of a field lies, whatever lies over what; `below` is among them.
+static void findRange(const swInputArrays* arrays, int field, float below, float* low, float* high)
 {
-    const swInputRange* range = &arrays->set.ranges[field];
-    float reach = below;
-    for (uint32_t i = range->firstRecord; i < range->firstRecord + range->recordCount; ++i)
+    swInputRange range = arrays->set.ranges[field];
+    *low = *high = below;
+    for (uint32_t i = range.firstRecord; i < range.firstRecord + range.recordCount; ++i)
     {
         const swInputRecord* record = &arrays->records[i];
-        float own = arrays->reaches[i];
-        own += fmaxf(fmaxf(fabsf(record->value.x), fabsf(record->value.y)), fabsf(record->value.z));
-        reach = record->blend == SW_JOIN_ADD        ? reach + record->weight * own
-                : record->blend == SW_JOIN_MULTIPLY ? reach * fmaxf(1.0f, own)
-                                                    : fmaxf(reach, own);
+        float least = record->value.x + arrays->least[i], most = record->value.x + arrays->most[i];
+        if (record->blend == SW_JOIN_ADD)
+        {
+            *low += fminf(0.0f, record->weight * least);
+            *high += fmaxf(0.0f, record->weight * most);
+            continue;
+        }
+        if (record->blend == SW_JOIN_MULTIPLY)
+        {
+            float factor = fmaxf(1.0f, fmaxf(fabsf(least), fabsf(most)));
+            most = factor * fmaxf(fabsf(*low), fabsf(*high));
+            least = -most;
+        }
+        *low = fminf(*low, least);
+        *high = fmaxf(*high, most);
+    }
+}
+
+// The length of a displacement, all of them added up.
+static float findDisplacement(const swInputArrays* arrays)
+{
+    swInputRange range = arrays->set.ranges[SW_INPUT_DISPLACEMENT];
+    float reach = 0.0f;
+    for (uint32_t i = range.firstRecord; i < range.firstRecord + range.recordCount; ++i)
+    {
+        const swInputRecord* record = &arrays->records[i];
+        float own = fmaxf(fabsf(arrays->least[i]), fabsf(arrays->most[i]));
+        sw_vec4 v = record->value;
+        float scale = record->blend == SW_JOIN_MULTIPLY ? reach : fmaxf(1.0f, record->weight);
+        reach += scale * (1.75f * own + fabsf(v.x) + fabsf(v.y) + fabsf(v.z));
     }
     return reach;
 }
 
 void swFindSetReaches(swInputArrays* arrays)
 {
-    arrays->set.levelReach = findReach(arrays, SW_INPUT_LEVEL, 0.0f);
-    arrays->set.weightReach = findReach(arrays, SW_INPUT_WAVES, 1.0f);
-    arrays->set.displacementReach = findReach(arrays, SW_INPUT_DISPLACEMENT, 0.0f);
+    swInputSet* set = &arrays->set;
+    float low, high;
+    findRange(arrays, SW_INPUT_LEVEL, 0.0f, &set->lowestLevel, &set->highestLevel);
+    findRange(arrays, SW_INPUT_WAVES, 1.0f, &low, &high);
+    set->weightReach = fmaxf(fabsf(low), fabsf(high));
+    set->displacementReach = findDisplacement(arrays);
 }

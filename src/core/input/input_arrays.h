@@ -14,7 +14,7 @@ typedef struct swInputArrays
     const float** words;
     swInputFunctionFcn* functions;
     void** contexts;
-    float* reaches; // see swFindInputReach()
+    float *least, *most; // see swFindInputRange()
     swCellBox* boxes;
     swIndexItem* items; // while the index is made; likewise
     swIndexItem* scratch;

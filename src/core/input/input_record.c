@@ -3,8 +3,10 @@
 
 #include <math.h>
 
+#include "core/input/hull.h"
 #include "core/input/raster.h"
 #include "core/math/scalar.h"
+#include "shared/shape_hull.h"
 
 bool swFindCell(double place, int32_t* cell, float* rest)
 {
@@ -17,17 +19,22 @@ bool swFindCell(double place, int32_t* cell, float* rest)
 
 int swCountInputWords(const swInputDef* def)
 {
-    (void)def;
-    return 0;
+    int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
+    return def->shape == SW_SHAPE_POLYGON ? 2 * room : 0;
 }
 
 int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
 {
-    (void)def;
-    (void)pointCount;
-    (void)points;
-    (void)words;
-    return 0;
+    if (def->shape != SW_SHAPE_POLYGON)
+    {
+        return 0;
+    }
+    for (int i = 0; i < pointCount; ++i)
+    {
+        words[2 * i] = points[i].x;
+        words[2 * i + 1] = points[i].z;
+    }
+    return 2 * pointCount;
 }
 
 // ---- shapes: bounds in own coordinates, and what their samplers read ----
@@ -54,6 +61,62 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
 }
 
+// Of a polygon, see shared/shape_polygon.h.
+static void placePolygon(const float* words, int count, swInputRecord* record)
+{
+    float lowX = words[0], highX = words[0], lowZ = words[1], highZ = words[1];
+    for (int i = 1; i < count; ++i)
+    {
+        lowX = fminf(lowX, words[2 * i]);
+        highX = fmaxf(highX, words[2 * i]);
+        lowZ = fminf(lowZ, words[2 * i + 1]);
+        highZ = fmaxf(highZ, words[2 * i + 1]);
+    }
+    record->middleX = 0.5f * (lowX + highX);
+    record->middleZ = 0.5f * (lowZ + highZ);
+    // A little more, so that rounding leaves no point out.
+    record->halfX = 0.5f * (highX - lowX) + 1e-6f * (fabsf(lowX) + fabsf(highX));
+    record->halfZ = 0.5f * (highZ - lowZ) + 1e-6f * (fabsf(lowZ) + fabsf(highZ));
+    record->extra0 = (sw_uint)count;
+}
+
+// Of a shape with a height: its own axes are turned, so its box is that of a sphere unless they are upright.
+static void placeSolid(const swInputDef* def, swInputRecord* record)
+{
+    float x = 0.5f * def->size.x, y = 0.5f * def->size.y, z = 0.5f * def->size.z;
+    y = def->shape == SW_SHAPE_CAPSULE && y < x ? x : y; // too short for its ends: a sphere
+    z = def->shape == SW_SHAPE_CAPSULE ? x : z;
+    bool isUpright = def->rotation.pitch == 0.0f && def->rotation.roll == 0.0f;
+    float reach = sqrtf(x * x + y * y + z * z);
+    record->halfX = isUpright ? x : reach;
+    record->halfZ = isUpright ? z : reach;
+    record->part0 = def->rounding;
+}
+
+// The grid lies in the mesh's own axes, which need not begin in its middle. `size` is what a length of it becomes.
+static void placeHull(const swInputDef* def, const swHull* hull, swInputRecord* record)
+{
+    record->extra0 = (sw_uint)hull->grid.countX;
+    record->extra1 = (sw_uint)hull->grid.countY;
+    record->extra2 = (sw_uint)hull->grid.countZ;
+    record->size.x = def->scale.x;
+    record->size.y = def->scale.y;
+    record->size.z = def->scale.z;
+    swVec3 low = {hull->low.x * def->scale.x, hull->low.y * def->scale.y, hull->low.z * def->scale.z};
+    swVec3 high = {hull->high.x * def->scale.x, hull->high.y * def->scale.y, hull->high.z * def->scale.z};
+    if (def->rotation.pitch == 0.0f && def->rotation.roll == 0.0f)
+    {
+        record->middleX = 0.5f * (low.x + high.x);
+        record->middleZ = 0.5f * (low.z + high.z);
+        record->halfX = 0.5f * (high.x - low.x);
+        record->halfZ = 0.5f * (high.z - low.z);
+        return;
+    }
+    float x = fmaxf(fabsf(low.x), fabsf(high.x)), y = fmaxf(fabsf(low.y), fabsf(high.y));
+    float z = fmaxf(fabsf(low.z), fabsf(high.z));
+    record->halfX = record->halfZ = sqrtf(x * x + y * y + z * z);
+}
+
 static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInputRecord* record)
 {
     switch (def->shape)
@@ -66,6 +129,22 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
+    case SW_SHAPE_POLYGON:
+    {
+        int count;
+        const float* words = swGetInputWords(data, &count);
+        placePolygon(words, count / 2, record);
+        break;
+    }
+    case SW_SHAPE_BOX:
+    case SW_SHAPE_ELLIPSOID:
+    case SW_SHAPE_CYLINDER:
+    case SW_SHAPE_CAPSULE:
+        placeSolid(def, record);
+        break;
+    case SW_SHAPE_HULL:
+        placeHull(def, data->hull, record);
+        break;
     default:
         record->flags |= SW_INPUT_IS_BOUNDLESS;
         break;
@@ -75,13 +154,21 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
 
 // ---- the record ----
 
+// Pitch about z lifts the x axis, roll about x lowers the z axis; pitch comes first, so roll is inside.
+static sw_vec4 makeTilt(swAngles rotation)
+{
+    double pitch = 0.5 * (double)rotation.pitch, roll = 0.5 * (double)rotation.roll;
+    double cp = swCos(pitch), sp = swSin(pitch), cr = swCos(roll), sr = swSin(roll);
+    return (sw_vec4){(float)(cp * sr), (float)(sp * sr), (float)(sp * cr), (float)(cp * cr)};
+}
+
 static void turnRecord(const swInputDef* def, swInputRecord* record)
 {
     bool isTurned = def->shape != SW_SHAPE_EVERYWHERE && def->rotation.yaw != 0.0f;
     double yaw = (double)def->rotation.yaw;
     record->cosine = isTurned ? (float)swCos(yaw) : 1.0f;
     record->sine = isTurned ? (float)swSin(yaw) : 0.0f;
-    record->turn.w = 1.0f;
+    record->turn = makeTilt(def->rotation);
     bool isVector = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->field == SW_INPUT_DISPLACEMENT;
     record->flags |= isTurned && isVector ? SW_INPUT_TURNS_VALUES : 0u;
 }
@@ -115,7 +202,7 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         .shape = (sw_uint)def->shape,
         .blend = (sw_uint)def->blend,
         .flags = def->followsWaves ? SW_INPUT_FOLLOWS_WAVES : 0u,
-        .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : 0u,
+        .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : SW_ALL_SYSTEMS,
         .gain = def->gain,
     };
     // Heights of floors count from sea level, so that they are as good wherever that is.
@@ -152,6 +239,11 @@ const float* swGetInputWords(const swInputData* data, int* count)
         *count = raster->width * raster->height * raster->channels * raster->frames;
         return raster->values;
     }
+    if (data->hull != NULL)
+    {
+        *count = (int)data->hull->wordCount;
+        return data->hull->words;
+    }
     int which = data->isNew ? 1 - data->shown : data->shown;
     *count = data->wordCount[which];
     return *count > 0 ? data->words[which] : NULL;
@@ -167,6 +259,13 @@ static bool isRasterGood(const swInputRecord* record)
     return isSized && record->extra3 + frame <= record->wordCount && record->extra4 + frame <= record->wordCount;
 }
 
+static bool isHullGood(const swInputRecord* record)
+{
+    uint64_t x = record->extra0, y = record->extra1, z = record->extra2;
+    bool isSized = x >= 2 && y >= 2 && z >= 2 && x <= 4096 && y <= 4096 && z <= 4096;
+    return isSized && x * y * z + SW_HULL_HEAD <= record->wordCount;
+}
+
 bool swIsInputRecordGood(const swInputRecord* record)
 {
     if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
@@ -179,7 +278,15 @@ bool swIsInputRecordGood(const swInputRecord* record)
     case SW_SHAPE_EVERYWHERE:
     case SW_SHAPE_CIRCLE:
     case SW_SHAPE_RECTANGLE:
+    case SW_SHAPE_BOX:
+    case SW_SHAPE_ELLIPSOID:
+    case SW_SHAPE_CYLINDER:
+    case SW_SHAPE_CAPSULE:
         return true;
+    case SW_SHAPE_POLYGON:
+        return record->extra0 >= 3 && record->extra0 <= SW_MAX_INPUT_POINTS && 2 * record->extra0 <= record->wordCount;
+    case SW_SHAPE_HULL:
+        return isHullGood(record);
     case SW_SHAPE_RASTER:
         return isRasterGood(record);
     default:
@@ -187,28 +294,30 @@ bool swIsInputRecordGood(const swInputRecord* record)
     }
 }
 
-// Of functions nothing is known.
-#define FUNCTION_REACH 1e4f
+// Of what the host computes nothing is known.
+#define LARGEST_VALUE 1e6f
 
-float swFindInputReach(const swInputDef* def, const swInputData* data)
+void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most)
 {
-    float reach = 0.0f;
+    float low = 0.0f, high = 0.0f;
+    bool isUnknown = def->shape == SW_SHAPE_FUNCTION || def->shape == SW_SHAPE_SPLINE || def->shape == SW_SHAPE_MESH;
     if (def->shape == SW_SHAPE_RASTER && def->raster->least <= def->raster->most)
     {
-        reach = fmaxf(fabsf(def->raster->least), fabsf(def->raster->most));
+        low = def->raster->least;
+        high = def->raster->most;
     }
-    if (def->shape == SW_SHAPE_FUNCTION)
-    {
-        return FUNCTION_REACH;
-    }
-    for (int i = 0; data != NULL && i < data->pointCount; ++i)
+    for (int i = 0; def->shape != SW_SHAPE_POLYGON && data != NULL && i < data->pointCount; ++i)
     {
         for (int k = 0; k < 4; ++k)
         {
-            reach = fmaxf(reach, fabsf(data->points[i].value[k]));
+            low = fminf(low, data->points[i].value[k]);
+            high = fmaxf(high, data->points[i].value[k]);
         }
     }
-    return reach * fabsf(def->gain);
+    bool isScaled = def->shape == SW_SHAPE_RASTER;
+    float a = isScaled ? def->gain * low : low, b = isScaled ? def->gain * high : high;
+    *least = isUnknown ? -LARGEST_VALUE : fminf(a, b);
+    *most = isUnknown ? LARGEST_VALUE : fmaxf(a, b);
 }
 
 // ---- time ----

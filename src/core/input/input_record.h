@@ -12,6 +12,7 @@ typedef struct swInputData
     struct swInputData* next; // of those that wait to be freed
     size_t size;              // bytes of this block
     const swRaster* raster;   // held
+    const swHull* hull;       // held
     int pointCount, pointCapacity;
     swInputPoint* points; // as they were given
     // Words of shapes that have data of their own. There are two so that points may change while the last step's words
@@ -39,8 +40,8 @@ const float* swGetInputWords(const swInputData* data, int* count);
 // are of one process.
 bool swIsInputRecordGood(const swInputRecord* record);
 
-// What no value that the shape brings of its own is farther from 0 than.
-float swFindInputReach(const swInputDef* def, const swInputData* data);
+// Between which numbers the values lie that the shape brings of its own; 0 and 0 of a shape that brings none.
+void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most);
 
 // What changes with time alone: false if nothing of the def does.
 bool swDoesInputChange(const swInputDef* def);

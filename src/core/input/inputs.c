@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/input/hull.h"
 #include "core/input/raster.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
@@ -20,6 +21,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseHull(data->hull);
         swFree(host, data, data->size);
     }
 }
@@ -35,7 +37,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL)
     {
         return NULL;
     }
@@ -52,6 +54,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->hull = def->hull;
+    swRetainHull(data->hull);
     data->pointCapacity = room;
     data->pointCount = def->pointCount;
     data->points = (swInputPoint*)(void*)((char*)data + head);
@@ -329,6 +333,7 @@ void swRewindInput(swInputs* inputs, swInput* input, const swInputDef* def, uint
     removeFromOrder(inputs, slot);
     swInputDef rewound = *def;
     rewound.raster = input->def.raster;
+    rewound.hull = input->def.hull;
     rewound.mesh = input->def.mesh;
     rewound.spline = input->def.spline;
     rewound.function = input->def.function;
@@ -356,7 +361,7 @@ static bool counts(const swInputs* inputs, const swInput* input)
     const swInputDef* def = &input->def;
     swId system = {def->system.index1, def->system.generation};
     return def->isEnabled && def->weight > 0.0f &&
-           (def->field != SW_INPUT_WAVES || swIsIdValid(inputs->systemIds, system));
+           (def->field != SW_INPUT_WAVES || system.index1 == 0 || swIsIdValid(inputs->systemIds, system));
 }
 
 // Words that were made since the last step are shown from now on.
@@ -387,7 +392,7 @@ static void addRecord(const swInputs* inputs, uint32_t slot, double time, swInpu
     arrays->sources[at] = slot;
     arrays->functions[at] = def->function;
     arrays->contexts[at] = def->functionContext;
-    arrays->reaches[at] = swFindInputReach(def, input->data);
+    swFindInputRange(def, input->data, &arrays->least[at], &arrays->most[at]);
     swInputRange* range = &arrays->set.ranges[def->field];
     range->firstRecord = range->recordCount == 0 ? (uint32_t)at : range->firstRecord;
     range->recordCount += 1;

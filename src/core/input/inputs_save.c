@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/base/host.h"
+#include "core/input/hull.h"
 #include "core/input/input_def.h"
 #include "core/input/raster.h"
 
@@ -15,15 +16,22 @@ typedef struct Saved
     bool isUsed;
     uint32_t generation;
     uint64_t serial;
-    swInputDef def;            // without pointers
-    uint64_t raster, function; // hashes, 0: none
+    swInputDef def;                  // without pointers
+    uint64_t raster, hull, function; // hashes, 0: none
 } Saved;
 
 static Saved getSaved(const swInput* input)
 {
-    Saved saved = {input->isUsed, input->generation, input->serial, input->def, 0, input->def.functionFingerprint};
-    saved.raster = input->isUsed && input->def.raster != NULL ? input->def.raster->hash : 0;
-    return saved;
+    const swInputDef* def = &input->def;
+    return (Saved){
+        .isUsed = input->isUsed,
+        .generation = input->generation,
+        .serial = input->serial,
+        .def = *def,
+        .raster = input->isUsed && def->raster != NULL ? def->raster->hash : 0,
+        .hull = input->isUsed && def->hull != NULL ? def->hull->hash : 0,
+        .function = def->functionFingerprint,
+    };
 }
 
 static void streamSaved(swStream* stream, Saved* saved)
@@ -39,6 +47,7 @@ static void streamSaved(swStream* stream, Saved* saved)
     swStreamI32(stream, &saved->def.system.index1);
     swStreamU32(stream, &saved->def.system.generation);
     swStreamU64(stream, &saved->raster);
+    swStreamU64(stream, &saved->hull);
     swStreamU64(stream, &saved->function);
     swStreamRange(stream, &saved->def.pointCount, 0, SW_MAX_INPUT_POINTS);
 }
@@ -75,6 +84,17 @@ static swResult findResources(const swHost* host, const swRestoreDef* find, Save
             return refuseMissing(host, "raster", saved, saved->raster);
         }
         saved->def.raster = resource.raster;
+    }
+    if (saved->hull != 0)
+    {
+        bool isGiven = find->findResource != NULL &&
+                       find->findResource(find->resourceContext, SW_RESOURCE_HULL, saved->hull, name, &resource) &&
+                       resource.hull != NULL && resource.hull->hash == saved->hull;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "hull", saved, saved->hull);
+        }
+        saved->def.hull = resource.hull;
     }
     if (saved->def.shape == SW_SHAPE_FUNCTION)
     {
@@ -179,7 +199,7 @@ static bool hasResources(const swInput* input, const Saved* saved)
 {
     Saved now = getSaved(input);
     return input->isUsed && now.generation == saved->generation && now.raster == saved->raster &&
-           now.function == saved->function && now.def.shape == saved->def.shape &&
+           now.hull == saved->hull && now.function == saved->function && now.def.shape == saved->def.shape &&
            now.def.pointCapacity >= saved->def.pointCount;
 }
 
@@ -210,6 +230,7 @@ swResult swCheckInputs(const swInputs* inputs, swStream* stream)
         }
         const swHost silent = {0};
         saved.def.raster = input != NULL ? input->def.raster : NULL;
+        saved.def.hull = input != NULL ? input->def.hull : NULL;
         saved.def.function = input != NULL ? input->def.function : NULL;
         stream->isBroken = stream->isBroken || swCheckDef(&silent, &swInputFields, &saved.def) != SW_SUCCESS;
     }
@@ -257,6 +278,7 @@ void swHashInputs(swHash* hash, const swInputs* inputs)
         swHashDef(hash, &swInputFields, &input->def);
         swAddHash(hash, input->def.field == SW_INPUT_WAVES ? (uint64_t)input->def.system.index1 : 0);
         swAddHash(hash, saved.raster);
+        swAddHash(hash, saved.hull);
         swAddHash(hash, saved.function);
         for (int k = 0; k < input->def.pointCount; ++k)
         {

@@ -18,20 +18,22 @@ typedef struct swQuery
 {
     const swWaveKernels* kernels;
     const swQueryDef* def;
-    const swPlaces* places; // NULL: waves are the same everywhere
+    const swPlaces* places;   // NULL: waves are the same everywhere
     const swInputSet* inputs; // of the frame, or NULL
-    swPlaces inputPlaces;   // of the frame's inputs; `places` points to it unless a caller has others
-    swPosXZ origin;         // of the caller's coordinates, in the sea
+    swPlaces inputPlaces;     // of the frame's inputs; `places` points to it unless a caller has others
+    swPosXZ origin;           // of the caller's coordinates, in the sea
     double seaLevel;
     int64_t ticks;
     bool isNow; // the tiles' texels are of that time
     int waveCount;
     const swFreeWave* waves;
     int tileCount;
-    const swTile* tiles; // of the frame; see swIsTileAsked()
-    int64_t tileTicks;   // of their texels
-    float sideways;      // root mean square of the particles' horizontal displacement, m
-    float longestFelt;   // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
+    const swTile* tiles;             // of the frame; see swIsTileAsked()
+    int64_t tileTicks;               // of their texels
+    float lowestLevel, highestLevel; // of still water above sea level, m, wherever it is
+    const swInputSet* clip;          // inputs that cut holes, NULL if there are none
+    float sideways;                  // root mean square of the particles' horizontal displacement, m
+    float longestFelt; // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
 
     // A later frame, or NULL: up to its time the surface runs linearly from the one's to the other's.
     const swFrame* after;

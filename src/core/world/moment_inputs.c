@@ -11,7 +11,7 @@ typedef struct Stored
     uint32_t recordSize, nodeSize;
     int32_t recordCount, nodeCount;
     swInputRange ranges[SW_INPUT_FIELD_COUNT];
-    float levelReach, weightReach, displacementReach;
+    float lowestLevel, highestLevel, weightReach, displacementReach;
     uint32_t localSystems;
     double time;
 } Stored;
@@ -65,7 +65,8 @@ void swStoreInputs(swInputArrays* arrays, void* place)
         .nodeSize = sizeof(swInputNode),
         .recordCount = set->recordCount,
         .nodeCount = set->nodeCount,
-        .levelReach = set->levelReach,
+        .lowestLevel = set->lowestLevel,
+        .highestLevel = set->highestLevel,
         .weightReach = set->weightReach,
         .displacementReach = set->displacementReach,
         .localSystems = set->localSystems,
@@ -181,7 +182,8 @@ void swMapStoredInputs(const void* place, swInputArrays* arrays)
     memcpy(set->ranges, head.ranges, sizeof head.ranges);
     set->recordCount = head.recordCount;
     set->nodeCount = head.nodeCount;
-    set->levelReach = head.levelReach;
+    set->lowestLevel = head.lowestLevel;
+    set->highestLevel = head.highestLevel;
     set->weightReach = head.weightReach;
     set->displacementReach = head.displacementReach;
     set->localSystems = head.localSystems;

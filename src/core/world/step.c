@@ -30,6 +30,7 @@ uint32_t swFindLocalSystems(const swWorld* world)
 void swDeriveWater(swWorld* world)
 {
     swStepInputs(&world->inputs, world->frame.time, swFindLocalSystems(world));
+    swStepWaterBodies(&world->waterBodies, &world->frame);
     swDeriveWaves(&world->waves, &world->frame);
     swDeriveWorldWind(world);
     swFindFoamLaw(&world->whitecaps, &world->frame);
