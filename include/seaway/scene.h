@@ -59,6 +59,17 @@ typedef struct swSceneRaster
     int item;            ///< which of the file's rasters it is, from 1 on
 } swSceneRaster;
 
+/// A spline that inputs of the scene name. The scene owns it.
+typedef struct swSceneSpline
+{
+    char name[64];
+    swSplineDef def; ///< its name is the scene's, its points are `points`
+    swSplinePoint* points;
+    int pointCount;
+    swSpline* spline; ///< NULL until it is made
+    int item;         ///< which of the file's splines it is, from 1 on
+} swSceneSpline;
+
 /// An input of a scene. Its system is that of the scene's waves, see `waves`; what it names is the scene's.
 typedef struct swSceneInput
 {
@@ -89,6 +100,8 @@ typedef struct swScene
     swSceneView views[SW_MAX_SCENE_VIEWS];
     int rasterCount;
     swSceneRaster* rasters;
+    int splineCount;
+    swSceneSpline* splines;
     int inputCount;
     swSceneInput* inputs;
     swHost host;           ///< who gave the memory
