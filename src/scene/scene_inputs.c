@@ -121,6 +121,7 @@ static swResult readRaster(swYaml* yaml, yaml_node_t* node, const Reader* reader
     swFillDef(swGetSceneRasterFields(), raster);
     raster->def = swDefaultRasterFileDef();
     raster->item = index + 1;
+    raster->line = (int)node->start_mark.line + 1;
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "a raster");
     swAddYamlFields(&mapping, swGetSceneRasterFields(), 0, "rasters");
@@ -192,6 +193,7 @@ static swResult readSpline(swYaml* yaml, yaml_node_t* node, const Reader* reader
     swSceneSpline* spline = &reader->scene->splines[index];
     spline->def = swDefaultSplineDef();
     spline->item = index + 1;
+    spline->line = (int)node->start_mark.line + 1;
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "a spline");
     swAddYamlKey(&mapping, "name", readSplineName);
@@ -445,6 +447,7 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const Reader* reader,
     input->def = swDefaultInputDef();
     input->waves = -1;
     input->item = index + 1;
+    input->line = (int)node->start_mark.line + 1;
     swBeginYamlMapping(&keys.mapping, "an input");
     swAddYamlKey(&keys.mapping, "value", keepNode);
     swAddYamlFields(&keys.mapping, swGetInputFields(), 0, "inputs");
