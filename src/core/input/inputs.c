@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
 {
@@ -18,6 +19,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseSpline(data->spline);
         swFree(host, data, data->size);
     }
 }
@@ -33,7 +35,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->spline == NULL)
     {
         return NULL;
     }
@@ -50,6 +52,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->spline = def->spline;
+    swRetainSpline(data->spline);
     data->pointCapacity = room;
     data->pointCount = def->pointCount;
     data->points = (swInputPoint*)(void*)((char*)data + head);
@@ -356,6 +360,10 @@ static const float* showWords(swInputData* data)
         data->shown = 1 - data->shown;
         data->isNew = false;
     }
+    if (data->spline != NULL)
+    {
+        return data->spline->words;
+    }
     return data->raster != NULL ? data->raster->values : data->words[data->shown];
 }
 
@@ -375,6 +383,7 @@ static void makeSet(swInputs* inputs, double time)
     swInputSet* set = &inputs->set;
     memset(set->ranges, 0, sizeof set->ranges);
     set->recordCount = 0;
+    set->ribbonSystems = 0;
     for (int i = 0; i < inputs->count; ++i)
     {
         const swInput* input = swGetInputAt(inputs, i);
@@ -386,6 +395,8 @@ static void makeSet(swInputs* inputs, double time)
         swInputRange* range = &set->ranges[input->def.field];
         range->firstRecord = range->recordCount == 0 ? (uint32_t)set->recordCount : range->firstRecord;
         range->recordCount += 1;
+        const swInputRecord* record = &set->records[set->recordCount];
+        set->ribbonSystems |= (record->flags & SW_INPUT_ALONG_SPLINE) != 0 ? 1u << record->system : 0u;
         set->recordCount += 1;
     }
     set->nodeCount = swBuildInputIndex(set, inputs->boxes, inputs->items, inputs->scratch, inputs->nodes);
