@@ -190,8 +190,8 @@ typedef struct swInputDef
 
     /// Of SW_INPUT_WAVES along a spline: the waves turn with the line. They are looked up by metres to its side and
     /// along it, so that their length is exact on the line and changes beside it as a bend asks for; towards the centre
-    /// of a bend, and where a line comes near itself, they fade. Blend SW_BLEND_ALPHA takes the system's other waves away
-    /// to the same share, SW_BLEND_ADD leaves them. Default false: the spline says how much of the waves there is.
+    /// of a bend, and where a line comes near itself, they fade. Blend SW_BLEND_ALPHA takes the system's other waves
+    /// away to the same share, SW_BLEND_ADD leaves them. Default false: the spline says how much of the waves there is.
     bool alongSpline;
 
     /// With alongSpline: where waves of the direction 0 go, radians from the way across the line from right to left,

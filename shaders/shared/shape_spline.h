@@ -554,7 +554,7 @@ SW_FORMULA swInputSample swFinishRibbon(swInputRecord record, swRibbonMix mix)
 //
 // The heading's cosine and sine are rounded to 1 / SW_HEADING_PARTS, so that cells times them are exact floats: a
 // source is as good at the end of a long line as at its start.
-#define SW_HEADING_PARTS 4096.0f
+#define SW_HEADING_PARTS 16384.0f
 #define SW_LEAST_STRETCH 0.15f // nearer to the centre of a bend there are no waves
 #define SW_FULL_STRETCH 0.5f
 #define SW_CLEAR_FOOT 0.5f // a second foot is no matter if it counts so much less

@@ -64,8 +64,8 @@ static const swField inputFields[] = {
     SW_SWITCH(loops, true, .key = "loops", .label = "loops", .kinds = SW_KIND(SW_SHAPE_RASTER)),
     SW_GIVEN(mesh, .key = NULL, .label = "mesh"),
     SW_GIVEN(spline, .key = NULL, .label = "spline"),
-    SW_SWITCH(alongSpline, false, .key = "along_spline", .label = "along the spline",
-              .tip = "Waves turn with the line", .kinds = SW_KIND(SW_SHAPE_SPLINE)),
+    SW_SWITCH(alongSpline, false, .key = "along_spline", .label = "along the spline", .tip = "Waves turn with the line",
+              .kinds = SW_KIND(SW_SHAPE_SPLINE)),
     SW_NUMBER(heading, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "heading_deg", .label = "heading",
               .tip = "0 goes across the line from right to left, 90 along it", .form = SW_FORM_DEGREES,
               SW_KNOB(-180.0, 180.0), .kinds = SW_KIND(SW_SHAPE_SPLINE)),
@@ -106,9 +106,8 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes =
-    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER) |
-    SW_KIND(SW_SHAPE_SPLINE);
+static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
+                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_SPLINE);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \

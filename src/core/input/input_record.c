@@ -75,7 +75,8 @@ static swPosXZ placeSpline(const swInputDef* def, const swSpline* spline, swInpu
         record->part1 = (float)floor(swSin((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
     }
     double cosine = (double)record->cosine, sine = (double)record->sine;
-    return (swPosXZ){cosine * spline->originX - sine * spline->originZ, sine * spline->originX + cosine * spline->originZ};
+    return (swPosXZ){cosine * spline->originX - sine * spline->originZ,
+                     sine * spline->originX + cosine * spline->originZ};
 }
 
 static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInputRecord* record)

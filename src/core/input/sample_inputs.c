@@ -51,8 +51,8 @@ static void joinValue(const swInputSet* set, uint32_t at, const Place* place, vo
 static void joinLooks(const swInputSet* set, uint32_t at, const Place* place, void* below)
 {
     swWaveLooks* looks = below;
-    *looks = swJoinLooks(set->words[at], set->records[at], *looks, place->cellX, place->cellZ, place->restX,
-                         place->restZ);
+    *looks =
+        swJoinLooks(set->words[at], set->records[at], *looks, place->cellX, place->cellZ, place->restX, place->restZ);
 }
 
 static void joinAll(const swInputSet* set, int field, int system, const Place* place, JoinRecord* join, void* below)

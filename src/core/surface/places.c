@@ -100,10 +100,9 @@ static void findSystem(swPlaceBlock* block, int system)
     const swPlaces* places = block->places;
     block->system = system;
     findWeights(block, system);
-    block->warpCount =
-        (block->touched & SW_TOUCHES_WARP) != 0
-            ? places->warps(places->context, system, block->ticks, block->count, block->rest, block->warps)
-            : 0;
+    block->warpCount = (block->touched & SW_TOUCHES_WARP) != 0 ? places->warps(places->context, system, block->ticks,
+                                                                               block->count, block->rest, block->warps)
+                                                               : 0;
 }
 
 // ---- groups of waves ----
@@ -241,8 +240,8 @@ void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape)
     {
         placeWarped(block, block->warps[w], &shape->copies[shape->copyCount++]);
     }
-    shape->isPlain = !block->isGone && block->warpCount == 0 && isDeep && !block->isWeighted &&
-                     !(block->touched & SW_TOUCHES_FLOW);
+    shape->isPlain =
+        !block->isGone && block->warpCount == 0 && isDeep && !block->isWeighted && !(block->touched & SW_TOUCHES_FLOW);
     for (int i = 0; i < shape->copyCount && !isDeep; ++i)
     {
         attenuate(block, group, &shape->copies[i]);
