@@ -73,7 +73,8 @@ static float HeightAt(const Sea* sea, double x, double z)
 
 static swPosXZ StepAside(const swSplinePlace* place, double aside)
 {
-    return (swPosXZ){place->point.x + aside * (double)place->tangent.y, place->point.z - aside * (double)place->tangent.x};
+    return (swPosXZ){place->point.x + aside * (double)place->tangent.y,
+                     place->point.z - aside * (double)place->tangent.x};
 }
 
 #define RING_POINTS 4
@@ -209,7 +210,8 @@ static void ARingHasNoSeamInItsWaves(void** state)
         before = height;
     }
     double rms = sqrt(energy / 40000.0) / (double)AMPLITUDE;
-    print_message("across a ring's seam: %.2g m within 8 mm at most, root mean square %.3f of the amplitude\n", worst, rms);
+    print_message("across a ring's seam: %.2g m within 8 mm at most, root mean square %.3f of the amplitude\n", worst,
+                  rms);
     assert_true(worst < 1.6 * 0.008 * 2.0 * SW_PI / (double)WAVELENGTH * (double)AMPLITUDE);
     assert_true(rms > 0.45 && rms < 0.95);
     CloseSea(&sea);
@@ -245,8 +247,12 @@ static void NormalsAreThoseOfTheHeights(void** state)
     {
         for (int i = 0; i < COUNT; ++i)
         {
-            beside[side][i] = (swPosXZ){at[i].x + (side == 0 ? h : side == 1 ? -h : 0.0),
-                                        at[i].z + (side == 2 ? h : side == 3 ? -h : 0.0)};
+            beside[side][i] = (swPosXZ){at[i].x + (side == 0   ? h
+                                                   : side == 1 ? -h
+                                                               : 0.0),
+                                        at[i].z + (side == 2   ? h
+                                                   : side == 3 ? -h
+                                                               : 0.0)};
         }
         const swSurfaceSamples others = {.height = heights[side]};
         swMoment_QuerySurface(moment, &query, COUNT, beside[side], &others, NULL);

@@ -34,7 +34,8 @@ static swInputSample sampleRecord(const swInputSet* set, uint32_t at, const Plac
 // Whether a record says something about a system's waves, of another field about anything, at a place.
 static bool isMeant(const swInputRecord* record, int system, const Place* place)
 {
-    bool isOfSystem = record->field != SW_FIELD_OF_WAVES || (int)record->system == system;
+    bool isOfSystem =
+        record->field != SW_FIELD_OF_WAVES || record->system == SW_ALL_SYSTEMS || (int)record->system == system;
     bool isHere = !place->isFar || (record->flags & SW_INPUT_IS_BOUNDLESS) != 0;
     return isOfSystem && isHere;
 }
