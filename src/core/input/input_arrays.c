@@ -144,4 +144,13 @@ void swFindSetReaches(swInputArrays* arrays)
     findRange(arrays, SW_INPUT_WAVES, 1.0f, &low, &high);
     set->weightReach = fmaxf(fabsf(low), fabsf(high));
     set->displacementReach = findDisplacement(arrays);
+    set->ribbonSystems = 0;
+    for (int i = 0; i < set->recordCount; ++i)
+    {
+        const swInputRecord* record = &arrays->records[i];
+        if ((record->flags & SW_INPUT_ALONG_SPLINE) != 0)
+        {
+            set->ribbonSystems |= record->system == SW_ALL_SYSTEMS ? UINT32_MAX : 1u << record->system;
+        }
+    }
 }

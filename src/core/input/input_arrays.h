@@ -26,5 +26,5 @@ typedef struct swInputArrays
 bool swReserveInputArrays(const swHost* host, swInputArrays* arrays, int count);
 void swFreeInputArrays(const swHost* host, swInputArrays* arrays);
 
-// The reaches of the set's fields, of its records and their own.
+// What the set says of its records altogether: reaches of fields, systems with ribbons.
 void swFindSetReaches(swInputArrays* arrays);

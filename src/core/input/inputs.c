@@ -6,6 +6,7 @@
 
 #include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
 {
@@ -21,6 +22,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseSpline(data->spline);
         swReleaseHull(data->hull);
         swFree(host, data, data->size);
     }
@@ -37,7 +39,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL && def->spline == NULL)
     {
         return NULL;
     }
@@ -54,6 +56,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->spline = def->spline;
+    swRetainSpline(data->spline);
     data->hull = def->hull;
     swRetainHull(data->hull);
     data->pointCapacity = room;

@@ -10,14 +10,15 @@
 #include "core/input/hull.h"
 #include "core/input/input_def.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 
 typedef struct Saved
 {
     bool isUsed;
     uint32_t generation;
     uint64_t serial;
-    swInputDef def;                  // without pointers
-    uint64_t raster, hull, function; // hashes, 0: none
+    swInputDef def;                          // without pointers
+    uint64_t raster, hull, spline, function; // hashes, 0: none
 } Saved;
 
 static Saved getSaved(const swInput* input)
@@ -30,6 +31,7 @@ static Saved getSaved(const swInput* input)
         .def = *def,
         .raster = input->isUsed && def->raster != NULL ? def->raster->hash : 0,
         .hull = input->isUsed && def->hull != NULL ? def->hull->hash : 0,
+        .spline = input->isUsed && def->spline != NULL ? def->spline->hash : 0,
         .function = def->functionFingerprint,
     };
 }
@@ -48,6 +50,7 @@ static void streamSaved(swStream* stream, Saved* saved)
     swStreamU32(stream, &saved->def.system.generation);
     swStreamU64(stream, &saved->raster);
     swStreamU64(stream, &saved->hull);
+    swStreamU64(stream, &saved->spline);
     swStreamU64(stream, &saved->function);
     swStreamRange(stream, &saved->def.pointCount, 0, SW_MAX_INPUT_POINTS);
 }
@@ -95,6 +98,17 @@ static swResult findResources(const swHost* host, const swRestoreDef* find, Save
             return refuseMissing(host, "hull", saved, saved->hull);
         }
         saved->def.hull = resource.hull;
+    }
+    if (saved->spline != 0)
+    {
+        bool isGiven = find->findResource != NULL &&
+                       find->findResource(find->resourceContext, SW_RESOURCE_SPLINE, saved->spline, name, &resource) &&
+                       resource.spline != NULL && resource.spline->hash == saved->spline;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "spline", saved, saved->spline);
+        }
+        saved->def.spline = resource.spline;
     }
     if (saved->def.shape == SW_SHAPE_FUNCTION)
     {
@@ -199,8 +213,8 @@ static bool hasResources(const swInput* input, const Saved* saved)
 {
     Saved now = getSaved(input);
     return input->isUsed && now.generation == saved->generation && now.raster == saved->raster &&
-           now.hull == saved->hull && now.function == saved->function && now.def.shape == saved->def.shape &&
-           now.def.pointCapacity >= saved->def.pointCount;
+           now.hull == saved->hull && now.spline == saved->spline && now.function == saved->function &&
+           now.def.shape == saved->def.shape && now.def.pointCapacity >= saved->def.pointCount;
 }
 
 swResult swCheckInputs(const swInputs* inputs, swStream* stream)
@@ -230,6 +244,7 @@ swResult swCheckInputs(const swInputs* inputs, swStream* stream)
         }
         const swHost silent = {0};
         saved.def.raster = input != NULL ? input->def.raster : NULL;
+        saved.def.spline = input != NULL ? input->def.spline : NULL;
         saved.def.hull = input != NULL ? input->def.hull : NULL;
         saved.def.function = input != NULL ? input->def.function : NULL;
         stream->isBroken = stream->isBroken || swCheckDef(&silent, &swInputFields, &saved.def) != SW_SUCCESS;
@@ -279,6 +294,7 @@ void swHashInputs(swHash* hash, const swInputs* inputs)
         swAddHash(hash, input->def.field == SW_INPUT_WAVES ? (uint64_t)input->def.system.index1 : 0);
         swAddHash(hash, saved.raster);
         swAddHash(hash, saved.hull);
+        swAddHash(hash, saved.spline);
         swAddHash(hash, saved.function);
         for (int k = 0; k < input->def.pointCount; ++k)
         {

@@ -12,7 +12,7 @@ typedef struct Stored
     int32_t recordCount, nodeCount;
     swInputRange ranges[SW_INPUT_FIELD_COUNT];
     float lowestLevel, highestLevel, weightReach, displacementReach;
-    uint32_t localSystems;
+    uint32_t localSystems, ribbonSystems, unused;
     double time;
 } Stored;
 
@@ -70,6 +70,7 @@ void swStoreInputs(swInputArrays* arrays, void* place)
         .weightReach = set->weightReach,
         .displacementReach = set->displacementReach,
         .localSystems = set->localSystems,
+        .ribbonSystems = set->ribbonSystems,
         .time = set->time,
     };
     memcpy(head.ranges, set->ranges, sizeof head.ranges);
@@ -187,5 +188,6 @@ void swMapStoredInputs(const void* place, swInputArrays* arrays)
     set->weightReach = head.weightReach;
     set->displacementReach = head.displacementReach;
     set->localSystems = head.localSystems;
+    set->ribbonSystems = head.ribbonSystems;
     set->time = head.time;
 }
