@@ -18,7 +18,7 @@ static uint32_t findFields(uint32_t touches)
 static const uint32_t allTouches[4] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP,
                                        SW_TOUCHES_FLOW};
 
-static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points)
+static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points, double around)
 {
     (void)ticks;
     double minX = points[0].x, maxX = points[0].x, minZ = points[0].z, maxZ = points[0].z;
@@ -30,7 +30,7 @@ static uint32_t findTouched(const void* context, int64_t ticks, int count, const
         maxZ = points[i].z > maxZ ? points[i].z : maxZ;
     }
     const swPosXZ middle = {0.5 * (minX + maxX), 0.5 * (minZ + maxZ)};
-    double reach = fmax(maxX - middle.x, maxZ - middle.z);
+    double reach = fmax(maxX - middle.x, maxZ - middle.z) + around;
     uint32_t touched = 0;
     for (int i = 0; i < 4; ++i)
     {
