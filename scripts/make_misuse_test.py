@@ -79,13 +79,12 @@ ALLOWED = {
     ("*", "directionVariance", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "leastJacobian", "*"): "counts with SW_WAVES_GERSTNER only",
     ("swWriteRaster", "host", "*"): "it is the host that knows whom to tell",
-    ("swWriteRaster", "source", "NULL"): "a raster may be of nothing that is known",
     ("swReadRaster", "def.missing", "infinite"): "a number that no file has",
     ("swCreateSeaReplay", "def.waves.spectrum.*", "*"): "a replay's spectra are its records'",
 }
 
 # Pointers that may be NULL in every function that has them.
-OPTIONAL = {"stats", "slopes"}
+OPTIONAL = {"stats", "slopes", "madeFrom"}
 
 
 def strip(text):

@@ -126,7 +126,7 @@ SW_API swResult swReadRaster(const swHost* host, const char* path, const swRaste
 /// made from: a text (NULL for none) and a hash, of which swReadRasterSource() tells. The file that was there stays
 /// whole until the new one is.
 /// @return SW_ERROR_INVALID, SW_ERROR_FILE, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED (built without OpenEXR)
-SW_API swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* source,
+SW_API swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* madeFrom,
                               uint64_t sourceHash);
 
 /// Room for the text of what a raster was made from, with its zero.

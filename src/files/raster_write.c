@@ -199,12 +199,12 @@ static swResult refuse(const swHost* host, const char* path)
 }
 #endif
 
-swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* source,
+swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* madeFrom,
                        uint64_t sourceHash)
 {
     SW_REQUIRE(swIsHostValid(host) && path != NULL && raster != NULL, SW_ERROR_INVALID, host,
                "swWriteRaster() needs a host, a path and a raster");
-    source = source != NULL ? source : "";
+    const char* source = madeFrom != NULL ? madeFrom : "";
     SW_REQUIRE(strlen(source) < SW_MAX_RASTER_SOURCE, SW_ERROR_INVALID, host,
                "swWriteRaster() takes a source of at most %d bytes", SW_MAX_RASTER_SOURCE - 1);
 #if SW_HAS_EXR
