@@ -11,6 +11,7 @@
 #include "id.h"
 #include "math.h"
 #include "measured.h"
+#include "mesh.h"
 #include "moment.h"
 #include "query.h"
 #include "raster.h"

@@ -51,6 +51,8 @@ typedef struct Fixture
     swRasterDef rasterDef;
     swHull* hull;
     swHullDef hullDef;
+    swMesh* mesh;
+    swMeshDef meshDef;
     swSeaBins bins;
     swSeaGauges gauges;
 #if MISUSE_GPU
@@ -100,6 +102,7 @@ typedef struct Fixture
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swRasterDef (&f->rasterDef)
 #define FIX_swHullDef (&f->hullDef)
+#define FIX_swMeshDef (&f->meshDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
 #define FIX_swShot (&f->shot)
@@ -230,6 +233,11 @@ static inline void MakeWorld(Fixture* f)
     f->hullDef.indices = faces;
     f->hullDef.resolution = 8;
     Need(swCreateHull(&f->host, &f->hullDef, &f->hull), "hull");
+    f->meshDef = swDefaultMeshDef();
+    f->meshDef.vertices = corners;
+    f->meshDef.vertexCount = f->meshDef.triangleCount = 4;
+    f->meshDef.indices = faces;
+    Need(swCreateMesh(&f->host, &f->meshDef, &f->mesh), "mesh");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }

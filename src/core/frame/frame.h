@@ -249,8 +249,8 @@ typedef struct swFoamLaw
     swFoamRest rest;     // of all waves that make foam
 } swFoamLaw;
 
-// One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns - frequency
-// ticks + phaseAlong)), and so across.
+// One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns -
+// frequency ticks + phaseAlong)), and so across.
 #define SW_GUSTS 12
 
 typedef struct swGust
