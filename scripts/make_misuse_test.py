@@ -35,6 +35,11 @@ ALLOWED = {
     ("swMoment_GetStokesDrift", "depthBelow", "*"): "a depth that cannot be answered is NaN; at infinity there is none",
     ("swCreateSeaReplay", "def.startSeconds", "NaN"): "the first record's",
     ("swWaveSystem_IsValid", "*", "*"): "asks just that",
+    ("swInput_IsValid", "*", "*"): "asks just that",
+    ("*", "def.gain", "*"): "counts for shapes with values of their own only",
+    ("*", "def.feather", "*"): "counts for shapes with an edge only",
+    ("*", "def.framesPerSecond", "*"): "counts with SW_SHAPE_RASTER only",
+    ("*", "def.startTime", "*"): "counts with SW_SHAPE_RASTER only",
     ("swMeasuredSea_AddLocation", "name", "NULL"): "a place may be without a name",
     ("swMeasuredSea_AddSpectrum", "def.seconds", "NaN"): "a record without a time",
     ("swMeasuredSea_GetRecord", "index", "-1"): "the empty record, as what finds records may give -1",
@@ -113,6 +118,7 @@ def parse(folder, names):
         result, name, arguments = match.group(1).strip(), match.group(2), match.group(3)
         parameters = []
         for argument in [] if arguments == "void" else arguments.split(","):
+            argument = re.sub(r"\s(\w+)\[\w+\]$", r"* \1", argument)
             part = re.match(r"\s*(.*?)\s*\b(\w+)$", argument)
             parameters.append((part.group(1).replace(" *", "*").strip(), part.group(2)))
         functions.append((result, name, parameters))
@@ -180,8 +186,8 @@ class Writer:
         if base == "int":
             return [("-1", "-1")]
         if base.endswith("Id") and base in self.structs:
-            return [("zero", f"({base}){{0}}"), ("stale", f"FIX_STALE")]
-        if base in ("swPos", "swPosXZ", "swVec3"):
+            return [("zero", f"({base}){{0}}"), ("stale", f"FIX_STALE_{base}")]
+        if base in ("swPos", "swPosXZ", "swVec3", "swAngles"):
             return [("NaN", f"({base}){{NAN}}"), ("infinite", f"({base}){{INFINITY}}")]
         return out
 
@@ -282,7 +288,7 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swRasterDef", "swHullDef", "swMeshDef", "swFields", "swField", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swRasterDef", "swHullDef", "swMeshDef", "swFields", "swField", "swWaveSystemId", "swInputId", "swFieldSamples", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swStageTerrainDef", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.

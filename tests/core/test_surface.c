@@ -123,10 +123,10 @@ static bool FindWarp(const void* context, int system, int64_t ticks, int count, 
 }
 
 // Falls below 12 m, and is then no more than a wave's k times it.
-static float Attenuate(const void* context, int system, float k, float depth, float* slope)
+static float Attenuate(const void* context, const swWaveGroup* group, float depth, float* slope)
 {
-    (void)context, (void)system;
-    float kd = k * depth, root = 1.0f + kd;
+    (void)context;
+    float k = group->k, kd = k * depth, root = 1.0f + kd;
     bool isDeep = depth >= 12.0f;
     *slope = isDeep ? 0.0f : k / (root * root);
     return isDeep ? 1.0f : kd / root;
@@ -280,7 +280,8 @@ static void AConstantDepthTakesItsShareOfEachBand(void** state)
             const swTile* tile = &sea.query.tiles[t];
             float out[4], slope;
             swSampleTiles(sea.query.kernels, 1, tile, 1, &shaped.points[i], out, NULL);
-            double share = (double)Attenuate(NULL, 0, swGetTileWaveNumber(tile), 5.0f, &slope);
+            const swWaveGroup group = swGroupTile(tile);
+            double share = (double)Attenuate(NULL, &group, 5.0f, &slope);
             for (int c = 0; c < 3; ++c)
             {
                 expected[c] += share * (double)out[c];

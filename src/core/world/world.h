@@ -8,6 +8,7 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
+#include "core/input/inputs.h"
 #include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
@@ -41,6 +42,7 @@ struct swWorld
     swIdPool systemIds; // of the slots of the waves' systems
     swWaves waves;
     swWhitecaps whitecaps;
+    swInputs inputs;
     swWind wind;
 
     swView* views[SW_MAX_VIEWS];
