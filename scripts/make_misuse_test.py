@@ -83,6 +83,8 @@ ALLOWED = {
     ("*", "reverseWeight", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "directionVariance", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "leastJacobian", "*"): "counts with SW_WAVES_GERSTNER only",
+    ("swCreateNest", "def.shape", "*"): "it is a raster's",
+    ("swCreateNest", "def.blend", "*"): "each joins by its share",
     ("swWriteRaster", "host", "*"): "it is the host that knows whom to tell",
     ("swReadRaster", "def.missing", "infinite"): "a number that no file has",
     ("swCreateSeaReplay", "def.waves.spectrum.*", "*"): "a replay's spectra are its records'",
@@ -141,7 +143,7 @@ class Writer:
         base = self.base(kind)
         stars = kind.count("*")
         if stars == 2:
-            return f"({kind})&made"
+            return f"({kind})f->{base[2].lower() + base[3:]}s" if kind.startswith("const") else f"({kind})&made"
         if stars == 1 and base in ("char", "void"):
             return f"({kind})f->text" if "const" in kind else f"({kind})f->room"
         if stars == 1 and base.endswith("Id"):
@@ -233,7 +235,7 @@ class Writer:
                 value = f"&def_{parameter}"
             if i == index and not change:
                 value = expression
-            elif kind.count("*") == 2 and base.startswith("sw"):
+            elif kind.count("*") == 2 and base.startswith("sw") and not kind.startswith("const"):
                 made = True
             if (i != index or change) and kind.count("*") == 1 and (base == "swHost" or base in OBJECTS):
                 hosts = True

@@ -202,9 +202,8 @@ static void TheHighestCountsAndABridgeIsNoLand(void** state)
 static void WallsHaveNoGroundAndDoNoHarm(void** state)
 {
     (void)state;
-    const swVec3 vertices[] = {{0.0f, -5.0f, 0.0f}, {10.0f, -5.0f, 0.0f}, {0.0f, -5.0f, 10.0f},
-                               {10.0f, -5.0f, 10.0f}, {5.0f, 90.0f, 0.0f},  {5.0f, -90.0f, 10.0f},
-                               {5.0f, 80.0f, 5.0f}};
+    const swVec3 vertices[] = {{0.0f, -5.0f, 0.0f}, {10.0f, -5.0f, 0.0f},  {0.0f, -5.0f, 10.0f}, {10.0f, -5.0f, 10.0f},
+                               {5.0f, 90.0f, 0.0f}, {5.0f, -90.0f, 10.0f}, {5.0f, 80.0f, 5.0f}};
     const uint32_t faces[] = {0, 1, 2, 1, 3, 2, 4, 5, 6, 0, 0, 1, 3, 3, 3};
     swMesh* mesh = Make(7, vertices, 5, faces, 1e6f);
     assert_true(HeightAt(mesh, 5.0f, 5.0f) == -5.0f && HeightAt(mesh, 5.0f, 0.0f) == -5.0f);

@@ -48,6 +48,7 @@ typedef struct Fixture
     swHeightMapDef map;
     swSeaPatches* seaPatches;
     swRaster* raster;
+    swRaster* rasters[4];
     swRasterDef rasterDef;
     swFieldSamples fieldSamples;
     swInputId inputId, staleInputId;
@@ -230,6 +231,7 @@ static inline void MakeWorld(Fixture* f)
     f->rasterDef.width = f->rasterDef.height = 2;
     f->rasterDef.values = cells;
     Need(swCreateRaster(&f->host, &f->rasterDef, &f->raster), "raster");
+    f->rasters[0] = f->rasters[1] = f->rasters[2] = f->rasters[3] = f->raster;
     const swInputDef inputDef = swDefaultInputDef();
     Need(swCreateInput(f->world, &inputDef, &f->staleInputId), "input");
     swDestroyInput(f->world, f->staleInputId);

@@ -100,8 +100,8 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes =
-    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER);
+static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
+                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_MESH) | SW_KIND(SW_SHAPE_RASTER);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -220,6 +220,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
     {
         result = checkRaster(host, def);
+    }
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_MESH && def->mesh == NULL)
+    {
+        result = refuse(host, SW_ERROR_INVALID, def, "has no mesh");
     }
     return result == SW_SUCCESS ? swCheckInputPoints(host, def, def->pointCount, def->points) : result;
 }

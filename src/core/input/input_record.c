@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "core/input/mesh.h"
 #include "core/input/raster.h"
 #include "core/math/scalar.h"
 
@@ -54,6 +55,15 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
 }
 
+// Heights of a mesh count from its own origin, which lies at the input's place.
+static void placeMesh(const swInputDef* def, const swMesh* mesh, swInputRecord* record)
+{
+    swDescribeMesh(mesh, record);
+    record->gain = def->gain;
+    record->wordCount = mesh->wordCount;
+    record->value.x = def->field == SW_INPUT_FLOOR ? def->value[0] + record->size.w : record->value.x;
+}
+
 static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInputRecord* record)
 {
     switch (def->shape)
@@ -63,6 +73,9 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RECTANGLE:
         placeCentred(record, def->size.x, def->size.z);
+        break;
+    case SW_SHAPE_MESH:
+        placeMesh(def, data->mesh, record);
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/input/mesh.h"
 #include "core/input/raster.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
@@ -18,6 +19,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseMesh(data->mesh);
         swFree(host, data, data->size);
     }
 }
@@ -33,7 +35,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->mesh == NULL)
     {
         return NULL;
     }
@@ -50,6 +52,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->mesh = def->mesh;
+    swHoldMesh(data->mesh);
     data->pointCapacity = room;
     data->pointCount = def->pointCount;
     data->points = (swInputPoint*)(void*)((char*)data + head);
@@ -356,7 +360,9 @@ static const float* showWords(swInputData* data)
         data->shown = 1 - data->shown;
         data->isNew = false;
     }
-    return data->raster != NULL ? data->raster->values : data->words[data->shown];
+    return data->raster != NULL ? data->raster->values
+           : data->mesh != NULL ? data->mesh->words
+                                : data->words[data->shown];
 }
 
 static void addRecord(swInputs* inputs, uint32_t slot, int at, double time)

@@ -82,8 +82,7 @@ static Layout layOut(const swMeshDef* def, const swMeshGrid* grid, uint32_t* fir
     layout.vertices = roundUp(sizeof(swMesh));
     layout.indices = layout.vertices + roundUp((size_t)def->vertexCount * sizeof(swVec3));
     layout.values = layout.indices + roundUp((size_t)def->triangleCount * 3 * sizeof(uint32_t));
-    layout.words =
-        layout.values + roundUp((size_t)def->vertexCount * (size_t)def->channelCount * sizeof(float));
+    layout.words = layout.values + roundUp((size_t)def->vertexCount * (size_t)def->channelCount * sizeof(float));
     layout.size = layout.words + (size_t)*wordCount * sizeof(float);
     return layout;
 }
@@ -140,8 +139,7 @@ static void fillMesh(swMesh* mesh, const swMeshDef* def, const swMeshGrid* grid,
     char* block = (char*)mesh;
     float* words = (float*)(void*)(block + layout->words);
     mesh->vertices = memcpy(block + layout->vertices, def->vertices, (size_t)def->vertexCount * sizeof(swVec3));
-    mesh->indices =
-        memcpy(block + layout->indices, def->indices, (size_t)def->triangleCount * 3 * sizeof(uint32_t));
+    mesh->indices = memcpy(block + layout->indices, def->indices, (size_t)def->triangleCount * 3 * sizeof(uint32_t));
     if (def->channelCount > 0)
     {
         mesh->values = memcpy(block + layout->values, def->values,

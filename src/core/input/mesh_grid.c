@@ -116,7 +116,7 @@ bool swPlanMeshGrid(const swVec3* vertices, const uint32_t* indices, int triangl
     double width = (double)high.x - (double)low.x, height = (double)high.z - (double)low.z;
     double longest = fmax(fmax(width, height), 1e-3);
     double area = fmax(width, longest * 1e-3) * fmax(height, longest * 1e-3);
-    for (double cells = triangleCount; ; cells *= 0.25)
+    for (double cells = triangleCount;; cells *= 0.25)
     {
         cells = fmax(cells, 1.0);
         // A rim of a tenth of a cell, so that the bounds lie inside.
