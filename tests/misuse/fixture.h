@@ -50,6 +50,8 @@ typedef struct Fixture
     swRaster* raster;
     swRaster* rasters[4];
     swRasterDef rasterDef;
+    swSpline* spline;
+    swSplineDef splineDef;
     swFieldSamples fieldSamples;
     swInputId inputId, staleInputId;
     swHull* hull;
@@ -107,6 +109,7 @@ typedef struct Fixture
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swRasterDef (&f->rasterDef)
+#define FIX_swSplineDef (&f->splineDef)
 #define FIX_swHullDef (&f->hullDef)
 #define FIX_swMeshDef (&f->meshDef)
 #define FIX_swSeaBins (&f->bins)
@@ -249,6 +252,13 @@ static inline void MakeWorld(Fixture* f)
     f->meshDef.vertexCount = f->meshDef.triangleCount = 4;
     f->meshDef.indices = faces;
     Need(swCreateMesh(&f->host, &f->meshDef, &f->mesh), "mesh");
+    static swSplinePoint points[2];
+    points[0] = swDefaultSplinePoint(0.0, 0.0, 0.0);
+    points[1] = swDefaultSplinePoint(9.0, 0.0, 0.0);
+    f->splineDef = swDefaultSplineDef();
+    f->splineDef.points = points;
+    f->splineDef.pointCount = 2;
+    Need(swCreateSpline(&f->host, &f->splineDef, &f->spline), "spline");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }
