@@ -6,6 +6,7 @@
 #include "input.h"
 #include "shape_mesh.h"
 #include "shape_plain.h"
+#include "shape_polygon.h"
 #include "shape_raster.h"
 
 // At a place in own coordinates, before the record's weight.
@@ -22,6 +23,10 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     if (record.shape == SW_FORM_MESH)
     {
         return swSampleMeshInput(words, record, own.x, own.z);
+    }
+    if (record.shape == SW_FORM_POLYGON)
+    {
+        return swSamplePolygon(words, record, own.x, own.z);
     }
     if (record.shape == SW_FORM_RASTER)
     {

@@ -81,9 +81,9 @@ static swResult createAll(swWorld* world, const swInputDef* def, int count, cons
 
 swResult swCreateNest(swWorld* world, const swInputDef* def, int count, const swRaster* const* rasters, swInputId* ids)
 {
-    SW_REQUIRE(world != NULL && rasters != NULL && ids != NULL && count >= 1 && count <= SW_MAX_NEST,
-               SW_ERROR_INVALID, swFindHost(world),
-               "swCreateNest() needs a world, 1 to %d rasters, and a place for as many handles", SW_MAX_NEST);
+    SW_REQUIRE(world != NULL && rasters != NULL && ids != NULL && count >= 1 && count <= SW_MAX_NEST, SW_ERROR_INVALID,
+               swFindHost(world), "swCreateNest() needs a world, 1 to %d rasters, and a place for as many handles",
+               SW_MAX_NEST);
     SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
                "swCreateNest() needs a def made by swDefaultInputDef()");
     for (int i = 0; i < count; ++i)

@@ -34,7 +34,8 @@ static swInputSample sampleRecord(const swInputSet* set, uint32_t at, const Plac
 static void joinRecord(const swInputSet* set, uint32_t at, int system, const Place* place, swInputValue* value)
 {
     const swInputRecord* record = &set->records[at];
-    bool isMeant = record->field != SW_FIELD_OF_WAVES || (int)record->system == system;
+    bool isMeant =
+        record->field != SW_FIELD_OF_WAVES || record->system == SW_ALL_SYSTEMS || (int)record->system == system;
     bool isHere = !place->isFar || (record->flags & SW_INPUT_IS_BOUNDLESS) != 0;
     if (isMeant && isHere)
     {
