@@ -8,6 +8,7 @@
 #include "clock.h"
 #include "field.h"
 #include "hull.h"
+#include "island.h"
 #include "id.h"
 #include "input.h"
 #include "math.h"

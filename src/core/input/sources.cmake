@@ -7,6 +7,8 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/input_index.c
     ${CMAKE_CURRENT_LIST_DIR}/input_record.c
     ${CMAKE_CURRENT_LIST_DIR}/inputs.c
+    ${CMAKE_CURRENT_LIST_DIR}/island.c
+    ${CMAKE_CURRENT_LIST_DIR}/island_def.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_def.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_grid.c
