@@ -67,10 +67,11 @@ static const struct aiScene* import(const char* path)
         return NULL;
     }
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const struct aiScene* scene = aiImportFileExWithProperties(
-        path,
-        aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure,
-        NULL, properties);
+    const struct aiScene* scene =
+        aiImportFileExWithProperties(path,
+                                     aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices |
+                                         aiProcess_ValidateDataStructure,
+                                     NULL, properties);
     aiReleasePropertyStore(properties);
     return scene;
 }

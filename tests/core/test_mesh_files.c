@@ -96,12 +96,13 @@ static void NodesPutMeshesInTheirPlaces(void** state)
 {
     (void)state;
     // One triangle, twice as large, 100 m to the east and 7 m lower. The buffer: three positions.
-    Write("gltf",
-          "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"
-          "\"translation\":[100,-7,0],\"scale\":[2,2,2]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}"
-          "]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],"
-          "\"max\":[1,0,1]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":"
-          "\"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIA/\"}]}");
+    Write(
+        "gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"
+        "\"translation\":[100,-7,0],\"scale\":[2,2,2]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}"
+        "]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],"
+        "\"max\":[1,0,1]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36,\"uri\":"
+        "\"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAAAAAIA/\"}]}");
     swMesh* mesh = Read(NULL);
     swMeshInfo info = swMesh_GetInfo(mesh);
     assert_true(info.low.x == 100.0f && info.high.x == 102.0f && info.high.z == 2.0f);
@@ -112,10 +113,11 @@ static void NodesPutMeshesInTheirPlaces(void** state)
 static void ColoursOfCornersAreValues(void** state)
 {
     (void)state;
-    Write("ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
-                 "uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face 1\nproperty "
-                 "list uchar int vertex_indices\nend_header\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 0 1 0 0 255 51\n3 0 1 "
-                 "2\n");
+    Write("ply",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
+          "uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\nelement face 1\nproperty "
+          "list uchar int vertex_indices\nend_header\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 0 1 0 0 255 51\n3 0 1 "
+          "2\n");
     swMesh* mesh = Read(NULL);
     assert_int_equal(swMesh_GetInfo(mesh).channelCount, 4);
     const float* values = swMesh_GetValues(mesh);
@@ -185,9 +187,8 @@ static void RealMeshesAreRead(void** state)
         print_message("%s: %d triangles, %.2f x %.2f x %.2f m\n", files[i].path, info.triangleCount,
                       (double)(info.high.x - info.low.x), (double)(info.high.y - info.low.y),
                       (double)(info.high.z - info.low.z));
-        assert_true(files[i].slack == 0.0f ||
-                    (fabsf(info.high.x - info.low.x - files[i].width) < files[i].slack &&
-                     fabsf(info.high.y - info.low.y - files[i].height) < files[i].slack));
+        assert_true(files[i].slack == 0.0f || (fabsf(info.high.x - info.low.x - files[i].width) < files[i].slack &&
+                                               fabsf(info.high.y - info.low.y - files[i].height) < files[i].slack));
         float middleX = 0.5f * (info.low.x + info.high.x), middleZ = 0.5f * (info.low.z + info.high.z);
         float top = HeightAt(mesh, middleX + 1e-3f, middleZ + 2e-3f);
         assert_true(isnan(top) || (top >= info.low.y && top <= info.high.y));
@@ -198,12 +199,9 @@ static void RealMeshesAreRead(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ObjIsReadAsTriangles),
-        cmocka_unit_test(AxesAndLengthsAreTurned),
-        cmocka_unit_test(NodesPutMeshesInTheirPlaces),
-        cmocka_unit_test(ColoursOfCornersAreValues),
-        cmocka_unit_test(BadMeshFilesAreNamed),
-        cmocka_unit_test(RealMeshesAreRead),
+        cmocka_unit_test(ObjIsReadAsTriangles),        cmocka_unit_test(AxesAndLengthsAreTurned),
+        cmocka_unit_test(NodesPutMeshesInTheirPlaces), cmocka_unit_test(ColoursOfCornersAreValues),
+        cmocka_unit_test(BadMeshFilesAreNamed),        cmocka_unit_test(RealMeshesAreRead),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,9 @@
 #include "core/input/hull.h"
 #include "core/input/mesh.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 #include "core/math/scalar.h"
+#include "shared/shape_spline.h"
 
 bool swFindCell(double place, int32_t* cell, float* rest)
 {
@@ -68,6 +70,29 @@ static void placeMesh(const swInputDef* def, const swMesh* mesh, swInputRecord* 
     record->gain = def->gain;
     record->wordCount = mesh->wordCount;
     record->value.x = def->field == SW_INPUT_FLOOR ? def->value[0] + record->size.w : record->value.x;
+}
+
+// A spline's own axes begin in its middle. Heights of its points count from where the input is.
+static swPosXZ placeSpline(const swInputDef* def, const swSpline* spline, swInputRecord* record)
+{
+    record->middleX = (float)(0.5 * (spline->leastX + spline->mostX));
+    record->middleZ = (float)(0.5 * (spline->leastZ + spline->mostZ));
+    record->halfX = (float)(0.5 * (spline->mostX - spline->leastX));
+    record->halfZ = (float)(0.5 * (spline->mostZ - spline->leastZ));
+    record->wordCount = (sw_uint)spline->wordCount;
+    if (def->field == SW_INPUT_FLOOR || def->field == SW_INPUT_LEVEL)
+    {
+        record->value.x += def->field == SW_INPUT_FLOOR ? (float)def->position.y : record->size.w;
+    }
+    if (def->field == SW_INPUT_WAVES && def->alongSpline)
+    {
+        record->flags |= SW_INPUT_ALONG_SPLINE;
+        record->part0 = (float)floor(swCos((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+        record->part1 = (float)floor(swSin((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+    }
+    double cosine = (double)record->cosine, sine = (double)record->sine;
+    return (swPosXZ){cosine * spline->originX - sine * spline->originZ,
+                     sine * spline->originX + cosine * spline->originZ};
 }
 
 // Of a polygon, see shared/shape_polygon.h.
@@ -142,6 +167,8 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
+    case SW_SHAPE_SPLINE:
+        return placeSpline(def, data->spline, record);
     case SW_SHAPE_POLYGON:
         placePolygon(data->words[data->shown], data->pointCount, record);
         break;

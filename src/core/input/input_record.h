@@ -13,6 +13,7 @@ typedef struct swInputData
     size_t size;              // bytes of this block
     const swRaster* raster;   // held
     const swMesh* mesh;       // held
+    const swSpline* spline;   // held
     const swHull* hull;       // held
     int pointCount, pointCapacity;
     swInputPoint* points; // as they were given

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An island out of noise. Around it lies a beach after Dean's law, depth = A distance^(2/3) [Dean 1991], out to the edge
-// of a shelf; beyond, the floor falls to the depth around. Inland a mountain rises, cut by valleys: each octave of noise
-// counts less where those before it are steep, so that ridges stay sharp and valleys smooth.
+// An island out of noise. Around it lies a beach after Dean's law, depth = A distance^(2/3) [Dean 1991], out to the
+// edge of a shelf; beyond, the floor falls to the depth around. Inland a mountain rises, cut by valleys: each octave of
+// noise counts less where those before it are steep, so that ridges stay sharp and valleys smooth.
 //
 // Plain arithmetic and the core's own functions: the same bits on every machine.
 
