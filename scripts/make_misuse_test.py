@@ -35,6 +35,7 @@ ALLOWED = {
     ("swMoment_GetStokesDrift", "depthBelow", "*"): "a depth that cannot be answered is NaN; at infinity there is none",
     ("swCreateSeaReplay", "def.startSeconds", "NaN"): "the first record's",
     ("swWaveSystem_IsValid", "*", "*"): "asks just that",
+    ("swInput_IsValid", "*", "*"): "asks just that",
     ("swMeasuredSea_AddLocation", "name", "NULL"): "a place may be without a name",
     ("swMeasuredSea_AddSpectrum", "def.seconds", "NaN"): "a record without a time",
     ("swMeasuredSea_GetRecord", "index", "-1"): "the empty record, as what finds records may give -1",
@@ -178,8 +179,8 @@ class Writer:
         if base == "int":
             return [("-1", "-1")]
         if base.endswith("Id") and base in self.structs:
-            return [("zero", f"({base}){{0}}"), ("stale", f"FIX_STALE")]
-        if base in ("swPos", "swPosXZ", "swVec3"):
+            return [("zero", f"({base}){{0}}"), ("stale", f"FIX_STALE_{base}")]
+        if base in ("swPos", "swPosXZ", "swVec3", "swAngles"):
             return [("NaN", f"({base}){{NAN}}"), ("infinite", f"({base}){{INFINITY}}")]
         return out
 
@@ -280,7 +281,7 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swRasterDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swRasterDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swInputId", "swFieldSamples", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swStageTerrainDef", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.

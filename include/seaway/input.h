@@ -205,6 +205,43 @@ typedef struct swInputDef
     int internalValue;
 } swInputDef;
 
+SW_API swInputDef swDefaultInputDef(void);
+SW_API const swFields* swGetInputFields(void);
+
+/// Put an input into the sea, from the next step on.
+/// @return SW_ERROR_INVALID (the host's log names the number and its range), SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (more
+/// than SW_MAX_INPUTS), SW_ERROR_UNSUPPORTED where a shape makes no sense for a field; then nothing is made
+SW_API swResult swCreateInput(swWorld* world, const swInputDef* def, swInputId* id);
+
+/// Take an input away, from the next step on.
+SW_API void swDestroyInput(swWorld* world, swInputId id);
+
+SW_API bool swInput_IsValid(const swWorld* world, swInputId id);
+
+/// Change anything about an input. It keeps its handle and its place among inputs of the same order.
+/// @return as swCreateInput(); then nothing has changed
+SW_API swResult swInput_Set(swWorld* world, swInputId id, const swInputDef* def);
+
+/// The def as it was given last, with what was moved and set since. Its points are the world's, until the next change.
+SW_API swInputDef swInput_Get(const swWorld* world, swInputId id);
+
+/// @name Changes that allocate nothing, for each frame
+/// A number out of its range is misuse: the input stays as it was.
+/// @{
+SW_API void swInput_Move(swWorld* world, swInputId id, swPos position, swAngles rotation);
+SW_API void swInput_Enable(swWorld* world, swInputId id, bool isEnabled);
+SW_API void swInput_SetValue(swWorld* world, swInputId id, const float value[4]);
+SW_API void swInput_SetWeight(swWorld* world, swInputId id, float weight);
+/// Other points, at most swInputDef::pointCapacity of them.
+/// @return SW_ERROR_INVALID if they are more, or such as swCreateInput() refuses; the old ones then stay
+SW_API swResult swInput_SetPoints(swWorld* world, swInputId id, int count, const swInputPoint* points);
+/// @}
+
+SW_API int swWorld_GetInputCount(const swWorld* world);
+
+/// Handles in the order in which inputs join, of all fields.
+SW_API swInputId swWorld_GetInput(const swWorld* world, int index);
+
 /// Where answers about fields go: arrays of as many elements as points, or NULL to skip.
 typedef struct swFieldSamples
 {
@@ -222,3 +259,10 @@ typedef struct swFieldSamples
     swVec3* displacement; ///< by inputs alone, m
     int* body;            ///< -1 where there is none
 } swFieldSamples;
+
+/// The fields at `count` places. Fields are functions of place: waves are not searched for. Those that shape waves
+/// (depth, weight, flow) count at the place where a particle rests, the others where it is.
+/// A place that cannot be answered is NaN in all fields, -1 in `body`.
+/// @return how many places could not be answered
+SW_API int swMoment_QueryFields(const swMoment* moment, int count, const swPosXZ* points,
+                                const swFieldSamples* samples);

@@ -9,6 +9,7 @@
 #include "field.h"
 #include "hull.h"
 #include "id.h"
+#include "input.h"
 #include "math.h"
 #include "measured.h"
 #include "moment.h"

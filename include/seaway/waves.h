@@ -105,6 +105,10 @@ typedef struct swWaveSystemDef
     /// shore only. Range [0, 1e4]. Default 0: by their lengths alone.
     float shallowsDepth;
 
+    /// The waves are only where inputs of SW_INPUT_WAVES give them weight, see input.h. Default false: they are
+    /// everywhere, but for what inputs take from them.
+    bool isLocal;
+
     /// The waves repeat exactly after this time, s. Range [0, SW_LARGEST_TIME]. Default 0: never.
     float loopPeriod;
 

@@ -76,6 +76,9 @@ SW_PARAMS_VEC3(swInputRecord, value);
 SW_PARAMS_VEC3(swInputRecord, size);
 SW_PARAMS_VEC3(swInputRecord, turn);
 
+// The floor where there is none, m.
+#define SW_NO_FLOOR (-1e30f)
+
 #define SW_NO_RECORD 0xffffffffu
 
 // A box of cells. Nodes of a field stand in depth-first order: below one stands its first child, at `skip` what comes
@@ -150,6 +153,42 @@ SW_FORMULA sw_vec4 swNoValue(void)
     return v;
 }
 
+// Numbers that a field has.
+SW_FORMULA sw_uint swCountInputNumbers(sw_uint field)
+{
+    if (field == SW_FIELD_OF_ALBEDO)
+    {
+        return 4u;
+    }
+    if (field == SW_FIELD_OF_DISPLACEMENT)
+    {
+        return 3u;
+    }
+    return field == SW_FIELD_OF_FLOW || field == SW_FIELD_OF_WIND ? 2u : 1u;
+}
+
+// What a field is below all inputs; of waves that of systems that are everywhere.
+SW_FORMULA swInputValue swGetFieldBelow(sw_uint field)
+{
+    swInputValue below;
+    below.value = swNoValue();
+    below.alongX = swNoValue();
+    below.alongZ = swNoValue();
+    if (field == SW_FIELD_OF_FLOOR)
+    {
+        below.value.x = SW_NO_FLOOR;
+    }
+    if (field == SW_FIELD_OF_WAVES || field == SW_FIELD_OF_SHADOW)
+    {
+        below.value.x = 1.0f;
+    }
+    if (field == SW_FIELD_OF_BODY)
+    {
+        below.value.x = -1.0f;
+    }
+    return below;
+}
+
 // The record's own value, everywhere.
 SW_FORMULA swInputSample swBeginInputSample(swInputRecord record)
 {
@@ -195,9 +234,6 @@ SW_FORMULA swInputSample swCoverRectangle(swInputSample s, float x, float z, flo
 }
 
 // ---- joining ----
-
-// The floor where there is none, m.
-#define SW_NO_FLOOR (-1e30f)
 
 // Floors that are mixed: below so many metres under the sea level by the inverse of their depth, so that a floor fades
 // into none at all. Waves feel the inverse more evenly than the depth, too.

@@ -123,10 +123,10 @@ static bool FindWarp(const void* context, int system, int64_t ticks, int count, 
 }
 
 // Falls below 12 m, and is then no more than a wave's k times it.
-static float Attenuate(const void* context, int system, float k, float depth, float* slope)
+static float Attenuate(const void* context, const swWaveGroup* group, float depth, float* slope)
 {
-    (void)context, (void)system;
-    float kd = k * depth, root = 1.0f + kd;
+    (void)context;
+    float k = group->k, kd = k * depth, root = 1.0f + kd;
     bool isDeep = depth >= 12.0f;
     *slope = isDeep ? 0.0f : k / (root * root);
     return isDeep ? 1.0f : kd / root;

@@ -49,6 +49,8 @@ typedef struct Fixture
     swSeaPatches* seaPatches;
     swRaster* raster;
     swRasterDef rasterDef;
+    swFieldSamples fieldSamples;
+    swInputId inputId, staleInputId;
     swHull* hull;
     swHullDef hullDef;
     swSeaBins bins;
@@ -89,7 +91,10 @@ typedef struct Fixture
 #define FIX_swField (&swGetFoamFields()->fields[0])
 #define FIX_swHost (&f->host)
 #define FIX_swWaveSystemId (f->id)
-#define FIX_STALE (f->staleId)
+#define FIX_swInputId (f->inputId)
+#define FIX_STALE_swInputId (f->staleInputId)
+#define FIX_STALE_swWaveSystemId (f->staleId)
+#define FIX_swFieldSamples (&f->fieldSamples)
 #define FIX_swSeaReplayDef (&f->replayDef)
 #define FIX_swMeasuredSpectrumDef (&f->spectrumDef)
 #define FIX_swWaveSystemDef (&f->wavesDef)
@@ -222,6 +227,10 @@ static inline void MakeWorld(Fixture* f)
     f->rasterDef.width = f->rasterDef.height = 2;
     f->rasterDef.values = cells;
     Need(swCreateRaster(&f->host, &f->rasterDef, &f->raster), "raster");
+    const swInputDef inputDef = swDefaultInputDef();
+    Need(swCreateInput(f->world, &inputDef, &f->staleInputId), "input");
+    swDestroyInput(f->world, f->staleInputId);
+    Need(swCreateInput(f->world, &inputDef, &f->inputId), "input");
     static const swVec3 corners[4] = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
     static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     f->hullDef = swDefaultHullDef();

@@ -253,11 +253,11 @@ static void FindBottom(const void* context, int system, int64_t ticks, int count
     }
 }
 
-static float Attenuate(const void* context, int system, float k, float depth, float* slope)
+static float Attenuate(const void* context, const swWaveGroup* group, float depth, float* slope)
 {
-    (void)context, (void)system;
-    swDepthShare found = swFindNaturalShare(k * depth);
-    *slope = found.slope * k;
+    (void)context;
+    swDepthShare found = swFindNaturalShare(group->k * depth);
+    *slope = found.slope * group->k;
     return found.share;
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/input_api.c
     ${CMAKE_CURRENT_LIST_DIR}/moment_api.c
     ${CMAKE_CURRENT_LIST_DIR}/query_api.c
     ${CMAKE_CURRENT_LIST_DIR}/replay_api.c

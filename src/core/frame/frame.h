@@ -18,6 +18,7 @@
 #include "seaway/view.h"
 #include "seaway/waves.h"
 #include "core/base/seam.h"
+#include "core/frame/input_set.h"
 #include "core/frame/layers.h"
 #include "shared/depth_share.h"
 #include "shared/foam.h"
@@ -297,6 +298,7 @@ typedef struct swFrame
     const swViewFrame* views;
     int zoneCount;
     const swZoneFrame* zones;
+    const swInputSet* inputs; // NULL: there are none
 } swFrame;
 
 // The foam layer's parameters of slice `i`.

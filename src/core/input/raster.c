@@ -13,6 +13,11 @@
 #define LARGEST_VALUE 1e6f
 #define FARTHEST 1e9 // m, of a cell from the origin
 
+static size_t countValues(const swRasterDef* def)
+{
+    return (size_t)def->width * (size_t)def->height * (size_t)def->channels * (size_t)def->frames;
+}
+
 // Each number is in its range; the far end has to be as near as the first cell.
 static swResult checkShape(const swHost* host, const swRasterDef* def, const char* name)
 {
@@ -27,22 +32,29 @@ static swResult checkShape(const swHost* host, const swRasterDef* def, const cha
         return swFail(host, SW_ERROR_INVALID, "%s reaches to (%g, %g) m; a raster lies within %g m of the origin.",
                       name, east, south, FARTHEST);
     }
+    if (countValues(def) > SW_MAX_RASTER_VALUES)
+    {
+        return swFail(host, SW_ERROR_INVALID, "%s has %zu values; a raster has at most %zu.", name, countValues(def),
+                      (size_t)SW_MAX_RASTER_VALUES);
+    }
     return SW_SUCCESS;
 }
 
 // Infinity and values beyond the largest are no data, not even unknown data.
 static swResult checkValues(const swHost* host, const swRasterDef* def, const char* name)
 {
-    size_t count = (size_t)def->width * (size_t)def->height;
+    size_t count = countValues(def);
     for (size_t i = 0; i < count; ++i)
     {
         float value = def->values[i];
         if (fabsf(value) > LARGEST_VALUE)
         {
+            size_t cell = i / (size_t)def->channels;
             return swFail(host, SW_ERROR_INVALID,
                           "%s has %g in column %zu, row %zu, both counted from 0; values are at most %g, NaN where "
                           "nothing is known.",
-                          name, (double)value, i % (size_t)def->width, i / (size_t)def->width, (double)LARGEST_VALUE);
+                          name, (double)value, cell % (size_t)def->width,
+                          cell / (size_t)def->width % (size_t)def->height, (double)LARGEST_VALUE);
         }
     }
     return SW_SUCCESS;
@@ -50,7 +62,7 @@ static swResult checkValues(const swHost* host, const swRasterDef* def, const ch
 
 static void measure(swRaster* raster)
 {
-    size_t count = (size_t)raster->width * (size_t)raster->height;
+    size_t count = (size_t)raster->width * (size_t)raster->height * (size_t)raster->channels * (size_t)raster->frames;
     raster->least = raster->most = NAN;
     for (size_t i = 0; i < count; ++i)
     {
@@ -70,6 +82,10 @@ static void measure(swRaster* raster)
     swAddHashDouble(&hash, raster->z);
     swAddHashDouble(&hash, raster->spacingX);
     swAddHashDouble(&hash, raster->spacingZ);
+    if (raster->channels > 1 || raster->frames > 1)
+    {
+        swAddHash(&hash, (uint64_t)raster->channels << 32 | (uint64_t)raster->frames);
+    }
     swAddHashFloats(&hash, raster->values, count);
     raster->hash = swEndHash(&hash);
 }
@@ -87,7 +103,7 @@ swResult swCreateRaster(const swHost* host, const swRasterDef* def, swRaster** r
         return result;
     }
     size_t head = (sizeof(swRaster) + 63) & ~(size_t)63;
-    size_t size = (size_t)def->width * (size_t)def->height * sizeof(float);
+    size_t size = countValues(def) * sizeof(float);
     swRaster* made = swAllocate(host, head + size);
     if (made == NULL)
     {
@@ -100,6 +116,9 @@ swResult swCreateRaster(const swHost* host, const swRasterDef* def, swRaster** r
                        .z = def->z,
                        .spacingX = def->spacingX,
                        .spacingZ = def->spacingZ,
+                       .channels = def->channels,
+                       .frames = def->frames,
+                       .references = 1,
                        .memory = head + size,
                        .values = (float*)((char*)made + head)};
     strncpy(made->name, name, sizeof(made->name) - 1);
@@ -109,13 +128,26 @@ swResult swCreateRaster(const swHost* host, const swRasterDef* def, swRaster** r
     return SW_SUCCESS;
 }
 
-void swDestroyRaster(swRaster* raster)
+void swRetainRaster(const swRaster* raster)
 {
     if (raster != NULL)
     {
-        swHost host = raster->host;
-        swFree(&host, raster, raster->memory);
+        atomic_fetch_add(&((swRaster*)raster)->references, 1);
     }
+}
+
+void swReleaseRaster(const swRaster* raster)
+{
+    if (raster != NULL && atomic_fetch_sub(&((swRaster*)raster)->references, 1) == 1)
+    {
+        swHost host = raster->host;
+        swFree(&host, (void*)raster, raster->memory);
+    }
+}
+
+void swDestroyRaster(swRaster* raster)
+{
+    swReleaseRaster(raster);
 }
 
 swRasterInfo swRaster_GetInfo(const swRaster* raster)
@@ -124,7 +156,8 @@ swRasterInfo swRaster_GetInfo(const swRaster* raster)
                "swRaster_GetInfo() needs a raster");
     return (swRasterInfo){raster->name, raster->width,        raster->height,   raster->x,
                           raster->z,    raster->spacingX,     raster->spacingZ, raster->least,
-                          raster->most, raster->unknownCount, raster->memory,   raster->hash};
+                          raster->most, raster->unknownCount, raster->memory,   raster->hash,
+                          raster->channels, raster->frames};
 }
 
 const float* swRaster_GetValues(const swRaster* raster)
@@ -156,9 +189,10 @@ float swSampleRaster(const swRaster* raster, double x, double z)
     {
         return NAN;
     }
-    const float* north = raster->values + (size_t)row * (size_t)raster->width + column;
-    const float* southern = south > 0.0f ? north + raster->width : north;
-    int next = east > 0.0f ? 1 : 0;
+    size_t channels = (size_t)raster->channels;
+    const float* north = raster->values + ((size_t)row * (size_t)raster->width + (size_t)column) * channels;
+    const float* southern = south > 0.0f ? north + (size_t)raster->width * channels : north;
+    size_t next = east > 0.0f ? channels : 0;
     return swMixFourCells(north[0], north[next], southern[0], southern[next], east, south);
 }
 

@@ -11,6 +11,8 @@ static const swField rasterFields[] = {
     SW_NUMBER(z, "m", SW_WITHIN(-1e9, 1e9), 0.0, .label = "z of the first cell"),
     SW_NUMBER(spacingX, "m", SW_WITHIN(0.001, 1e6), 1.0, .label = "spacing eastwards"),
     SW_NUMBER(spacingZ, "m", SW_WITHIN(0.001, 1e6), 1.0, .label = "spacing southwards"),
+    SW_NUMBER(channels, "", SW_WITHIN(1.0, 4.0), 1.0, .label = "channels"),
+    SW_NUMBER(frames, "", SW_WITHIN(1.0, 65536.0), 1.0, .label = "frames"),
     SW_GIVEN(values, .label = "values"),
 };
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/surface/evaluate_shaped.h"
+#include "core/surface/input_places.h"
 #include "shared/surface_normal.h"
 
 // Free waves of at least a length; they come longest first.
@@ -54,12 +55,17 @@ static void useFrame(swQuery* query, const swFrame* frame)
     findSideways(query);
 }
 
+static void usePlaces(swQuery* query, const swFrame* frame)
+{
+    query->places = swMakeInputPlaces(frame->inputs, &query->inputPlaces) ? &query->inputPlaces : NULL;
+}
+
 void swBeginQuery(swQuery* query, const swFrame* frame, const swWaveKernels* kernels, const swQueryDef* def,
                   swPosXZ origin)
 {
     query->kernels = kernels;
     query->def = def;
-    query->places = NULL;
+    usePlaces(query, frame);
     query->origin = origin;
     query->seaLevel = frame->seaLevel;
     bool isNow = def->time == SW_QUERY_NOW;
@@ -288,6 +294,10 @@ static void evaluateBetween(const swQuery* query, int count, const swPosXZ* rest
     at.isNow = true;
     evaluateFrame(&at, count, rest, out);
     useFrame(&at, query->after);
+    if (query->places == NULL || query->places == &query->inputPlaces)
+    {
+        usePlaces(&at, query->after);
+    }
     const bool isAsked[3] = {out->displacement != NULL, out->velocity != NULL, out->acceleration != NULL};
     for (int field = 0; field < 3; ++field)
     {

@@ -133,7 +133,7 @@ static bool isAttenuated(const swPlaceBlock* block, const swWaveGroup* group)
     }
     const swPlaces* places = block->places;
     float slope;
-    float share = places->attenuate(places->context, group->system, group->k, block->leastDepth, &slope);
+    float share = places->attenuate(places->context, group, block->leastDepth, &slope);
     return share != 1.0f || slope != 0.0f;
 }
 
@@ -169,7 +169,7 @@ static bool isPointPlain(const swPlaceBlock* block, const swWaveGroup* group, in
     }
     float slope = 0.0f;
     return (block->touched & SW_TOUCHES_DEPTH) == 0 ||
-           (places->attenuate(places->context, group->system, group->k, block->depth[i], &slope) == 1.0f &&
+           (places->attenuate(places->context, group, block->depth[i], &slope) == 1.0f &&
             slope == 0.0f);
 }
 
@@ -207,7 +207,7 @@ static void attenuate(const swPlaceBlock* block, const swWaveGroup* group, swCop
     for (int i = 0; i < block->count; ++i)
     {
         float slope;
-        float share = places->attenuate(places->context, group->system, group->k, block->depth[i], &slope);
+        float share = places->attenuate(places->context, group, block->depth[i], &slope);
         slope *= copy->weight[i];
         copy->alongX[i] = copy->alongX[i] * share + slope * block->depthGradients[i][0];
         copy->alongZ[i] = copy->alongZ[i] * share + slope * block->depthGradients[i][1];

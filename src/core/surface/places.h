@@ -43,9 +43,11 @@ typedef struct swWarp
 typedef bool swFindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
                         swWarp* warps);
 
-// The share of its amplitude that a wave of a system with wave number k keeps over a depth of 0 and more, and the
-// derivative of that by the depth. Falls with the depth, and from half a wavelength on is exactly 1.
-typedef float swAttenuate(const void* context, int system, float k, float depth, float* slope);
+typedef struct swWaveGroup swWaveGroup;
+
+// The share of their amplitude that waves of a group keep over a depth of 0 and more, and the derivative of that by the
+// depth. Falls with the depth, and from half a wavelength on is exactly 1.
+typedef float swAttenuate(const void* context, const swWaveGroup* group, float depth, float* slope);
 
 // Each may be NULL.
 typedef struct swPlaces
@@ -65,14 +67,14 @@ typedef struct swPlaces
 #define SW_PLACE_BLOCK 16
 
 // Waves of an octave that are shaped alike: a tile, or free waves.
-typedef struct swWaveGroup
+struct swWaveGroup
 {
     int system;
     float k;            // in its middle, rad/m
     const swTile* tile; // or NULL, and
     int waveCount;
     const swFreeWave* waves;
-} swWaveGroup;
+};
 
 // One look at waves: where, and how much of them counts.
 typedef struct swCopy

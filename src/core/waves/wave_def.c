@@ -65,6 +65,8 @@ static const swField systemFields[] = {
     SW_NUMBER(shallowsDepth, "m", SW_WITHIN(0.0, 1e4), 0.0, .key = "shallows_depth_m", .label = "shallows end",
               .tip = "Deeper water attenuates none of them, however long", .zero = "by their lengths",
               SW_LOG_KNOB(1.0, 1000.0)),
+    SW_SWITCH(isLocal, false, .key = "is_local", .label = "local",
+              .tip = "Its waves are only where an input gives them weight"),
     SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, SW_LARGEST_TIME), 0.0, .key = "loop_period_s", .label = "loop",
               .tip = "The waves repeat exactly after this time", .zero = "never", SW_LOG_KNOB(1.0, 600.0)),
     SW_NUMBER(seed, "", SW_WITHIN(0.0, 4294967295.0), 1.0, .key = "seed", .label = "seed",

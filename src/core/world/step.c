@@ -13,9 +13,23 @@ void swSetFrameTime(swWorld* world, double time, double dt)
     world->frame.dt = dt;
 }
 
-// The water of the present time: its tiles and free waves, and what foam is born by. Nothing here has a past.
+// Slots of systems whose waves are only where an input says so.
+static uint32_t findLocalSystems(const swWorld* world)
+{
+    uint32_t systems = 0;
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
+    {
+        bool isLocal = swIsSlotUsed(&world->systemIds, slot) && swGetSystemDef(&world->waves.systems[slot])->isLocal;
+        systems |= isLocal ? 1u << slot : 0u;
+    }
+    return systems;
+}
+
+// The water of the present time: the inputs that shape it, its tiles and free waves, and what foam is born by. Nothing
+// here has a past.
 void swDeriveWater(swWorld* world)
 {
+    swStepInputs(&world->inputs, world->frame.time, findLocalSystems(world));
     swDeriveWaves(&world->waves, &world->frame);
     swDeriveWorldWind(world);
     swFindFoamLaw(&world->whitecaps, &world->frame);

@@ -16,7 +16,9 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     world->kernels = kernels;
     swBeginWaves(&world->waves, &world->memory, kernels, def);
     world->systemIds = swMakeIdPool(SW_MAX_WAVE_SYSTEMS);
+    swBeginInputs(&world->inputs, &world->memory, &world->systemIds, def->seaLevel);
     world->frame = (swFrame){
+        .inputs = &world->inputs.set,
         .seaLevel = def->seaLevel,
         .gravity = def->gravity,
         .foam = def->foam,
@@ -41,6 +43,7 @@ void swFreeWorld(swWorld* world)
     {
         swRemoveView(world->views[world->viewCount - 1]);
     }
+    swEndInputs(&world->inputs);
     swEndWaves(&world->waves);
     swHost host = world->host;
     swFree(&host, world, sizeof(swWorld));
@@ -66,6 +69,7 @@ void swDestroySystem(swWorld* world, swId id)
 {
     swRemoveSystem(&world->waves, id.index1 - 1);
     swFreeId(&world->systemIds, id);
+    world->inputs.isChanged = true; // those that weigh its waves have none any more
 }
 
 const swFrame* swGetWorldFrame(const swWorld* world)

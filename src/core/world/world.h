@@ -9,6 +9,7 @@
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
 #include "core/input/wind.h"
+#include "core/input/inputs.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/waves.h"
@@ -42,6 +43,7 @@ struct swWorld
     swWaves waves;
     swWhitecaps whitecaps;
     swWind wind;
+    swInputs inputs;
 
     swView* views[SW_MAX_VIEWS];
     int viewCount;

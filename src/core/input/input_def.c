@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "core/input/input_def.h"
+
+#include <math.h>
+
+#include "core/input/raster.h"
+#include "shared/input.h"
+
+static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "displacement", "clip",
+                                         "foam",  "albedo", "wind", "shadow", "body",         NULL};
+static const char* const fieldNames[] = {"sea floor", "water level", "flow", "waves",  "displacement",  "clip",
+                                         "foam",      "colour",      "wind", "shadow", "body of water", NULL};
+static const char* const shapeWords[] = {"everywhere", "circle",   "rectangle", "polygon", "polyline", "spline",
+                                         "mesh",       "raster",   "particles", "function", "box",     "ellipsoid",
+                                         "cylinder",   "capsule",  "hull",      NULL};
+static const char* const shapeNames[] = {"the whole sea", "circle",  "rectangle", "polygon",  "polyline", "spline",
+                                         "mesh",          "raster",  "particles", "function", "box",      "ellipsoid",
+                                         "cylinder",      "capsule", "hull",      NULL};
+static const char* const blendWords[] = {"add", "alpha", "multiply", "min", "max", "replace", NULL};
+static const char* const blendNames[] = {"added", "mixed", "multiplied", "the lesser", "the greater", "replaced", NULL};
+
+#define VALUES (SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_MESH) | SW_KIND(SW_SHAPE_FUNCTION))
+#define PLACED (~SW_KIND(SW_SHAPE_EVERYWHERE))
+#define SIZED                                                                                                          \
+    (SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYLINE) |                             \
+     SW_KIND(SW_SHAPE_PARTICLES) | SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) |  \
+     SW_KIND(SW_SHAPE_CYLINDER) | SW_KIND(SW_SHAPE_CAPSULE))
+
+#define SW_DEF swInputDef
+static const swField inputFields[] = {
+    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_CHOICE(field, fieldWords, fieldNames, SW_INPUT_FLOOR, .key = "field", .label = "says"),
+    SW_CHOICE(shape, shapeWords, shapeNames, SW_SHAPE_EVERYWHERE, .key = "shape", .label = "shape"),
+    SW_CHOICE(blend, blendWords, blendNames, SW_BLEND_ALPHA, .key = "blend", .label = "joins",
+              .tip = "How it joins the inputs of the same field below it"),
+    SW_NUMBER(order, "", SW_WITHIN(-1e6, 1e6), 0.0, .key = "order", .label = "order",
+              .tip = "Inputs of a field join in this order; equal ones as they were made", SW_KNOB(-100.0, 100.0)),
+    SW_SWITCH(isEnabled, true, .key = "is_enabled", .label = "enabled"),
+    SW_NUMBER(weight, "", SW_WITHIN(0.0, 100.0), 1.0, .key = "weight", .label = "weight",
+              .tip = "Factor on how much it counts; beyond 1 only to add", SW_KNOB(0.0, 1.0)),
+    SW_NUMBERS(value, float, "", SW_WITHIN(-1e6, 1e6), SW_EACH(0.0, 0.0, 0.0, 0.0), .key = "value", .label = "value",
+               SW_KNOB(-100.0, 100.0)),
+    SW_NUMBER(gain, "", SW_WITHIN(-1e6, 1e6), 1.0, .key = "gain", .label = "gain",
+              .tip = "Factor on the values that the shape brings", SW_KNOB(-10.0, 10.0), .kinds = VALUES),
+    SW_NUMBER(feather, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "feather_m", .label = "feather",
+              .tip = "How far inwards from its edge it grows to its full share", SW_LOG_KNOB(0.1, 1e4),
+              .kinds = PLACED),
+    SW_NUMBERS(position, double, "m", SW_WITHIN(-1e9, 1e9), SW_EACH(0.0, 0.0, 0.0), .key = "position_m",
+               .label = "place", SW_KNOB(-1000.0, 1000.0), .kinds = PLACED),
+    SW_NUMBERS(rotation, float, "deg", SW_WITHIN(-1000.0, 1000.0), SW_EACH(0.0, 0.0, 0.0), .key = "rotation_deg",
+               .label = "turned", .tip = "Yaw, pitch and roll", .form = SW_FORM_DEGREES, SW_KNOB(-180.0, 180.0),
+               .kinds = PLACED),
+    SW_NUMBERS(size, float, "m", SW_WITHIN(0.0, 1e6), SW_EACH(100.0, 10.0, 100.0), .key = "size_m", .label = "size",
+               SW_KNOB(0.0, 1000.0), .kinds = SIZED),
+    SW_SWITCH(followsWaves, false, .key = "follows_waves", .label = "follows waves"),
+    SW_GIVEN(system, .key = NULL, .label = "wave system"),
+    SW_GIVEN(raster, .key = NULL, .label = "raster"),
+    SW_NUMBER(framesPerSecond, "1/s", SW_WITHIN(0.0, 1000.0), 0.0, .key = "frames_per_s", .label = "frames a second",
+              .zero = "stands", SW_KNOB(0.0, 60.0), .kinds = SW_KIND(SW_SHAPE_RASTER)),
+    SW_NUMBER(startTime, "s", SW_WITHIN(-SW_LARGEST_TIME, SW_LARGEST_TIME), 0.0, .key = "start_s", .label = "starts",
+              SW_KNOB(0.0, 3600.0), .kinds = SW_KIND(SW_SHAPE_RASTER)),
+    SW_SWITCH(loops, true, .key = "loops", .label = "loops", .kinds = SW_KIND(SW_SHAPE_RASTER)),
+    SW_GIVEN(mesh, .key = NULL, .label = "mesh"),
+    SW_GIVEN(spline, .key = NULL, .label = "spline"),
+    SW_GIVEN(points, .key = NULL, .label = "points"),
+    SW_GIVEN(pointCount, .key = NULL, .label = "number of points"),
+    SW_GIVEN(pointCapacity, .key = NULL, .label = "room for points"),
+    SW_GIVEN(function, .key = NULL, .label = "function"),
+    SW_GIVEN(functionContext, .key = NULL, .label = "function's context"),
+    SW_GIVEN(functionFingerprint, .key = NULL, .label = "function's fingerprint"),
+};
+#undef SW_DEF
+
+const swFields swInputFields = SW_FIELDS(swInputDef, "inputs", "input", inputFields, 2);
+
+const swFields* swGetInputFields(void)
+{
+    return &swInputFields;
+}
+
+swInputDef swDefaultInputDef(void)
+{
+    swInputDef def;
+    swFillDef(&swInputFields, &def);
+    return def;
+}
+
+const char* swGetInputFieldWord(int field)
+{
+    return (unsigned)field < SW_INPUT_FIELD_COUNT ? fieldWords[field] : "unknown";
+}
+
+const char* swGetInputShapeWord(int shape)
+{
+    return (unsigned)shape < SW_SHAPE_COUNT ? shapeWords[shape] : "unknown";
+}
+
+// ---- what the table cannot say ----
+
+// Shapes that can be made. A shape that is added is added here.
+static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
+                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER);
+
+// Shapes with a height: of clip alone.
+#define SOLID                                                                                                          \
+    (SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) | SW_KIND(SW_SHAPE_CAPSULE) |    \
+     SW_KIND(SW_SHAPE_HULL))
+
+static swResult refuse(const swHost* host, swResult result, const swInputDef* def, const char* what)
+{
+    bool isNamed = def->name[0] != '\0';
+    return swFail(host, result, "the input%s%s%s (%s of the %s) %s", isNamed ? " '" : "", isNamed ? def->name : "",
+                  isNamed ? "'" : "", swGetInputShapeWord((int)def->shape), swGetInputFieldWord((int)def->field), what);
+}
+
+static swResult checkKinds(const swHost* host, const swInputDef* def)
+{
+    uint32_t shape = SW_KIND(def->shape);
+    if ((shape & knownShapes) == 0)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def, "has a shape that this version cannot make");
+    }
+    if ((shape & SOLID) != 0 && def->field != SW_INPUT_CLIP)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "has a height, which only clip looks at; give it a circle, a rectangle, a polygon or a mesh");
+    }
+    if (def->field == SW_INPUT_FLOOR && def->blend == SW_BLEND_MULTIPLY)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "multiplies heights, which depends on where they count from; add, mix, or take the lesser or "
+                      "the greater");
+    }
+    if (def->field == SW_INPUT_BODY && def->blend != SW_BLEND_REPLACE)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "mixes numbers of bodies, which mean nothing in between; its blend must be SW_BLEND_REPLACE");
+    }
+    bool canFollow =
+        def->field == SW_INPUT_ALBEDO || def->field == SW_INPUT_FOAM || def->field == SW_INPUT_DISPLACEMENT;
+    if (def->followsWaves && !canFollow)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def, "follows waves, which only colour, foam and displacement can");
+    }
+    return SW_SUCCESS;
+}
+
+static swResult checkValues(const swHost* host, const swInputDef* def)
+{
+    bool isSpeed = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND;
+    for (int i = 0; i < 2 && isSpeed; ++i)
+    {
+        if (!(fabsf(def->value[i]) <= SW_MAX_INPUT_SPEED))
+        {
+            return refuse(host, SW_ERROR_INVALID, def,
+                          "has a speed beyond 100 m/s, which no water and no wind has; give swInputDef::value in m/s");
+        }
+    }
+    if (def->weight > 1.0f && def->blend != SW_BLEND_ADD)
+    {
+        return refuse(host, SW_ERROR_INVALID, def,
+                      "has a weight above 1, which only SW_BLEND_ADD can use; a mix is at most 1");
+    }
+    bool isFlat = def->shape == SW_SHAPE_CIRCLE || def->shape == SW_SHAPE_RECTANGLE;
+    bool isThin = def->size.x <= 0.0f || (def->shape == SW_SHAPE_RECTANGLE && def->size.z <= 0.0f);
+    if (isFlat && isThin)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no extent; swInputDef::size must be above 0 m");
+    }
+    return SW_SUCCESS;
+}
+
+static swResult checkRaster(const swHost* host, const swInputDef* def)
+{
+    if (def->raster == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no raster");
+    }
+    const swRaster* raster = def->raster;
+    if (raster->channels < (int)swCountInputNumbers((sw_uint)def->field))
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "the input '%s' says %s, which has %u numbers; its raster '%s' has %d channels", def->name,
+                      swGetInputFieldWord((int)def->field), swCountInputNumbers((sw_uint)def->field), raster->name,
+                      raster->channels);
+    }
+    bool isSpeed = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND;
+    float most = fmaxf(fabsf(raster->least), fabsf(raster->most)) * fabsf(def->gain);
+    if (isSpeed && !(most <= SW_MAX_INPUT_SPEED) && raster->least == raster->least)
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "the input '%s' says %s of up to %g m/s by its raster '%s'; at most %g is taken", def->name,
+                      swGetInputFieldWord((int)def->field), (double)most, raster->name, (double)SW_MAX_INPUT_SPEED);
+    }
+    return SW_SUCCESS;
+}
+
+swResult swCheckInputValues(const swHost* host, const swInputDef* def)
+{
+    swResult result = swCheckDef(host, &swInputFields, def);
+    return result == SW_SUCCESS ? checkValues(host, def) : result;
+}
+
+swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
+{
+    (void)host;
+    (void)def;
+    (void)count;
+    (void)points;
+    return SW_SUCCESS;
+}
+
+swResult swCheckInputDef(const swHost* host, const swInputDef* def)
+{
+    swResult result = swCheckDef(host, &swInputFields, def);
+    result = result == SW_SUCCESS ? checkKinds(host, def) : result;
+    result = result == SW_SUCCESS ? checkValues(host, def) : result;
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
+    {
+        result = checkRaster(host, def);
+    }
+    return result == SW_SUCCESS ? swCheckInputPoints(host, def, def->pointCount, def->points) : result;
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "core/input/input_record.h"
+
+#include <math.h>
+
+#include "core/input/raster.h"
+#include "core/math/scalar.h"
+
+bool swFindCell(double place, int32_t* cell, float* rest)
+{
+    double whole = floor(place / (double)SW_QUERY_CELL);
+    bool fits = fabs(whole) < 2147483000.0;
+    *cell = fits ? (int32_t)whole : 0;
+    *rest = (float)(place - whole * (double)SW_QUERY_CELL);
+    return fits;
+}
+
+int swCountInputWords(const swInputDef* def)
+{
+    (void)def;
+    return 0;
+}
+
+int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
+{
+    (void)def;
+    (void)pointCount;
+    (void)points;
+    (void)words;
+    return 0;
+}
+
+// ---- shapes: bounds in own coordinates, and what their samplers read ----
+
+// Of axes that begin in the middle.
+static void placeCentred(swInputRecord* record, float width, float height)
+{
+    record->halfX = 0.5f * width;
+    record->halfZ = 0.5f * height;
+}
+
+// A raster's own axes begin at the middle of its first cell.
+static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInputRecord* record)
+{
+    record->extra0 = (sw_uint)raster->width;
+    record->extra1 = (sw_uint)raster->height;
+    record->extra2 = (sw_uint)raster->channels;
+    record->part0 = (float)raster->spacingX;
+    record->part1 = (float)raster->spacingZ;
+    record->halfX = record->middleX = 0.5f * ((float)(raster->width - 1) * record->part0);
+    record->halfZ = record->middleZ = 0.5f * ((float)(raster->height - 1) * record->part1);
+    record->gain = def->gain;
+    double cosine = (double)record->cosine, sine = (double)record->sine;
+    return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
+}
+
+static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInputRecord* record)
+{
+    switch (def->shape)
+    {
+        case SW_SHAPE_CIRCLE:
+            placeCentred(record, def->size.x, def->size.x);
+            break;
+        case SW_SHAPE_RECTANGLE:
+            placeCentred(record, def->size.x, def->size.z);
+            break;
+        case SW_SHAPE_RASTER:
+            return placeRaster(def, data->raster, record);
+        default:
+            record->flags |= SW_INPUT_IS_BOUNDLESS;
+            break;
+    }
+    return (swPosXZ){0.0, 0.0};
+}
+
+// ---- the record ----
+
+static void turnRecord(const swInputDef* def, swInputRecord* record)
+{
+    bool isTurned = def->shape != SW_SHAPE_EVERYWHERE && def->rotation.yaw != 0.0f;
+    double yaw = (double)def->rotation.yaw;
+    record->cosine = isTurned ? (float)swCos(yaw) : 1.0f;
+    record->sine = isTurned ? (float)swSin(yaw) : 0.0f;
+    record->turn.w = 1.0f;
+    bool isVector = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->field == SW_INPUT_DISPLACEMENT;
+    record->flags |= isTurned && isVector ? SW_INPUT_TURNS_VALUES : 0u;
+}
+
+// The cells of a turned box. Own coordinates are rounded to floats: a little more is covered.
+static swCellBox findBox(const swInputRecord* record, swPosXZ origin)
+{
+    double c = (double)record->cosine, s = (double)record->sine;
+    double x = origin.x + c * (double)record->middleX - s * (double)record->middleZ;
+    double z = origin.z + s * (double)record->middleX + c * (double)record->middleZ;
+    double halfX = fabs(c) * (double)record->halfX + fabs(s) * (double)record->halfZ;
+    double halfZ = fabs(s) * (double)record->halfX + fabs(c) * (double)record->halfZ;
+    halfX += 0.01 + 1e-6 * (halfX + fabs((double)record->middleX) + fabs((double)record->middleZ));
+    halfZ += 0.01 + 1e-6 * (halfZ + fabs((double)record->middleX) + fabs((double)record->middleZ));
+    swCellBox box;
+    float rest;
+    bool fits = swFindCell(x - halfX, &box.minX, &rest) && swFindCell(x + halfX, &box.maxX, &rest) &&
+                swFindCell(z - halfZ, &box.minZ, &rest) && swFindCell(z + halfZ, &box.maxZ, &rest);
+    return fits ? box : (swCellBox){INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
+}
+
+void swMakeInputRecord(const swInputDef* def, const swInputData* data, double seaLevel, double time,
+                       swInputRecord* record, swCellBox* box)
+{
+    *record = (swInputRecord){
+        .weight = def->weight,
+        .feather = def->feather,
+        .value = {def->value[0], def->value[1], def->value[2], def->value[3]},
+        .size = {def->size.x, def->size.y, def->size.z, (float)(def->position.y - seaLevel)},
+        .field = (sw_uint)def->field,
+        .shape = (sw_uint)def->shape,
+        .blend = (sw_uint)def->blend,
+        .flags = def->followsWaves ? SW_INPUT_FOLLOWS_WAVES : 0u,
+        .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : 0u,
+        .wordCount = data != NULL ? (sw_uint)data->wordCount[data->shown] : 0u,
+        .gain = def->gain,
+    };
+    // Heights of floors count from sea level, so that they are as good wherever that is.
+    if (def->field == SW_INPUT_FLOOR)
+    {
+        record->value.x = (float)((double)def->value[0] - seaLevel);
+    }
+    turnRecord(def, record);
+    swPosXZ at = placeShape(def, data, record);
+    swPosXZ origin = {def->position.x + at.x, def->position.z + at.z};
+    if ((record->flags & SW_INPUT_IS_BOUNDLESS) != 0)
+    {
+        *box = (swCellBox){INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
+    }
+    else
+    {
+        swFindCell(origin.x, &record->cellX, &record->restX);
+        swFindCell(origin.z, &record->cellZ, &record->restZ);
+        *box = findBox(record, origin);
+    }
+    swSetInputTime(def, time, record);
+}
+
+// ---- time ----
+
+bool swDoesInputChange(const swInputDef* def)
+{
+    return def->shape == SW_SHAPE_RASTER && def->raster->frames > 1 && def->framesPerSecond > 0.0f;
+}
+
+// The frame of a raster that is played, and the share of the next.
+static void playRaster(const swInputDef* def, double time, swInputRecord* record)
+{
+    int frames = def->raster->frames;
+    double at = (time - def->startTime) * (double)def->framesPerSecond;
+    double last = def->loops ? (double)frames : (double)(frames - 1);
+    at = def->loops ? at - floor(at / last) * last : at < 0.0 ? 0.0 : at > last ? last : at;
+    int first = (int)at < frames ? (int)at : frames - 1;
+    int second = first + 1 < frames ? first + 1 : def->loops ? 0 : first;
+    sw_uint frameWords = record->extra0 * record->extra1 * record->extra2;
+    record->extra3 = (sw_uint)first * frameWords;
+    record->extra4 = (sw_uint)second * frameWords;
+    record->part2 = (float)(at - (double)first);
+    record->part2 = record->part2 < 1.0f ? record->part2 : 1.0f;
+}
+
+void swSetInputTime(const swInputDef* def, double time, swInputRecord* record)
+{
+    if (swDoesInputChange(def))
+    {
+        record->flags |= SW_INPUT_CHANGES;
+        playRaster(def, time, record);
+    }
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The inputs that a world has: handles, data, and the flat set that a step makes of them. Memory is taken when an input
+// is made or set; a step only makes records, boxes and trees anew, where something changed.
+
+#include "core/base/array.h"
+#include "core/base/id_pool.h"
+#include "core/base/memory.h"
+#include "core/input/input_record.h"
+
+typedef struct swInput
+{
+    bool isUsed;
+    uint32_t generation;
+    uint64_t serial;   // grows with every input made
+    swInputDef def;    // its place is in the sea; its pointers are those of `data`
+    swInputData* data; // NULL of shapes that have none
+} swInput;
+
+typedef struct swInputs
+{
+    swMemory* memory;
+    const swIdPool* systemIds; // the world's
+    double seaLevel;
+    swArray slots;    // swInput
+    int count;        // of inputs
+    uint64_t serials; // given so far
+    bool isChanged;   // records are to be made anew
+    swInputData* dead; // freed with the next step
+
+    int capacity;    // of what follows, in inputs
+    uint32_t* order; // [capacity] slots by field, order and serial
+
+    uint32_t* sources; // [capacity] slots of the records
+    swInputRecord* records;
+    const float** words;
+    swInputFunctionFcn* functions;
+    void** contexts;
+    swCellBox* boxes;
+    swIndexItem* items;
+    swIndexItem* scratch;
+    swInputNode* nodes;
+    swInputSet set;
+} swInputs;
+
+void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel);
+void swEndInputs(swInputs* inputs);
+
+// Defs have their place in the sea and were checked. SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT; then nothing is made.
+swResult swAddInput(swInputs* inputs, const swInputDef* def, swId* id);
+swResult swChangeInput(swInputs* inputs, swInput* input, const swInputDef* def);
+void swRemoveInput(swInputs* inputs, swInput* input);
+
+// NULL for a handle that is null or stale.
+swInput* swFindInput(const swInputs* inputs, swId id);
+swId swGetInputId(const swInputs* inputs, const swInput* input);
+swInput* swGetInputAt(const swInputs* inputs, int index); // in the order in which they join
+
+void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points);
+
+// Make the set of a time. `localSystems` as swInputSet has it. Allocates nothing.
+void swStepInputs(swInputs* inputs, double time, uint32_t localSystems);

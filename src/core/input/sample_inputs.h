@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The fields that inputs make, at points in the sea. The GPU's twin is shaders/lib/inputs.glsl.
+
+#include "core/input/input_index.h"
+
+// Bits of a mask of fields.
+#define SW_FIELD_BIT(field) (1u << (field))
+
+// A field at points in the sea, with derivatives along x and z, per metre. `system` is the slot of a wave system, of
+// SW_INPUT_WAVES. Heights of floors count from sea level; SW_NO_FLOOR is none.
+void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
+                       swInputValue* values);
+
+// Whether any input of the fields in `mask` may say something within `reach` metres of a point.
+bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach);

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "core/surface/input_places.h"
+
+#include <math.h>
+
+#include "core/input/sample_inputs.h"
+#include "shared/depth_share.h"
+
+// The fields of inputs behind each of the places'.
+static uint32_t findFields(uint32_t touches)
+{
+    return ((touches & SW_TOUCHES_LEVEL) != 0 ? SW_FIELD_BIT(SW_INPUT_LEVEL) : 0) |
+           ((touches & SW_TOUCHES_DEPTH) != 0 ? SW_FIELD_BIT(SW_INPUT_FLOOR) : 0) |
+           ((touches & SW_TOUCHES_WEIGHT) != 0 ? SW_FIELD_BIT(SW_INPUT_WAVES) : 0) |
+           ((touches & SW_TOUCHES_FLOW) != 0 ? SW_FIELD_BIT(SW_INPUT_FLOW) : 0);
+}
+
+static const uint32_t allTouches[4] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT, SW_TOUCHES_FLOW};
+
+static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points)
+{
+    (void)ticks;
+    double minX = points[0].x, maxX = points[0].x, minZ = points[0].z, maxZ = points[0].z;
+    for (int i = 1; i < count; ++i)
+    {
+        minX = points[i].x < minX ? points[i].x : minX;
+        maxX = points[i].x > maxX ? points[i].x : maxX;
+        minZ = points[i].z < minZ ? points[i].z : minZ;
+        maxZ = points[i].z > maxZ ? points[i].z : maxZ;
+    }
+    const swPosXZ middle = {0.5 * (minX + maxX), 0.5 * (minZ + maxZ)};
+    double reach = fmax(maxX - middle.x, maxZ - middle.z);
+    uint32_t touched = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+        touched |= swIsNearInputs(context, findFields(allTouches[i]), middle, reach) ? allTouches[i] : 0;
+    }
+    return touched;
+}
+
+// One number of a field.
+static void findNumbers(const swInputSet* set, int field, int system, int count, const swPosXZ* points, float* numbers,
+                        float (*gradients)[2])
+{
+    swInputValue values[SW_PLACE_BLOCK];
+    for (int first = 0; first < count; first += SW_PLACE_BLOCK)
+    {
+        int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
+        swFindInputValues(set, field, system, some, points + first, values);
+        for (int i = 0; i < some; ++i)
+        {
+            numbers[first + i] = values[i].value.x;
+            gradients[first + i][0] = values[i].alongX.x;
+            gradients[first + i][1] = values[i].alongZ.x;
+        }
+    }
+}
+
+static void findLevel(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, float* values,
+                      float (*gradients)[2])
+{
+    (void)system;
+    (void)ticks;
+    findNumbers(context, SW_INPUT_LEVEL, -1, count, points, values, gradients);
+}
+
+void swFindInputDepths(const swInputSet* set, int count, const swPosXZ* points, float* depths, float (*gradients)[2])
+{
+    float floors[SW_PLACE_BLOCK], slopes[SW_PLACE_BLOCK][2];
+    for (int first = 0; first < count; first += SW_PLACE_BLOCK)
+    {
+        int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
+        findNumbers(set, SW_INPUT_FLOOR, -1, some, points + first, floors, slopes);
+        findNumbers(set, SW_INPUT_LEVEL, -1, some, points + first, depths + first, gradients + first);
+        for (int i = 0; i < some; ++i)
+        {
+            bool isThere = floors[i] > 0.5f * SW_NO_FLOOR;
+            depths[first + i] = isThere ? depths[first + i] - floors[i] : INFINITY;
+            gradients[first + i][0] = isThere ? gradients[first + i][0] - slopes[i][0] : 0.0f;
+            gradients[first + i][1] = isThere ? gradients[first + i][1] - slopes[i][1] : 0.0f;
+        }
+    }
+}
+
+static void findDepth(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, float* values,
+                      float (*gradients)[2])
+{
+    (void)system;
+    (void)ticks;
+    swFindInputDepths(context, count, points, values, gradients);
+}
+
+static void findWeight(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, float* values,
+                       float (*gradients)[2])
+{
+    (void)ticks;
+    findNumbers(context, SW_INPUT_WAVES, system, count, points, values, gradients);
+}
+
+static void findFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
+                     float (*gradients)[4])
+{
+    (void)ticks;
+    swInputValue values[SW_PLACE_BLOCK];
+    for (int first = 0; first < count; first += SW_PLACE_BLOCK)
+    {
+        int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
+        swFindInputValues(context, SW_INPUT_FLOW, -1, some, points + first, values);
+        for (int i = 0; i < some; ++i)
+        {
+            const swInputValue* v = &values[i];
+            velocities[first + i][0] = v->value.x;
+            velocities[first + i][1] = v->value.y;
+            gradients[first + i][0] = v->alongX.x;
+            gradients[first + i][1] = v->alongZ.x;
+            gradients[first + i][2] = v->alongX.y;
+            gradients[first + i][3] = v->alongZ.y;
+        }
+    }
+}
+
+static float attenuate(const void* context, const swWaveGroup* group, float depth, float* slope)
+{
+    (void)context;
+    swAttenuation law = group->tile != NULL ? group->tile->attenuation : group->waves[0].attenuation;
+    swDepthShare found = swFindDepthShare(law, group->k, depth);
+    *slope = found.slope;
+    return found.share;
+}
+
+bool swMakeInputPlaces(const swInputSet* set, swPlaces* places)
+{
+    *places = (swPlaces){.context = set};
+    if (set == NULL)
+    {
+        return false;
+    }
+    bool hasFloor = swHasInputs(set, SW_INPUT_FLOOR);
+    places->touched = findTouched;
+    places->localSystems = set->localSystems;
+    places->level = swHasInputs(set, SW_INPUT_LEVEL) ? findLevel : NULL;
+    places->depth = hasFloor ? findDepth : NULL;
+    places->attenuate = hasFloor ? attenuate : NULL;
+    places->weight = swHasInputs(set, SW_INPUT_WAVES) ? findWeight : NULL;
+    places->flow = swHasInputs(set, SW_INPUT_FLOW) ? findFlow : NULL;
+    return places->level != NULL || hasFloor || places->weight != NULL || places->flow != NULL ||
+           set->localSystems != 0;
+}

@@ -1,0 +1,660 @@
+// SPDX-License-Identifier: MIT
+// Inputs by the public API and by the set behind it: shapes, blends and their derivatives, order, handles, what they do
+// to waves, and what is refused.
+
+#include "support/cmocka_setup.h"
+#include "support/counting_host.h"
+#include "support/messages.h"
+#include "support/scatter.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <seaway/seaway.h>
+
+#include "core/input/sample_inputs.h"
+#include "core/world/world.h"
+#include "shared/input_shapes.h"
+
+#define POINTS 256
+
+// ---- worlds ----
+
+static swWorld* MakeEmptyWorld(void)
+{
+    swHost host = MakeHost();
+    swWorldDef def = swDefaultWorldDef();
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &def, &world), SW_SUCCESS);
+    return world;
+}
+
+static swWaveSystemId AddWaves(swWorld* world, bool isLocal)
+{
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.resolution = 32;
+    def.tileWaves = 8;
+    def.isLocal = isLocal;
+    def.seed = isLocal ? 7 : 1;
+    swWaveSystemId id;
+    assert_int_equal(swCreateWaveSystem(world, &def, &id), SW_SUCCESS);
+    return id;
+}
+
+static swInputDef MakeInput(swInputField field, swInputShape shape, float value)
+{
+    swInputDef def = swDefaultInputDef();
+    def.field = field;
+    def.shape = shape;
+    def.value[0] = value;
+    return def;
+}
+
+static swInputId Add(swWorld* world, const swInputDef* def)
+{
+    swInputId id;
+    s_messages[0] = 0;
+    if (swCreateInput(world, def, &id) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    return id;
+}
+
+static float LevelAt(const swWorld* world, double x, double z)
+{
+    float level;
+    const swFieldSamples samples = {.level = &level};
+    assert_int_equal(swMoment_QueryFields(swWorld_GetMoment(world), 1, &(swPosXZ){x, z}, &samples), 0);
+    return level;
+}
+
+static float DepthAt(const swWorld* world, double x, double z)
+{
+    float depth;
+    const swFieldSamples samples = {.depth = &depth};
+    assert_int_equal(swMoment_QueryFields(swWorld_GetMoment(world), 1, &(swPosXZ){x, z}, &samples), 0);
+    return depth;
+}
+
+static swRaster* MakeRaster(int width, int height, double x, double z, double spacing, int channels)
+{
+    static float values[64 * 64 * 4];
+    uint32_t seed = 5;
+    for (int i = 0; i < width * height * channels; ++i)
+    {
+        values[i] = (float)(-20.0 * NextPart(&seed) - 1.0);
+    }
+    swHost host = MakeHost();
+    swRasterDef def = swDefaultRasterDef();
+    def.width = width;
+    def.height = height;
+    def.x = x;
+    def.z = z;
+    def.spacingX = spacing;
+    def.spacingZ = 1.5 * spacing;
+    def.channels = channels;
+    def.values = values;
+    swRaster* raster = NULL;
+    assert_int_equal(swCreateRaster(&host, &def, &raster), SW_SUCCESS);
+    return raster;
+}
+
+// ---- shapes and blends ----
+
+static void ShapesCoverWhatTheySay(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef circle = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 2.0f);
+    circle.position = (swPos){1000.0, 0.0, -300.0};
+    circle.feather = 20.0f;
+    Add(world, &circle);
+    swInputDef box = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_RECTANGLE, 3.0f);
+    box.position = (swPos){-500.0, 0.0, 0.0};
+    box.size = (swVec3){200.0f, 0.0f, 20.0f};
+    box.rotation.yaw = 0.5f * (float)SW_PI; // along z
+    Add(world, &box);
+    assert_float_equal(LevelAt(world, 1000.0, -300.0), 0.0f, 0.0f); // from the next step on
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 1000.0, -300.0), 2.0f, 0.0f);
+    assert_float_equal(LevelAt(world, 1029.0, -300.0), 2.0f, 0.0f);
+    assert_float_equal(LevelAt(world, 1040.0, -300.0), 1.0f, 1e-5f); // in the middle of the feather
+    assert_float_equal(LevelAt(world, 1050.1, -300.0), 0.0f, 0.0f);
+    assert_float_equal(LevelAt(world, -500.0, 99.0), 3.0f, 0.0f);
+    assert_float_equal(LevelAt(world, -500.0, 101.0), 0.0f, 0.0f);
+    assert_float_equal(LevelAt(world, -489.0, 0.0), 0.0f, 0.0f);
+    swDestroyWorld(world);
+}
+
+// Values near a point by central differences against the derivatives that are told.
+static void CheckGradients(const swInputSet* set, int field, double x, double z, double reach, float tolerance)
+{
+    uint32_t seed = 11;
+    for (int i = 0; i < POINTS; ++i)
+    {
+        const double step = 0.02;
+        swPosXZ at = {x + reach * (2.0 * NextPart(&seed) - 1.0), z + reach * (2.0 * NextPart(&seed) - 1.0)};
+        const swPosXZ points[5] = {
+            at, {at.x + step, at.z}, {at.x - step, at.z}, {at.x, at.z + step}, {at.x, at.z - step}};
+        swInputValue values[5];
+        swFindInputValues(set, field, -1, 5, points, values);
+        float alongX = (values[1].value.x - values[2].value.x) / (float)(2.0 * step);
+        float alongZ = (values[3].value.x - values[4].value.x) / (float)(2.0 * step);
+        // At a kink no derivative is right: look for one on either side.
+        float left = (values[0].value.x - values[2].value.x) / (float)step;
+        float north = (values[0].value.x - values[4].value.x) / (float)step;
+        bool isKinked = fabsf(left - alongX) > 0.1f * (0.05f + fabsf(alongX)) ||
+                        fabsf(north - alongZ) > 0.1f * (0.05f + fabsf(alongZ));
+        if (!isKinked)
+        {
+            assert_float_equal(values[0].alongX.x, alongX, tolerance * (1.0f + fabsf(alongX)));
+            assert_float_equal(values[0].alongZ.x, alongZ, tolerance * (1.0f + fabsf(alongZ)));
+        }
+    }
+}
+
+static void DerivativesAreThoseOfTheValues(void** state)
+{
+    (void)state;
+    const swInputShape shapes[] = {SW_SHAPE_CIRCLE, SW_SHAPE_RECTANGLE, SW_SHAPE_RASTER};
+    const swInputField fields[] = {SW_INPUT_LEVEL, SW_INPUT_FLOOR};
+    swRaster* raster = MakeRaster(12, 9, -40.0, -50.0, 8.0, 1);
+    for (int k = 0; k < 3 * 2 * SW_BLEND_COUNT; ++k)
+    {
+        swInputField field = fields[k % 2];
+        swInputBlend blend = (swInputBlend)(k / 2 % SW_BLEND_COUNT);
+        if (field == SW_INPUT_FLOOR && blend == SW_BLEND_MULTIPLY)
+        {
+            continue;
+        }
+        swWorld* world = MakeEmptyWorld();
+        swInputDef below = MakeInput(field, SW_SHAPE_CIRCLE, -8.0f);
+        below.size.x = 300.0f;
+        below.feather = 140.0f;
+        Add(world, &below);
+        swInputDef def = MakeInput(field, shapes[k / 2 / SW_BLEND_COUNT], -12.0f);
+        def.blend = blend;
+        def.order = 1;
+        def.feather = 30.0f;
+        def.weight = 0.8f;
+        def.rotation.yaw = 0.7f;
+        def.raster = def.shape == SW_SHAPE_RASTER ? raster : NULL;
+        def.value[0] = def.shape == SW_SHAPE_RASTER ? 0.0f : -12.0f;
+        Add(world, &def);
+        swWorld_Step(world, 0.0);
+        CheckGradients(&world->inputs.set, (int)field, 0.0, 0.0, 90.0, 0.02f);
+        swDestroyWorld(world);
+    }
+    swDestroyRaster(raster);
+}
+
+static void AFloorFadesIntoDeepWater(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef shoal = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, -5.0f);
+    shoal.size.x = 400.0f;
+    shoal.feather = 100.0f;
+    Add(world, &shoal);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(DepthAt(world, 0.0, 0.0), 5.0f, 0.0f);
+    assert_true(isinf(DepthAt(world, 201.0, 0.0)));
+    float last = 5.0f;
+    for (double x = 100.0; x < 200.0; x += 0.1)
+    {
+        float depth = DepthAt(world, x, 0.0);
+        // The inverse, which waves feel, changes by little from one place to the next.
+        assert_true(depth >= last && 1.0f / last - 1.0f / depth < 0.01f);
+        last = depth;
+    }
+    assert_true(last > 1000.0f);
+    swDestroyWorld(world);
+}
+
+static void InputsJoinInTheirOrder(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef first = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_EVERYWHERE, 4.0f);
+    swInputDef second = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 2.0f);
+    second.blend = SW_BLEND_MULTIPLY;
+    swInputId multiply = Add(world, &second); // made first, but
+    second.order = 5;
+    assert_int_equal(swInput_Set(world, multiply, &second), SW_SUCCESS);
+    Add(world, &first);
+    swInputDef third = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 1.0f);
+    third.blend = SW_BLEND_ADD;
+    third.order = 5; // as `second`, and made later
+    Add(world, &third);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 4.0f * 2.0f + 1.0f, 0.0f);
+    swInput_Enable(world, multiply, false);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 5.0f, 0.0f);
+    swDestroyInput(world, multiply);
+    assert_false(swInput_IsValid(world, multiply));
+    swInputId again = Add(world, &second);
+    assert_int_equal(again.index1, multiply.index1);
+    assert_true(again.generation != multiply.generation && !swInput_IsValid(world, multiply));
+    assert_int_equal(swWorld_GetInputCount(world), 3);
+    swDestroyWorld(world);
+}
+
+static void RastersKeepTheirBitsFarOutToo(void** state)
+{
+    (void)state;
+    const double places[2] = {0.0, 1024.0 * 1024.0};
+    for (int k = 0; k < 2; ++k)
+    {
+        swWorld* world = MakeEmptyWorld();
+        swRaster* raster = MakeRaster(33, 20, places[k] + 64.0, -places[k], 4.0, 1);
+        swInputDef def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_RASTER, 0.0f);
+        def.raster = raster;
+        Add(world, &def);
+        swDestroyRaster(raster); // the input keeps it
+        swWorld_Step(world, 0.0);
+        for (int i = 0; i < 33 * 20; ++i)
+        {
+            const swPosXZ point = {places[k] + 64.0 + 4.0 * (i % 33), -places[k] + 6.0 * (i / 33)};
+            float height, sampled;
+            const swFieldSamples samples = {.floor = &height};
+            assert_int_equal(swMoment_QueryFields(swWorld_GetMoment(world), 1, &point, &samples), 0);
+            assert_float_equal(height, swRaster_GetValues(raster)[i], 0.0f);
+            const swPosXZ between = {point.x + 1.25, point.z + 2.0};
+            swMoment_QueryFields(swWorld_GetMoment(world), 1, &between, &samples);
+            swRaster_Sample(raster, 1, &between, &sampled);
+            assert_true(isnan(sampled) ? isinf(height) : fabsf(height - sampled) < 1e-5f);
+        }
+        swDestroyWorld(world);
+    }
+}
+
+static void UnknownCellsAreNotCovered(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    const float values[6] = {1.0f, 2.0f, 3.0f, 4.0f, NAN, 6.0f};
+    swHost host = MakeHost();
+    swRasterDef rasterDef = swDefaultRasterDef();
+    rasterDef.width = 3;
+    rasterDef.height = 2;
+    rasterDef.values = values;
+    swRaster* raster = NULL;
+    assert_int_equal(swCreateRaster(&host, &rasterDef, &raster), SW_SUCCESS);
+    swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_RASTER, 0.0f);
+    def.raster = raster;
+    Add(world, &def);
+    swDestroyRaster(raster);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 1.0, 0.0), 2.0f, 0.0f);
+    assert_float_equal(LevelAt(world, 1.0, 1.0), 0.0f, 0.0f);
+    assert_float_equal(LevelAt(world, 1.0, 0.5), 1.0f, 1e-6f); // half of 2
+    swDestroyWorld(world);
+}
+
+// ---- the index ----
+
+static void TheIndexFindsWhatALoopFinds(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    uint32_t seed = 17;
+    for (int i = 0; i < 400; ++i)
+    {
+        swInputDef def = MakeInput(SW_INPUT_LEVEL, i % 40 == 0 ? SW_SHAPE_EVERYWHERE : SW_SHAPE_RECTANGLE, 1.0f + i);
+        def.blend = i % 3 == 0 ? SW_BLEND_ADD : i % 3 == 1 ? SW_BLEND_ALPHA : SW_BLEND_MAX;
+        def.order = (int)(10.0 * NextPart(&seed));
+        def.position = (swPos){4000.0 * NextPart(&seed) - 2000.0, 0.0, 4000.0 * NextPart(&seed) - 2000.0};
+        def.size = (swVec3){(float)(1.0 + 2000.0 * NextPart(&seed)), 0.0f, (float)(1.0 + 500.0 * NextPart(&seed))};
+        def.rotation.yaw = (float)(6.0 * NextPart(&seed));
+        def.feather = 10.0f;
+        Add(world, &def);
+    }
+    swWorld_Step(world, 0.0);
+    const swInputSet* set = &world->inputs.set;
+    int found = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+        swPosXZ point = {6000.0 * NextPart(&seed) - 3000.0, 6000.0 * NextPart(&seed) - 3000.0};
+        swInputValue indexed, looped = swGetFieldBelow(SW_FIELD_OF_LEVEL);
+        swFindInputValues(set, SW_INPUT_LEVEL, -1, 1, &point, &indexed);
+        int32_t cellX, cellZ;
+        float restX, restZ;
+        swFindCell(point.x, &cellX, &restX);
+        swFindCell(point.z, &cellZ, &restZ);
+        for (int r = 0; r < set->recordCount; ++r)
+        {
+            looped = swBlendInput(set->records[r], looped,
+                                  swSampleInput(set->words[r], set->records[r], cellX, cellZ, restX, restZ, 0.0f));
+        }
+        assert_memory_equal(&indexed, &looped, sizeof indexed);
+        found += looped.value.x != 400.0f ? 1 : 0;
+    }
+    assert_true(found > 500);
+    swDestroyWorld(world);
+}
+
+// ---- waves ----
+
+static void QueryHeights(const swWorld* world, const swPosXZ* points, float* heights, swVec3* normals)
+{
+    swQueryDef def = swDefaultQueryDef();
+    const swSurfaceSamples samples = {.height = heights, .normal = normals};
+    swMoment_QuerySurface(swWorld_GetMoment(world), &def, POINTS, points, &samples, NULL);
+}
+
+static void WaterThatNoInputTouchesKeepsItsBits(void** state)
+{
+    (void)state;
+    static swPosXZ points[POINTS];
+    static float plain[POINTS], beside[POINTS];
+    static swVec3 plainNormals[POINTS], besideNormals[POINTS];
+    swWorld* world = MakeEmptyWorld();
+    AddWaves(world, false);
+    swWorld_Step(world, 3.0);
+    ScatterPoints(points, POINTS, 0.0, 0.0, 400.0);
+    QueryHeights(world, points, plain, plainNormals);
+    swInputDef shoal = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, -2.0f);
+    shoal.position.x = 5000.0;
+    Add(world, &shoal);
+    shoal.position.x = 250.0; // among the points
+    shoal.size.x = 200.0f;
+    swInputId near = Add(world, &shoal);
+    swWorld_Step(world, 0.0);
+    QueryHeights(world, points, beside, besideNormals);
+    int same = 0;
+    for (int i = 0; i < POINTS; ++i)
+    {
+        bool isSame = plain[i] == beside[i] && memcmp(&plainNormals[i], &besideNormals[i], sizeof(swVec3)) == 0;
+        double distance = hypot(points[i].x - 250.0, points[i].z);
+        assert_true(isSame || distance < 110.0);
+        assert_true(!isSame || distance > 90.0);
+        same += isSame ? 1 : 0;
+    }
+    assert_in_range(same, POINTS / 2, POINTS - 5);
+    swDestroyInput(world, near);
+    swWorld_Step(world, 0.0);
+    QueryHeights(world, points, beside, besideNormals);
+    assert_memory_equal(plain, beside, sizeof plain);
+    swDestroyWorld(world);
+}
+
+static void LevelsLiftTheWaterAndTiltIt(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef lake = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 10.0f);
+    lake.size.x = 200.0f;
+    lake.feather = 50.0f;
+    Add(world, &lake);
+    swWorld_Step(world, 0.0);
+    static swPosXZ points[POINTS];
+    static float heights[POINTS];
+    static swVec3 normals[POINTS];
+    ScatterPoints(points, POINTS, 0.0, 0.0, 110.0);
+    QueryHeights(world, points, heights, normals);
+    for (int i = 0; i < POINTS; ++i)
+    {
+        assert_float_equal(heights[i], LevelAt(world, points[i].x, points[i].z), 1e-5f);
+        float slope = (LevelAt(world, points[i].x + 0.05, points[i].z) -
+                                LevelAt(world, points[i].x - 0.05, points[i].z)) / 0.1f;
+        assert_float_equal(-normals[i].x / normals[i].y, slope, 0.002f);
+    }
+    swDestroyWorld(world);
+}
+
+static float MeasureHeight(const swWorld* world, double x, double z)
+{
+    static swPosXZ points[POINTS];
+    static float heights[POINTS];
+    static swVec3 normals[POINTS];
+    ScatterPoints(points, POINTS, x, z, 30.0);
+    QueryHeights(world, points, heights, normals);
+    double sum = 0.0;
+    for (int i = 0; i < POINTS; ++i)
+    {
+        sum += (double)heights[i] * (double)heights[i];
+    }
+    return (float)sqrt(sum / POINTS);
+}
+
+static void WavesEndWhereAnInputTakesTheirWeight(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swWaveSystemId everywhere = AddWaves(world, false);
+    swInputDef calm = MakeInput(SW_INPUT_WAVES, SW_SHAPE_CIRCLE, 0.0f);
+    calm.system = everywhere;
+    Add(world, &calm);
+    swWorld_Step(world, 1.0);
+    assert_true(MeasureHeight(world, 0.0, 0.0) < 1e-6f);
+    assert_true(MeasureHeight(world, 1000.0, 0.0) > 0.1f);
+    // A local system is the other way round.
+    swWaveSystemId local = AddWaves(world, true);
+    swInputDef patch = MakeInput(SW_INPUT_WAVES, SW_SHAPE_CIRCLE, 1.0f);
+    patch.system = local;
+    patch.position.x = 3000.0;
+    Add(world, &patch);
+    swDestroyWaveSystem(world, everywhere);
+    swWorld_Step(world, 1.0);
+    assert_true(MeasureHeight(world, 3000.0, 0.0) > 0.1f);
+    assert_true(MeasureHeight(world, 0.0, 0.0) < 1e-6f); // its input weighs a system that is gone
+    assert_true(MeasureHeight(world, 4000.0, 0.0) < 1e-6f);
+    swDestroyWorld(world);
+}
+
+static void WavesDieOutOverAFloor(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    AddWaves(world, false);
+    swInputDef beach = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, 1.0f);
+    beach.position.x = 1000.0;
+    Add(world, &beach);
+    swInputDef shelf = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, -1.0f);
+    shelf.position.x = 2000.0;
+    Add(world, &shelf);
+    swWorld_Step(world, 1.0);
+    float deep = MeasureHeight(world, 0.0, 0.0);
+    assert_true(MeasureHeight(world, 1000.0, 0.0) < 1e-6f); // on land
+    float shallow = MeasureHeight(world, 2000.0, 0.0);
+    assert_true(shallow > 0.05f * deep && shallow < 0.7f * deep);
+    swDestroyWorld(world);
+}
+
+// ---- places, origins and time ----
+
+static void InputsStayWhereTheyAreWhenTheOriginMoves(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 2.0f);
+    def.position.x = 700.0;
+    swInputId id = Add(world, &def);
+    swWorld_Step(world, 0.0);
+    swWorld_SetOrigin(world, (swPosXZ){4096.0, -128.0});
+    assert_float_equal(LevelAt(world, 700.0 - 4096.0, 128.0), 2.0f, 0.0f);
+    assert_float_equal(swInput_Get(world, id).position.x, 700.0 - 4096.0, 0.0);
+    swInput_Move(world, id, (swPos){0.0, 0.0, 0.0}, (swAngles){0.0f, 0.0f, 0.0f});
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 2.0f, 0.0f);
+    swDestroyWorld(world);
+}
+
+static void SequencesOfRastersPlayAndLoop(void** state)
+{
+    (void)state;
+    const float values[3 * 4] = {0.0f, 0.0f, 0.0f, 0.0f, 10.0f, 10.0f, 10.0f, 10.0f, 40.0f, 40.0f, 40.0f, 40.0f};
+    swHost host = MakeHost();
+    swRasterDef rasterDef = swDefaultRasterDef();
+    rasterDef.width = rasterDef.height = 2;
+    rasterDef.frames = 3;
+    rasterDef.values = values;
+    swRaster* raster = NULL;
+    assert_int_equal(swCreateRaster(&host, &rasterDef, &raster), SW_SUCCESS);
+    swWorld* world = MakeEmptyWorld();
+    swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_RASTER, 0.0f);
+    def.raster = raster;
+    def.framesPerSecond = 2.0f;
+    def.startTime = 1.0;
+    swInputId id = Add(world, &def);
+    const double times[] = {1.0, 1.25, 1.5, 2.0, 2.25, 2.5, 2.75, 0.5};
+    const float looped[] = {0.0f, 5.0f, 10.0f, 40.0f, 20.0f, 0.0f, 5.0f, 40.0f};
+    const float once[] = {0.0f, 5.0f, 10.0f, 40.0f, 40.0f, 40.0f, 40.0f, 0.0f};
+    for (int loops = 1; loops >= 0; --loops)
+    {
+        def.loops = loops == 1;
+        assert_int_equal(swInput_Set(world, id, &def), SW_SUCCESS);
+        for (int i = 0; i < 8; ++i)
+        {
+            swWorld_StepTo(world, times[i]);
+            assert_float_equal(LevelAt(world, 0.5, 0.5), loops == 1 ? looped[i] : once[i], 1e-5f);
+        }
+    }
+    swDestroyRaster(raster);
+    swDestroyWorld(world);
+}
+
+static void AWarmStepAllocatesNothing(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swInputId ids[100];
+    swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 1.0f);
+    for (int i = 0; i < 100; ++i)
+    {
+        def.position.x = 300.0 * i;
+        assert_int_equal(swCreateInput(world, &def, &ids[i]), SW_SUCCESS);
+    }
+    long long before = atomic_load(&memory.allocations);
+    for (int step = 0; step < 5; ++step)
+    {
+        for (int i = 0; i < 100; ++i)
+        {
+            swInput_Move(world, ids[i], (swPos){300.0 * i, 0.0, 10.0 * step}, (swAngles){0.1f * (float)i, 0.0f, 0.0f});
+            swInput_Enable(world, ids[i], (i + step) % 3 != 0);
+        }
+        swWorld_Step(world, 0.1);
+    }
+    assert_int_equal(atomic_load(&memory.allocations), before);
+    swDestroyWorld(world);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
+
+static void EveryAllocationMayFail(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    for (long long failAt = 0; failAt < 400; ++failAt)
+    {
+        swHost host = MakeCountingHost(&memory);
+        swWorldDef worldDef = swDefaultWorldDef();
+        swWorld* world = NULL;
+        assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+        atomic_store(&memory.failAt, atomic_load(&memory.allocations) + failAt);
+        swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 1.0f);
+        int made = 0;
+        bool hasFailed = false;
+        for (int i = 0; i < 40; ++i)
+        {
+            swInputId id;
+            swResult result = swCreateInput(world, &def, &id);
+            assert_true(result == SW_SUCCESS || (result == SW_ERROR_NO_MEMORY && SW_IS_NULL(id)));
+            made += result == SW_SUCCESS ? 1 : 0;
+            hasFailed = hasFailed || result != SW_SUCCESS;
+        }
+        assert_int_equal(swWorld_GetInputCount(world), made);
+        swWorld_Step(world, 0.0);
+        swDestroyWorld(world);
+        assert_int_equal(atomic_load(&memory.bytes), 0);
+        if (!hasFailed)
+        {
+            print_message("%lld allocations failed once each\n", failAt);
+            return;
+        }
+    }
+    fail();
+}
+
+// ---- what is refused ----
+
+static void CheckRefused(swWorld* world, const swInputDef* def, swResult expected, const char* says)
+{
+    swInputId id = {1, 1};
+    s_messages[0] = 0;
+    assert_int_equal(swCreateInput(world, def, &id), expected);
+    assert_true(SW_IS_NULL(id));
+    if (strstr(s_messages, says) == NULL)
+    {
+        fail_msg("'%s' does not say '%s'", s_messages, says);
+    }
+}
+
+static void WhatCannotBeIsRefusedInASentence(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef def = MakeInput(SW_INPUT_FLOW, SW_SHAPE_EVERYWHERE, 1e6f);
+    strcpy(def.name, "gulf stream");
+    CheckRefused(world, &def, SW_ERROR_INVALID, "gulf stream");
+    def.value[0] = NAN;
+    CheckRefused(world, &def, SW_ERROR_INVALID, "value");
+    def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, 0.0f);
+    def.feather = NAN;
+    CheckRefused(world, &def, SW_ERROR_INVALID, "feather");
+    def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_RECTANGLE, 0.0f);
+    def.size.z = 0.0f;
+    CheckRefused(world, &def, SW_ERROR_INVALID, "extent");
+    def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_RASTER, 0.0f);
+    CheckRefused(world, &def, SW_ERROR_INVALID, "no raster");
+    swRaster* raster = MakeRaster(4, 4, 0.0, 0.0, 1.0, 1);
+    def.field = SW_INPUT_FLOW;
+    def.raster = raster;
+    CheckRefused(world, &def, SW_ERROR_INVALID, "1 channels");
+    swDestroyRaster(raster);
+    def = MakeInput(SW_INPUT_WAVES, SW_SHAPE_CIRCLE, 0.0f);
+    CheckRefused(world, &def, SW_ERROR_INVALID, "not there");
+    swWaveSystemId gone = AddWaves(world, false);
+    swDestroyWaveSystem(world, gone);
+    def.system = gone;
+    CheckRefused(world, &def, SW_ERROR_INVALID, "not there");
+    def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 1.0f);
+    def.weight = 2.0f;
+    CheckRefused(world, &def, SW_ERROR_INVALID, "weight");
+    def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, 1.0f);
+    def.blend = SW_BLEND_MULTIPLY;
+    CheckRefused(world, &def, SW_ERROR_UNSUPPORTED, "multiplies");
+    def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, 1.0f);
+    def.followsWaves = true;
+    CheckRefused(world, &def, SW_ERROR_UNSUPPORTED, "follows");
+    assert_int_equal(swWorld_GetInputCount(world), 0);
+    swDestroyWorld(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ShapesCoverWhatTheySay),
+        cmocka_unit_test(DerivativesAreThoseOfTheValues),
+        cmocka_unit_test(AFloorFadesIntoDeepWater),
+        cmocka_unit_test(InputsJoinInTheirOrder),
+        cmocka_unit_test(RastersKeepTheirBitsFarOutToo),
+        cmocka_unit_test(UnknownCellsAreNotCovered),
+        cmocka_unit_test(TheIndexFindsWhatALoopFinds),
+        cmocka_unit_test(WaterThatNoInputTouchesKeepsItsBits),
+        cmocka_unit_test(LevelsLiftTheWaterAndTiltIt),
+        cmocka_unit_test(WavesEndWhereAnInputTakesTheirWeight),
+        cmocka_unit_test(WavesDieOutOverAFloor),
+        cmocka_unit_test(InputsStayWhereTheyAreWhenTheOriginMoves),
+        cmocka_unit_test(SequencesOfRastersPlayAndLoop),
+        cmocka_unit_test(AWarmStepAllocatesNothing),
+        cmocka_unit_test(EveryAllocationMayFail),
+        cmocka_unit_test(WhatCannotBeIsRefusedInASentence),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
