@@ -50,6 +50,8 @@
 #define SW_INPUT_FOLLOWS_WAVES 1u
 #define SW_INPUT_TURNS_VALUES 2u // values x and z (of flow and wind x and y) lie along the record's own axes
 #define SW_INPUT_IS_BOUNDLESS 4u // it counts everywhere, also where cells do not fit 32 bits
+#define SW_INPUT_REMOVES_WAVES 16u // of waves: what is below it of all systems goes by its share, see region.h
+#define SW_INPUT_TAKES_WIND 32u    // of waves: its raster is a wind, see swFindWindWeight()
 #define SW_INPUT_CHANGES 8u      // its value, gain or place is another in each step
 
 SW_PARAMS(swInputRecord)
@@ -165,6 +167,12 @@ SW_FORMULA sw_uint swCountInputNumbers(sw_uint field)
         return 3u;
     }
     return field == SW_FIELD_OF_FLOW || field == SW_FIELD_OF_WIND ? 2u : 1u;
+}
+
+// Numbers that a record's shape brings.
+SW_FORMULA sw_uint swCountRecordNumbers(swInputRecord record)
+{
+    return (record.flags & SW_INPUT_TAKES_WIND) != 0u ? 2u : swCountInputNumbers(record.field);
 }
 
 // What a field is below all inputs; of waves that of systems that are everywhere.

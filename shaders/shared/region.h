@@ -11,10 +11,6 @@
 #define SW_SHARED_REGION_H
 #include "input.h"
 
-// Bits of swInputRecord::flags, of the field WAVES.
-#define SW_INPUT_REMOVES_WAVES 16u // of all systems, what is below it, by its share
-#define SW_INPUT_TAKES_WIND 32u    // its values are a wind, see swFindWindWeight()
-
 // Winds below this have no heading to speak of, m/s: their waves are still there, and lower than any that are seen.
 #define SW_LEAST_REGION_WIND 1e-3f
 
@@ -162,10 +158,11 @@ SW_FORMULA swInputChannel swFindWindWeight(swInputRecord record, swInputChannel 
 
 // ---- joining ----
 
-// Whether a record has a say in the weight of a system's waves.
-SW_FORMULA bool swIsOfSystem(swInputRecord record, sw_uint system)
+// Whether a record has a say in its field, of waves in the weight of a system.
+SW_FORMULA bool swHasSay(swInputRecord record, sw_uint system)
 {
-    return record.system == system || (record.flags & SW_INPUT_REMOVES_WAVES) != 0u;
+    return record.field != SW_FIELD_OF_WAVES || record.system == system ||
+           (record.flags & SW_INPUT_REMOVES_WAVES) != 0u;
 }
 
 // The weight of a system's waves once a record of the field WAVES, which has a say in it, has joined it.
@@ -195,5 +192,21 @@ SW_FORMULA swInputChannel swJoinWaves(swInputRecord record, sw_uint system, swIn
     swInputChannel brought = swMultiplyChannels(
         own, swMakeChannel(pair.second, pair.secondSlope * share.alongX, pair.secondSlope * share.alongZ));
     return swMakeChannel(left.value + brought.value, left.alongX + brought.alongX, left.alongZ + brought.alongZ);
+}
+
+// What a field is once a record that has a say in it has joined it; `system` of waves.
+SW_FORMULA swInputValue swJoinInput(swInputRecord record, sw_uint system, swInputValue below, swInputSample s)
+{
+    if (record.field != SW_FIELD_OF_WAVES)
+    {
+        return swBlendInput(record, below, s);
+    }
+    swInputValue joined = below;
+    swInputChannel weight =
+        swJoinWaves(record, system, swMakeChannel(below.value.x, below.alongX.x, below.alongZ.x), s);
+    joined.value.x = weight.value;
+    joined.alongX.x = weight.alongX;
+    joined.alongZ.x = weight.alongZ;
+    return joined;
 }
 #endif

@@ -3,6 +3,7 @@
 
 #include "core/input/input_record.h"
 #include "shared/input_shapes.h"
+#include "shared/region.h"
 
 // Records that are collected at once; where more lie over one another they are looked up one by one.
 #define COLLECTED 32
@@ -34,11 +35,10 @@ static swInputSample sampleRecord(const swInputSet* set, uint32_t at, const Plac
 static void joinRecord(const swInputSet* set, uint32_t at, int system, const Place* place, swInputValue* value)
 {
     const swInputRecord* record = &set->records[at];
-    bool isMeant = record->field != SW_FIELD_OF_WAVES || (int)record->system == system;
     bool isHere = !place->isFar || (record->flags & SW_INPUT_IS_BOUNDLESS) != 0;
-    if (isMeant && isHere)
+    if (isHere && swHasSay(*record, (sw_uint)system))
     {
-        *value = swBlendInput(*record, *value, sampleRecord(set, at, place));
+        *value = swJoinInput(*record, (sw_uint)system, *value, sampleRecord(set, at, place));
     }
 }
 

@@ -23,7 +23,7 @@ static swResult acquireRecord(swWaves* waves, swReplay* replay, int index, swWav
     }
     swMeasuredRecord record = swMeasuredSea_GetRecord(replay->sea, index);
     swWaveSystemDef def = swMakeRecordDef(&replay->waves, &record.table);
-    return swAcquireSet(waves, &def, set);
+    return swAcquireSet(waves, -1, &def, set);
 }
 
 static void releaseSets(swWaves* waves, swWaveSet* sets[2])

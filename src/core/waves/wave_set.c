@@ -58,11 +58,11 @@ void swFreeRetiredSets(swWaves* waves)
 
 // ---- the same def ----
 
-static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def)
+static swWaveSet* findSet(swWaves* waves, int own, const swWaveSystemDef* def)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < waves->systems[slot].partCount; ++i)
+        for (int i = 0; i < waves->systems[slot].partCount && (!def->isLocal || slot == own); ++i)
         {
             swWaveSet* set = waves->systems[slot].parts[i].set;
             set = set->mix != NULL ? set->to : set;
@@ -206,9 +206,9 @@ static void numberSet(swWaves* waves, swWaveSet* set)
     set->useCount = 1;
 }
 
-swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** out)
+swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, swWaveSet** out)
 {
-    swWaveSet* set = findSet(waves, def);
+    swWaveSet* set = findSet(waves, slot, def);
     if (set != NULL)
     {
         set->useCount += 1;

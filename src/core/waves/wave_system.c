@@ -106,7 +106,7 @@ static void warnOfTwins(swWaves* waves, int slot, const swWaveSet* set)
 swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def)
 {
     swWaveSet* set = NULL;
-    swResult result = swAcquireSet(waves, def, &set);
+    swResult result = swAcquireSet(waves, slot, def, &set);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -261,7 +261,7 @@ swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, do
 {
     const swWaveSystem* system = &waves->systems[slot];
     swWaveSet* set = NULL;
-    swResult result = swAcquireSet(waves, def, &set);
+    swResult result = swAcquireSet(waves, slot, def, &set);
     if (result != SW_SUCCESS)
     {
         return result;

@@ -112,7 +112,9 @@ void swTransformWaves(swWaves* waves);
 void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* shown);
 
 // wave_set.c
-swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, swWaveSet** set); // one that is there, or a new one
+// One that is there, or a new one. A local system shares its waves with no other, since places weigh them apart: of such
+// only those of the system at `slot` itself are taken; -1: a new one.
+swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, swWaveSet** set);
 swResult swMixSets(swWaves* waves, swWaveSet* from, float share, swWaveSet* to,
                    swWaveSet** mix); // SW_ERROR_UNSUPPORTED: phases differ
 swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet** set); // a mix that becomes `to`
