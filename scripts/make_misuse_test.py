@@ -36,6 +36,10 @@ ALLOWED = {
     ("swCreateSeaReplay", "def.startSeconds", "NaN"): "the first record's",
     ("swWaveSystem_IsValid", "*", "*"): "asks just that",
     ("swInput_IsValid", "*", "*"): "asks just that",
+    ("*", "def.gain", "*"): "counts for shapes with values of their own only",
+    ("*", "def.feather", "*"): "counts for shapes with an edge only",
+    ("*", "def.framesPerSecond", "*"): "counts with SW_SHAPE_RASTER only",
+    ("*", "def.startTime", "*"): "counts with SW_SHAPE_RASTER only",
     ("swMeasuredSea_AddLocation", "name", "NULL"): "a place may be without a name",
     ("swMeasuredSea_AddSpectrum", "def.seconds", "NaN"): "a record without a time",
     ("swMeasuredSea_GetRecord", "index", "-1"): "the empty record, as what finds records may give -1",
@@ -79,6 +83,9 @@ ALLOWED = {
     ("*", "reverseWeight", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "directionVariance", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "leastJacobian", "*"): "counts with SW_WAVES_GERSTNER only",
+    ("swWriteRaster", "host", "*"): "it is the host that knows whom to tell",
+    ("swWriteRaster", "source", "NULL"): "a raster may be of nothing that is known",
+    ("swReadRaster", "def.missing", "infinite"): "a number that no file has",
     ("swCreateSeaReplay", "def.waves.spectrum.*", "*"): "a replay's spectra are its records'",
 }
 
@@ -112,6 +119,7 @@ def parse(folder, names):
         result, name, arguments = match.group(1).strip(), match.group(2), match.group(3)
         parameters = []
         for argument in [] if arguments == "void" else arguments.split(","):
+            argument = re.sub(r"\s(\w+)\[\w+\]$", r"* \1", argument)
             part = re.match(r"\s*(.*?)\s*\b(\w+)$", argument)
             parameters.append((part.group(1).replace(" *", "*").strip(), part.group(2)))
         functions.append((result, name, parameters))

@@ -47,6 +47,15 @@ typedef enum swRasterCoordinates
     SW_RASTER_COORDINATES_COUNT
 } swRasterCoordinates;
 
+/// What the numbers of a file without a heading are.
+typedef enum swRasterNumbers
+{
+    SW_RASTER_FLOAT32,
+    SW_RASTER_INT16,
+    SW_RASTER_UINT16,
+    SW_RASTER_NUMBERS_COUNT
+} swRasterNumbers;
+
 /// How a raster's file becomes metres of the world: east is +x, north is -z. Must be initialized with
 /// swDefaultRasterFileDef().
 typedef struct swRasterFileDef
@@ -65,14 +74,36 @@ typedef struct swRasterFileDef
     double west, east, north, south;
 
     /// Of netCDF: the variable. Default NULL: the only one over both axes, or the one called elevation, z, Band1, depth
-    /// or topo.
+    /// or topo. Of an EXR or PNG image: the channel, such as "R". Default NULL: the only one, or Y, or Z, or R.
     const char* variable;
+
+    /// A number n of the file is `offset` + `scale` n metres: of a PNG image of 16 bits, n is 0 to 65535. Ranges
+    /// [-1e6, 1e6]. Default 0 and 1.
+    double offset, scale;
+
+    /// The number by which the file means that nothing is known, beside what it says itself. Default NaN: none.
+    double missing;
+
+    /// Of images and files without a heading: from cell to cell eastwards and southwards, in the file's coordinates.
+    /// Above 0. Default NaN: what the file says, else 1, which the log tells.
+    double spacingEast, spacingNorth;
+
+    /// Of the same: where the middle of the north-western cell lies, in the file's coordinates. Default NaN: what the
+    /// file says, else so that the middle of the image is at (0, 0), which the log tells.
+    double imageEast, imageNorth;
+
+    /// Read a file without a heading: so many numbers along its rows, which run from west to east, and so many rows,
+    /// from north to south; each of the kind `numbers`, lowest byte first. The file must be as long as that. Default 0:
+    /// a file with a heading.
+    int rawWidth, rawHeight;
+    swRasterNumbers numbers;
 
     /// The numbers count depth downwards; the raster has heights. Default false; a netCDF variable that says so
     /// (positive: down) is turned without it.
     bool isDepth;
 
-    /// Most memory that values may take, bytes. Larger rasters are refused; crop them. Default 1 GiB.
+    /// Most memory that values may take, bytes. Larger rasters are refused; crop them. While a file is read, twice as
+    /// much is held, and of a text the text itself. Default 1 GiB, 16384 x 16384 cells.
     size_t memoryLimit;
 
     /// Set by swDefaultRasterFileDef().
@@ -81,9 +112,33 @@ typedef struct swRasterFileDef
 
 SW_API swRasterFileDef swDefaultRasterFileDef(void);
 
-/// Read a raster: an Esri ASCII grid, lines of x, y and value (XYZ), or netCDF with an axis for each direction, such as
-/// GEBCO and ETOPO. The first two plain or gzip. The format is known by the contents. Grids whose cells are named by a
-/// corner and those named by their middle are both read as what they are. `def` may be NULL: the default.
+/// Read a raster: an Esri ASCII grid, lines of x, y and value (XYZ), netCDF with an axis for each direction, such as
+/// GEBCO and ETOPO, or as GMT 3 wrote it, a GeoTIFF, an EXR or PNG image, or numbers without a heading. The first two
+/// plain or gzip. The format is known by the contents, but for the last. Grids whose cells are named by a corner and
+/// those named by their middle are both read as what they are. Longitudes may run across 180 or 360 degrees. Where a
+/// file has float32 values, they are kept to the bit. See docs/depth.md. `def` may be NULL: the default.
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (file, line and remedy in the host's log), SW_ERROR_LIMIT (too large),
-///         SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED (netCDF without its library)
+///         SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED (a format whose library was not there when this was built)
 SW_API swResult swReadRaster(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster);
+
+/// Write a raster as an EXR image of one channel, Y, of 32-bit floats; swReadRaster() reads the same bits at the same
+/// place, and anything that knows EXR reads its numbers. The header says where the cells lie, and what the raster was
+/// made from: a text (NULL for none) and a hash, of which swReadRasterSource() tells. The file that was there stays
+/// whole until the new one is.
+/// @return SW_ERROR_INVALID, SW_ERROR_FILE, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED (built without OpenEXR)
+SW_API swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* source,
+                              uint64_t sourceHash);
+
+/// Room for the text of what a raster was made from, with its zero.
+#define SW_MAX_RASTER_SOURCE 1024
+
+/// What a file of swWriteRaster() says it was made from. A hash other than that of what it would be made from now says
+/// that it is stale.
+typedef struct swRasterSource
+{
+    char text[SW_MAX_RASTER_SOURCE]; ///< empty if the file says none
+    uint64_t hash;
+} swRasterSource;
+
+/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (no EXR image, or one that does not say), SW_ERROR_UNSUPPORTED
+SW_API swResult swReadRasterSource(const swHost* host, const char* path, swRasterSource* source);

@@ -35,8 +35,8 @@ SW_FORMULA swRasterCells swFindRasterCells(swInputRecord record, float x, float 
     swRasterCells cells;
     float atX = x / record.part0;
     float atZ = z / record.part1;
-    cells.isInside = atX >= 0.0f && atZ >= 0.0f && atX <= SW_FLOAT(record.extra0 - 1u) &&
-                     atZ <= SW_FLOAT(record.extra1 - 1u);
+    cells.isInside =
+        atX >= 0.0f && atZ >= 0.0f && atX <= SW_FLOAT(record.extra0 - 1u) && atZ <= SW_FLOAT(record.extra1 - 1u);
     sw_uint column = swFindRasterCell(cells.isInside ? atX : 0.0f, record.extra0);
     sw_uint row = swFindRasterCell(cells.isInside ? atZ : 0.0f, record.extra1);
     sw_uint right = record.extra0 > 1u ? record.extra2 : 0u;

@@ -126,29 +126,110 @@ swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
     return SW_SUCCESS;
 }
 
-static void turnRows(const swRasterGrid* grid, const float* values, float* turned)
+void swUnwrapLongitudes(double* places, size_t count)
+{
+    for (size_t i = 1; i < count; ++i)
+    {
+        double turns = rint((places[i - 1] - places[i]) / 360.0);
+        places[i] += isfinite(turns) ? 360.0 * turns : 0.0;
+    }
+}
+
+swResult swPlaceImageGrid(swRasterGrid* grid, int width, int height, const double spacing[2], const double first[2],
+                          char unit)
+{
+    const swRasterFileDef* def = grid->def;
+    double east = isfinite(def->spacingEast) ? def->spacingEast : spacing[0];
+    double north = isfinite(def->spacingNorth) ? def->spacingNorth : spacing[1];
+    double west = isfinite(def->imageEast) ? def->imageEast : first[0];
+    double top = isfinite(def->imageNorth) ? def->imageNorth : first[1];
+    bool isGuessed = !isfinite(east) || !isfinite(north) || !isfinite(west) || !isfinite(top);
+    east = isfinite(east) ? east : 1.0;
+    north = isfinite(north) ? north : 1.0;
+    west = isfinite(west) ? west : -0.5 * east * (width - 1);
+    top = isfinite(top) ? top : 0.5 * north * (height - 1);
+    if (!(east > 0.0) || !(north > 0.0))
+    {
+        return swFail(grid->host, SW_ERROR_FORMAT, "%s has cells of %g x %g; their sides must be above 0.", grid->name,
+                      east, north);
+    }
+    if (isGuessed)
+    {
+        swLog(
+            grid->host, SW_LOG_INFO,
+            "%s does not say where it lies: its cells are taken as %g x %g and the middle of its north-western one at "
+            "%g east, %g north. swRasterFileDef::spacingEast and the others tell it.",
+            grid->name, east, north, west, top);
+    }
+    grid->east = (swRasterAxis){.first = west, .spacing = east, .count = width};
+    grid->north = (swRasterAxis){.first = top - north * (height - 1), .spacing = north, .count = height};
+    grid->isNorthFirst = true;
+    bool isMetric = unit == 0 && def->coordinates == SW_RASTER_BY_FILE;
+    return swPlaceRasterGrid(grid, isMetric ? 'm' : unit);
+}
+
+swImageRows swGetImageRows(const swRasterGrid* grid)
+{
+    return (swImageRows){grid->north.count - grid->north.end, grid->north.count - grid->north.begin};
+}
+
+float* swAllocateCells(const swRasterGrid* grid, swResult* result)
+{
+    size_t size = swCountGridCells(grid) * sizeof(float);
+    float* values = swAllocate(grid->host, size);
+    if (values == NULL)
+    {
+        *result = swFail(grid->host, SW_ERROR_NO_MEMORY, "No memory for the cells of %s, %zu bytes.", grid->name, size);
+    }
+    return values;
+}
+
+void swFreeCells(const swRasterGrid* grid, float* values)
+{
+    swFree(grid->host, values, swCountGridCells(grid) * sizeof(float));
+}
+
+static void swapRows(const swRasterGrid* grid, float* values)
 {
     size_t width = (size_t)(grid->east.end - grid->east.begin);
     size_t height = (size_t)(grid->north.end - grid->north.begin);
-    for (size_t row = 0; row < height; ++row)
+    for (size_t row = 0; row < height / 2; ++row)
     {
+        float *a = values + row * width, *b = values + (height - 1 - row) * width;
         for (size_t column = 0; column < width; ++column)
         {
-            float value = values[(height - 1 - row) * width + column];
-            turned[row * width + column] = grid->isDepth ? -value : value;
+            float value = a[column];
+            a[column] = b[column];
+            b[column] = value;
         }
     }
 }
 
-swResult swMakeGridRaster(const swRasterGrid* grid, const float* values, swRaster** raster)
+// A file's numbers to metres. Where there is nothing to do, the bits stay.
+static void scaleCells(const swRasterGrid* grid, float* values)
 {
-    size_t size = swCountGridCells(grid) * sizeof(float);
-    float* turned = swAllocate(grid->host, size);
-    if (turned == NULL)
+    const swRasterFileDef* def = grid->def;
+    bool isScaled = def->scale != 1.0 || def->offset != 0.0;
+    if (!isScaled && !grid->isDepth && isnan(def->missing))
     {
-        return swFail(grid->host, SW_ERROR_NO_MEMORY, "No memory for the cells of %s, %zu bytes.", grid->name, size);
+        return;
     }
-    turnRows(grid, values, turned);
+    size_t count = swCountGridCells(grid);
+    for (size_t i = 0; i < count; ++i)
+    {
+        float value = (double)values[i] == def->missing || values[i] == (float)def->missing ? NAN : values[i];
+        value = isScaled ? (float)(def->offset + def->scale * (double)value) : value;
+        values[i] = grid->isDepth ? -value : value;
+    }
+}
+
+swResult swMakeGridRaster(const swRasterGrid* grid, float* values, swRaster** raster)
+{
+    if (!grid->isNorthFirst)
+    {
+        swapRows(grid, values);
+    }
+    scaleCells(grid, values);
     swRasterDef def = swDefaultRasterDef();
     def.name = grid->name;
     def.width = grid->east.end - grid->east.begin;
@@ -159,8 +240,7 @@ swResult swMakeGridRaster(const swRasterGrid* grid, const float* values, swRaste
     double north = grid->north.first + grid->north.spacing * (grid->north.end - 1);
     def.x = grid->metresEast * (west - grid->originEast);
     def.z = -grid->metresNorth * (north - grid->originNorth);
-    def.values = turned;
+    def.values = values;
     swResult result = swCreateRaster(grid->host, &def, raster);
-    swFree(grid->host, turned, size);
     return result == SW_ERROR_INVALID ? SW_ERROR_FORMAT : result;
 }

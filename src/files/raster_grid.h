@@ -23,6 +23,7 @@ typedef struct swRasterGrid
     swRasterAxis east, north;
     bool isDegrees;
     bool isDepth;
+    bool isNorthFirst; // the values run from north to south
     double originEast, originNorth;
     double metresEast, metresNorth; // of one unit of the file
 } swRasterGrid;
@@ -31,9 +32,29 @@ typedef struct swRasterGrid
 // 'd' for degrees, 'm' for metres, 0 for nothing.
 swResult swPlaceRasterGrid(swRasterGrid* grid, char unit);
 
-// Make the raster from the kept cells: rows from south to north as the axes run, each from west to east. The values are
-// heights or depths as the file has them, NaN where nothing is known.
-swResult swMakeGridRaster(const swRasterGrid* grid, const float* values, swRaster** raster);
+// The same for an image, whose rows run from north to south: its axes follow from its size and the def. `spacing` and
+// `first` (east, north, of the middle of the north-western cell) are what the file says, or NaN.
+swResult swPlaceImageGrid(swRasterGrid* grid, int width, int height, const double spacing[2], const double first[2],
+                          char unit);
+
+// Kept cells of an image: rows [first, end) from the north on, columns from the grid's east axis.
+typedef struct swImageRows
+{
+    int first, end;
+} swImageRows;
+swImageRows swGetImageRows(const swRasterGrid* grid);
+
+// Make the raster from the kept cells: rows from south to north as the axes run (or as isNorthFirst says), each from
+// west to east. The values are heights or depths as the file has them, NaN where nothing is known. They are turned and
+// scaled in place.
+swResult swMakeGridRaster(const swRasterGrid* grid, float* values, swRaster** raster);
+
+// Memory for the kept cells; a sentence in the log if there is none.
+float* swAllocateCells(const swRasterGrid* grid, swResult* result);
+void swFreeCells(const swRasterGrid* grid, float* values);
+
+// Longitudes in the order of a file that run over 180 or 360 degrees: each at most half a turn from the one before.
+void swUnwrapLongitudes(double* places, size_t count);
 
 // Kept cells.
 static inline size_t swCountGridCells(const swRasterGrid* grid)
@@ -47,6 +68,17 @@ swResult swReadXyzGrid(const swHost* host, const swFileText* text, const char* n
                        swRaster** raster);
 bool swIsEsriGrid(const swFileText* text);
 
+swResult swReadRawGrid(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster);
+
+#if SW_HAS_PNG
+swResult swReadPngGrid(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster);
+#endif
+#if SW_HAS_EXR
+swResult swReadExrGrid(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster);
+#endif
+#if SW_HAS_TIFF
+swResult swReadTiffGrid(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster);
+#endif
 #if SW_HAS_NETCDF
 swResult swReadNetcdfGrid(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster);
 #endif

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "files/netcdf_file.h"
+#include "files/netcdf_rasters.h"
 #include "files/raster_grid.h"
 
 // An axis may be printed with few digits: how far its steps may be from even, in steps.
@@ -104,6 +105,14 @@ static swResult checkSteps(const NetcdfGrid* reader, const char* side, const dou
     return SW_SUCCESS;
 }
 
+static bool isLongitude(const NetcdfGrid* reader, const swNetcdfVariable* axis)
+{
+    char unit[64], name[257];
+    swGetNetcdfText(&reader->file, axis->id, "units", true, unit, sizeof(unit));
+    swGetNetcdfVariableName(&reader->file, axis->id, name);
+    return strncmp(unit, "deg", 3) == 0 || (unit[0] == '\0' && strncmp(name, "lon", 3) == 0);
+}
+
 static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, bool isEast)
 {
     const swHost* host = reader->file.host;
@@ -121,6 +130,10 @@ static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, b
         return swFail(host, SW_ERROR_NO_MEMORY, "No memory for an axis of %s.", reader->file.name);
     }
     swResult result = swReadNetcdfBlock(&reader->file, variable, &start, &count, places);
+    if (result == SW_SUCCESS && isEast && isLongitude(reader, variable))
+    {
+        swUnwrapLongitudes(places, count);
+    }
     double step = count > 1 ? (places[count - 1] - places[0]) / (double)(count - 1) : 1.0;
     if (result == SW_SUCCESS && !(isfinite(places[0]) && isfinite(step) && step != 0.0))
     {
@@ -243,7 +256,7 @@ swResult swReadNetcdfGrid(const swHost* host, const char* path, const swRasterFi
     {
         return swFail(host, SW_ERROR_FILE, "Cannot read %s as netCDF: %s", path, nc_strerror(code));
     }
-    swResult result = read(&reader, raster);
+    swResult result = swIsGmtGrid(&reader.file) ? swReadGmtGrid(&reader.file, def, raster) : read(&reader, raster);
     nc_close(reader.file.id);
     return result;
 }

@@ -143,6 +143,45 @@ static void findAxis(double* places, size_t count, swRasterAxis* axis)
     axis->spacing = span / cells;
 }
 
+// Whether x is a longitude: what the def says, or else numbers that can be nothing else.
+static bool hasLongitudes(const XyzGrid* xyz)
+{
+    const XyzPoint* points = xyz->points.data;
+    bool isPossible = true;
+    for (size_t i = 0; i < xyz->points.count && isPossible; ++i)
+    {
+        isPossible = fabs(points[i].x) <= 360.0 && fabs(points[i].y) <= 90.0;
+    }
+    return xyz->grid.def->coordinates == SW_RASTER_DEGREES ||
+           (xyz->grid.def->coordinates == SW_RASTER_BY_FILE && isPossible);
+}
+
+// Points on both sides of the 180th meridian: sorted, they leave a gap of more than half a turn. Those before it move
+// on by a turn. Where nobody says that x is a longitude, the two sides must also meet at the meridian.
+static void joinLongitudes(XyzGrid* xyz, double* places)
+{
+    size_t count = xyz->points.count;
+    XyzPoint* points = xyz->points.data;
+    for (size_t i = 0; i < count; ++i)
+    {
+        places[i] = points[i].x;
+    }
+    qsort(places, count, sizeof(double), compareNumbers);
+    bool isMeeting = places[0] + 360.0 - places[count - 1] <= 1.0;
+    for (size_t i = 1; i < count && (isMeeting || xyz->grid.def->coordinates == SW_RASTER_DEGREES); ++i)
+    {
+        double before = places[i - 1];
+        if (places[i] - before > 180.0)
+        {
+            for (size_t k = 0; k < count; ++k)
+            {
+                points[k].x += points[k].x <= before ? 360.0 : 0.0;
+            }
+            return;
+        }
+    }
+}
+
 static swResult findAxes(XyzGrid* xyz)
 {
     size_t count = xyz->points.count;
@@ -151,6 +190,10 @@ static swResult findAxes(XyzGrid* xyz)
     if (places == NULL)
     {
         return swFail(xyz->text.host, SW_ERROR_NO_MEMORY, "No memory for the points of %s.", xyz->text.name);
+    }
+    if (hasLongitudes(xyz))
+    {
+        joinLongitudes(xyz, places);
     }
     for (int side = 0; side < 2; ++side)
     {

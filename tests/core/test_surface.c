@@ -280,7 +280,8 @@ static void AConstantDepthTakesItsShareOfEachBand(void** state)
             const swTile* tile = &sea.query.tiles[t];
             float out[4], slope;
             swSampleTiles(sea.query.kernels, 1, tile, 1, &shaped.points[i], out, NULL);
-            double share = (double)Attenuate(NULL, 0, swGetTileWaveNumber(tile), 5.0f, &slope);
+            const swWaveGroup group = swGroupTile(tile);
+            double share = (double)Attenuate(NULL, &group, 5.0f, &slope);
             for (int c = 0; c < 3; ++c)
             {
                 expected[c] += share * (double)out[c];

@@ -233,5 +233,5 @@ int swMoment_QueryFields(const swMoment* moment, int count, const swPosXZ* point
         swRefuseFields(count, samples);
         return count > 0 ? count : 0;
     }
-    return swQueryFields(moment->frame, *moment->origin, samples->system.index1 - 1, count, points, samples);
+    return swFindFields(moment->frame, *moment->origin, samples->system.index1 - 1, count, points, samples);
 }

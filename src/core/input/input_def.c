@@ -10,16 +10,17 @@ static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "d
                                          "foam",  "albedo", "wind", "shadow", "body",         NULL};
 static const char* const fieldNames[] = {"sea floor", "water level", "flow", "waves",  "displacement",  "clip",
                                          "foam",      "colour",      "wind", "shadow", "body of water", NULL};
-static const char* const shapeWords[] = {"everywhere", "circle",   "rectangle", "polygon", "polyline", "spline",
-                                         "mesh",       "raster",   "particles", "function", "box",     "ellipsoid",
-                                         "cylinder",   "capsule",  "hull",      NULL};
+static const char* const shapeWords[] = {"everywhere", "circle",  "rectangle", "polygon",  "polyline", "spline",
+                                         "mesh",       "raster",  "particles", "function", "box",      "ellipsoid",
+                                         "cylinder",   "capsule", "hull",      NULL};
 static const char* const shapeNames[] = {"the whole sea", "circle",  "rectangle", "polygon",  "polyline", "spline",
                                          "mesh",          "raster",  "particles", "function", "box",      "ellipsoid",
                                          "cylinder",      "capsule", "hull",      NULL};
 static const char* const blendWords[] = {"add", "alpha", "multiply", "min", "max", "replace", NULL};
 static const char* const blendNames[] = {"added", "mixed", "multiplied", "the lesser", "the greater", "replaced", NULL};
 
-#define VALUES (SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_MESH) | SW_KIND(SW_SHAPE_FUNCTION))
+#define VALUES                                                                                                         \
+    (SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_MESH) | SW_KIND(SW_SHAPE_FUNCTION))
 #define PLACED (~SW_KIND(SW_SHAPE_EVERYWHERE))
 #define SIZED                                                                                                          \
     (SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYLINE) |                             \
@@ -89,7 +90,8 @@ static const swField inputFields[] = {
     SW_GIVEN(spline, .key = NULL, .label = "spline"),
     SW_GIVEN(points, .key = NULL, .label = "points"),
     SW_GIVEN(pointCount, .key = NULL, .label = "number of points"),
-    SW_GIVEN(pointCapacity, .key = NULL, .label = "room for points"),
+    SW_NUMBER(pointCapacity, "", SW_WITHIN(0.0, SW_MAX_INPUT_POINTS), 0.0, .key = NULL, .label = "room for points",
+              .use = SW_USE_STATE),
     SW_GIVEN(function, .key = NULL, .label = "function"),
     SW_GIVEN(functionContext, .key = NULL, .label = "function's context"),
     SW_GIVEN(functionFingerprint, .key = NULL, .label = "function's fingerprint"),
@@ -123,8 +125,8 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
-                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER);
+static const uint32_t knownShapes =
+    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trees of boxes. Records are sorted along a curve that keeps neighbours together [Morton 1966] and halved again and
+// Trees of boxes. Records are sorted along a curve that keeps neighbours together and halved again and
 // again. What is everywhere stands before the tree, so that it makes no other box larger. Which records are found
 // depends on their boxes alone, never on the tree's form.
 
@@ -65,8 +65,8 @@ static int buildNodes(const swIndexItem* items, int first, int end, swInputNode*
     if (end - first == 1)
     {
         const swIndexItem* item = &items[first];
-        nodes[at] = (swInputNode){item->box.minX, item->box.minZ, item->box.maxX, item->box.maxZ,
-                                  (uint32_t)at + 1, item->record, item->record,   item->record};
+        nodes[at] = (swInputNode){item->box.minX,   item->box.minZ, item->box.maxX, item->box.maxZ,
+                                  (uint32_t)at + 1, item->record,   item->record,   item->record};
         return at + 1;
     }
     int middle = first + (end - first) / 2;

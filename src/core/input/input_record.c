@@ -59,17 +59,17 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
 {
     switch (def->shape)
     {
-        case SW_SHAPE_CIRCLE:
-            placeCentred(record, def->size.x, def->size.x);
-            break;
-        case SW_SHAPE_RECTANGLE:
-            placeCentred(record, def->size.x, def->size.z);
-            break;
-        case SW_SHAPE_RASTER:
-            return placeRaster(def, data->raster, record);
-        default:
-            record->flags |= SW_INPUT_IS_BOUNDLESS;
-            break;
+    case SW_SHAPE_CIRCLE:
+        placeCentred(record, def->size.x, def->size.x);
+        break;
+    case SW_SHAPE_RECTANGLE:
+        placeCentred(record, def->size.x, def->size.z);
+        break;
+    case SW_SHAPE_RASTER:
+        return placeRaster(def, data->raster, record);
+    default:
+        record->flags |= SW_INPUT_IS_BOUNDLESS;
+        break;
     }
     return (swPosXZ){0.0, 0.0};
 }

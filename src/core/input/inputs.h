@@ -23,10 +23,10 @@ typedef struct swInputs
     swMemory* memory;
     const swIdPool* systemIds; // the world's
     double seaLevel;
-    swArray slots;    // swInput
-    int count;        // of inputs
-    uint64_t serials; // given so far
-    bool isChanged;   // records are to be made anew
+    swArray slots;     // swInput
+    int count;         // of inputs
+    uint64_t serials;  // given so far
+    bool isChanged;    // records are to be made anew
     swInputData* dead; // freed with the next step
 
     int capacity;    // of what follows, in inputs

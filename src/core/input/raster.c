@@ -154,10 +154,9 @@ swRasterInfo swRaster_GetInfo(const swRaster* raster)
 {
     SW_REQUIRE(raster != NULL, ((swRasterInfo){.name = "", .least = NAN, .most = NAN}), NULL,
                "swRaster_GetInfo() needs a raster");
-    return (swRasterInfo){raster->name, raster->width,        raster->height,   raster->x,
-                          raster->z,    raster->spacingX,     raster->spacingZ, raster->least,
-                          raster->most, raster->unknownCount, raster->memory,   raster->hash,
-                          raster->channels, raster->frames};
+    return (swRasterInfo){raster->name,     raster->width,    raster->height,   raster->x,     raster->z,
+                          raster->spacingX, raster->spacingZ, raster->least,    raster->most,  raster->unknownCount,
+                          raster->memory,   raster->hash,     raster->channels, raster->frames};
 }
 
 const float* swRaster_GetValues(const swRaster* raster)

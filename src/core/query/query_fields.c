@@ -177,8 +177,8 @@ static void answerBlock(const swFrame* frame, int system, const Block* block, co
     findRest(set, block, samples);
 }
 
-int swQueryFields(const swFrame* frame, swPosXZ origin, int system, int count, const swPosXZ* points,
-                  const swFieldSamples* samples)
+int swFindFields(const swFrame* frame, swPosXZ origin, int system, int count, const swPosXZ* points,
+                 const swFieldSamples* samples)
 {
     int badCount = 0;
     Block block = {0};

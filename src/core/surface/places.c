@@ -169,8 +169,7 @@ static bool isPointPlain(const swPlaceBlock* block, const swWaveGroup* group, in
     }
     float slope = 0.0f;
     return (block->touched & SW_TOUCHES_DEPTH) == 0 ||
-           (places->attenuate(places->context, group, block->depth[i], &slope) == 1.0f &&
-            slope == 0.0f);
+           (places->attenuate(places->context, group, block->depth[i], &slope) == 1.0f && slope == 0.0f);
 }
 
 bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain)

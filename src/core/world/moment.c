@@ -315,6 +315,10 @@ static void showList(swOwnMoment* moment)
 swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double time)
 {
     const swWaves* waves = source->waves;
+    if (source->frame->inputs->recordCount > 0)
+    {
+        return swFail(source->host, SW_ERROR_UNSUPPORTED, "a moment cannot hold inputs yet, and the world has some");
+    }
     int64_t ticks = (int64_t)floor(time * SW_TICKS_PER_SECOND + 0.5);
     swShown shown;
     swFindShown(waves, time, ticks, &shown);

@@ -95,6 +95,11 @@ swResult swStreamState(swWorld* world, swStream* stream)
     Clocks clocks = getClocks(world);
     swSetList list = {0};
     swPos last[SW_MAX_VIEWS];
+    if (world->inputs.count > 0)
+    {
+        return swFail(&world->host, SW_ERROR_UNSUPPORTED,
+                      "a saved world cannot hold inputs yet, and the world has some");
+    }
     streamClocks(stream, world, &clocks);
     if (stream->isBroken)
     {

@@ -8,8 +8,8 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
-#include "core/input/wind.h"
 #include "core/input/inputs.h"
+#include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
 #include "core/waves/waves.h"
@@ -42,8 +42,8 @@ struct swWorld
     swIdPool systemIds; // of the slots of the waves' systems
     swWaves waves;
     swWhitecaps whitecaps;
-    swWind wind;
     swInputs inputs;
+    swWind wind;
 
     swView* views[SW_MAX_VIEWS];
     int viewCount;

@@ -133,7 +133,7 @@ swResult swCreateComputePipeline(swGpu* gpu, const swShader* shader, const void*
 static VkPipelineColorBlendAttachmentState blendState(swBlend blend)
 {
     VkPipelineColorBlendAttachmentState state = {
-        .blendEnable = blend != SW_BLEND_NONE,
+        .blendEnable = blend != SW_DRAWS_OVER,
         .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
         .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
         .colorBlendOp = VK_BLEND_OP_ADD,
@@ -143,11 +143,11 @@ static VkPipelineColorBlendAttachmentState blendState(swBlend blend)
         .colorWriteMask =
             VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT,
     };
-    if (blend == SW_BLEND_ALPHA)
+    if (blend == SW_DRAWS_ALPHA)
     {
         state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
     }
-    if (blend == SW_BLEND_ADD)
+    if (blend == SW_DRAWS_ADDED)
     {
         state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
         state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;

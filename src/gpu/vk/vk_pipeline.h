@@ -51,10 +51,10 @@ swResult swCreateComputePipeline(swGpu* gpu, const swShader* shader, const void*
 
 typedef enum swBlend
 {
-    SW_BLEND_NONE,
-    SW_BLEND_ALPHA,         // source alpha over
-    SW_BLEND_PREMULTIPLIED, // source + (1 - source alpha) destination
-    SW_BLEND_ADD
+    SW_DRAWS_OVER,
+    SW_DRAWS_ALPHA,         // source alpha over
+    SW_DRAWS_PREMULTIPLIED, // source + (1 - source alpha) destination
+    SW_DRAWS_ADDED
 } swBlend;
 
 // Vertex-less: vertices come from gl_VertexIndex and storage buffers. Dynamic rendering, one colour target, viewport
