@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "hull", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "input", "wind_sea", "hull", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {

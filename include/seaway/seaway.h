@@ -22,4 +22,5 @@
 #include "view.h"
 #include "waves.h"
 #include "wind.h"
+#include "wind_sea.h"
 #include "world.h"
