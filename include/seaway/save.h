@@ -44,9 +44,9 @@ SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size
 /// since is gone. Allocates nothing, and costs a step.
 ///
 /// The world must still have all waves of that state, and the same views: it goes back over weights, fades, jumps in
-/// time, and over systems that were made; not over a step after a system was destroyed or given other waves, nor over
-/// the end of such a change. That is refused with a sentence in the log; make another world by swRestoreWorld() then. A
-/// refusal changes nothing.
+/// time, and over systems that were made; not over a step after a system was destroyed, given other waves or another
+/// current, nor over the end of such a change. That is refused with a sentence in the log; make another world by
+/// swRestoreWorld() then. A refusal changes nothing.
 /// @return SW_ERROR_FORMAT, SW_ERROR_UNSUPPORTED if the world has other waves, views or another def
 SW_API swResult swWorld_Rewind(swWorld* world, const void* data, size_t size);
 

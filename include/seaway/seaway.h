@@ -19,6 +19,7 @@
 #include "save.h"
 #include "sea.h"
 #include "spectrum.h"
+#include "spline.h"
 #include "view.h"
 #include "waves.h"
 #include "wind.h"

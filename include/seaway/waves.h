@@ -25,6 +25,9 @@ typedef struct swWorld swWorld;
 #define SW_MAX_TILES 128
 #define SW_MAX_FREE_WAVES 1024
 
+/// Fastest current that may carry the waves of a system, m/s.
+#define SW_MAX_CURRENT 100.0f
+
 /// Longest time that a change may take, s.
 #define SW_MAX_TRANSITION 86400.0
 
@@ -105,6 +108,13 @@ typedef struct swWaveSystemDef
     /// shore only. Range [0, 1e4]. Default 0: by their lengths alone.
     float shallowsDepth;
 
+    /// Velocity of a current that carries all of the system's waves, m/s along x and z: their frequencies become
+    /// omega + k . U, exactly, and a wave that runs against it stands still where U is its speed. The waves alone: the
+    /// water's own velocity is what SW_INPUT_FLOW says, see docs/flow.md. A change of the current never moves the
+    /// waves, whether it takes time or none; afterwards the sea depends on when it came. A sea with a loop loops as
+    /// seen from the moving water. Range [-SW_MAX_CURRENT, SW_MAX_CURRENT]. Default 0, 0.
+    float currentX, currentZ;
+
     /// The waves are only where inputs of SW_INPUT_WAVES give them weight, see input.h. Default false: they are
     /// everywhere, but for what inputs take from them.
     bool isLocal;
@@ -141,7 +151,7 @@ SW_API bool swWaveSystem_IsValid(const swWorld* world, swWaveSystemId id);
 
 /// Change anything about a system. Over `seconds` of the world's time, from its last step on, the sea turns into the
 /// new one without a jump; 0 changes it with the next step. Afterwards the surface is that of the def alone: a def that
-/// is changed and changed back gives the same bits at the same time.
+/// is changed and changed back gives the same bits at the same time, unless its current changed in between.
 ///
 /// Where only amplitudes differ (spectrum, wavelengths, chop, weight), each wave keeps its phase and changes its
 /// height, which costs no more than a sea that stays. Changes of seed, tiles, depth, loop or method cross-fade two seas

@@ -24,7 +24,8 @@ typedef swVec4 sw_vec4;
     static_assert(offsetof(name, member) % 16 == 0, #name "." #member " differs between C and GLSL")
 #define SW_FORMULA static inline
 #define SW_FLOAT(x) ((float)(x))
-#define SW_UINT(x) ((uint32_t)(x))
+#define SW_UINT(x) ((sw_uint)(x))
+#define SW_INT(x) ((sw_int)(x))
 
 #else
 
@@ -39,6 +40,7 @@ typedef swVec4 sw_vec4;
 #define SW_FORMULA
 #define SW_FLOAT(x) float(x)
 #define SW_UINT(x) uint(x)
+#define SW_INT(x) int(x)
 
 #endif
 #endif

@@ -49,6 +49,8 @@ typedef struct Fixture
     swSeaPatches* seaPatches;
     swRaster* raster;
     swRasterDef rasterDef;
+    swSpline* spline;
+    swSplineDef splineDef;
     swFieldSamples fieldSamples;
     swInputId inputId, staleInputId;
     swHull* hull;
@@ -104,6 +106,7 @@ typedef struct Fixture
 #define FIX_swVolumeSamples (&f->volume)
 #define FIX_swHeightMapDef (&f->map)
 #define FIX_swRasterDef (&f->rasterDef)
+#define FIX_swSplineDef (&f->splineDef)
 #define FIX_swHullDef (&f->hullDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
@@ -239,6 +242,13 @@ static inline void MakeWorld(Fixture* f)
     f->hullDef.indices = faces;
     f->hullDef.resolution = 8;
     Need(swCreateHull(&f->host, &f->hullDef, &f->hull), "hull");
+    static swSplinePoint points[2];
+    points[0] = swDefaultSplinePoint(0.0, 0.0, 0.0);
+    points[1] = swDefaultSplinePoint(9.0, 0.0, 0.0);
+    f->splineDef = swDefaultSplineDef();
+    f->splineDef.points = points;
+    f->splineDef.pointCount = 2;
+    Need(swCreateSpline(&f->host, &f->splineDef, &f->spline), "spline");
     Need(swCreateSeaPatches(&f->host, 16.0, 64.0, &f->seaPatches), "patches");
     Need(swCreateTaskPool(&f->host, 0, &f->taskPool), "task pool");
 }

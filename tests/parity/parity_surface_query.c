@@ -359,6 +359,26 @@ static void MotionOfAGaleAndOfFreeWavesAgrees(void** state)
     FreeParity(&parity);
 }
 
+// Tiles and free waves in currents, an hour on.
+static void SeasInCurrentsAgree(void** state)
+{
+    Parity parity = MakeMovingParity(state);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.currentX = 2.0f;
+    def.currentZ = -0.7f;
+    AddParitySea(&parity, &def);
+    def.method = SW_WAVES_GERSTNER;
+    def.componentsPerOctave = 2;
+    def.minWavelength = 4.0f;
+    def.currentX = -1.0f;
+    AddParitySea(&parity, &def);
+    swGpuQuery* query =
+        AskMotion(&parity, 5000, SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION, (swPosXZ){1e6, 0.0});
+    StepParity(&parity, 3599.3);
+    CheckMotion(&parity, query, "in currents", 5000);
+    FreeParity(&parity);
+}
+
 static void MotionOfASeaThatChangesAgrees(void** state)
 {
     Parity parity = MakeMovingParity(state);
@@ -719,6 +739,7 @@ int main(void)
         cmocka_unit_test(AWarmQueryAllocatesNothing),
         cmocka_unit_test(ParticlesMoveAsTheCoresDo),
         cmocka_unit_test(MotionOfAGaleAndOfFreeWavesAgrees),
+        cmocka_unit_test(SeasInCurrentsAgree),
         cmocka_unit_test(MotionOfASeaThatChangesAgrees),
         cmocka_unit_test(MotionIsMadeOnlyWhereAskedFor),
     };

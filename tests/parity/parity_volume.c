@@ -153,6 +153,7 @@ static void ShallowWaterMovesAsTheCoresDoes(void** state)
     swWaveSystemDef sea = swDefaultWaveSystemDef();
     sea.spectrum.depth = 8.0f;
     sea.minWavelength = 1.0f;
+    sea.currentX = 1.0f;
     AddParitySea(&parity, &sea);
     swGpuQueryDef def = MakeDef(1000);
     CheckPlaces(&parity, &def, "8 m of water", (swPosXZ){0.0, 0.0}, -8.0);

@@ -56,6 +56,43 @@ static inline int64_t swGetTicksBetween(int64_t from, int64_t to)
     return isTooLong ? INT64_MAX : to - from;
 }
 
+// How far a current has carried waves: the path of a velocity that runs evenly from one to another. A wave of h(x, t)
+// in still water is h(x - path(t), t) in the current, so that its frequency becomes omega + k . U, with no float that
+// grows. Before the change the velocity is the first.
+typedef struct swDrift
+{
+    int64_t begin, length;        // of the change, in ticks
+    double x, z;                  // of the path at its beginning, m
+    float fromX, fromZ, toX, toZ; // m/s
+} swDrift;
+
+static inline bool swIsDriftStill(const swDrift* drift)
+{
+    return drift->x == 0.0 && drift->z == 0.0 && drift->fromX == 0.0f && drift->fromZ == 0.0f && drift->toX == 0.0f &&
+           drift->toZ == 0.0f;
+}
+
+static inline double swFollowDrift(double from, double to, double passed, double length)
+{
+    double during = passed < 0.0 ? 0.0 : passed < length ? passed : length;
+    double bend = length > 0.0 ? 0.5 * (to - from) * during * during / length : 0.0;
+    return from * (passed < 0.0 ? passed : during) + bend + to * (passed - during > 0.0 ? passed - during : 0.0);
+}
+
+// The path at a time, m.
+static inline swPosXZ swFindDrift(const swDrift* drift, int64_t ticks)
+{
+    swPosXZ path = {0.0, 0.0};
+    if (!swIsDriftStill(drift))
+    {
+        double passed = ((double)ticks - (double)drift->begin) / SW_TICKS_PER_SECOND;
+        double length = (double)drift->length / SW_TICKS_PER_SECOND;
+        path.x = drift->x + swFollowDrift((double)drift->fromX, (double)drift->toX, passed, length);
+        path.z = drift->z + swFollowDrift((double)drift->fromZ, (double)drift->toZ, passed, length);
+    }
+    return path;
+}
+
 typedef struct swTile
 {
     int system;        // index of the wave system, of several that share the tile the first
@@ -70,7 +107,9 @@ typedef struct swTile
     float slopeVarianceX, slopeVarianceZ; // E[(dh/dx)^2], E[(dh/dz)^2], with weight
     swStrain strain;                      // with weight
     float depth;                          // m, of the waves' dispersion
-    swAttenuation attenuation;            // over a floor
+    swDrift drift;
+    double shiftX, shiftZ;     // its path at the time of the texels, m, in [0, side)
+    swAttenuation attenuation; // over a floor
     int modeCount;
     const swMode* modes;      // ordered by qz, then qx
     uint32_t spectrumVersion; // changes when modes do
@@ -94,6 +133,7 @@ typedef struct swFreeWave
     float depth;           // m
     swAttenuation attenuation;
     int system;
+    swDrift drift;
 } swFreeWave;
 
 // One slice of a view, snapped. See swSliceInfo.
@@ -196,6 +236,32 @@ static inline int64_t swGetFreeWaveTicks(const swFreeWave* wave, int64_t ticks)
     }
     int64_t rest = ticks % wave->loopTicks;
     return rest < 0 ? rest + wave->loopTicks : rest;
+}
+
+// A fraction of a turn, of 2^32.
+static inline uint32_t swGetFractionOfTurn(double turns)
+{
+    return (uint32_t)(int64_t)floor((turns - floor(turns)) * 4294967296.0);
+}
+
+// What a free wave's theta has lost since tick 0, a fraction of 2^32.
+static inline uint32_t swGetPassedTurns(const swFreeWave* wave, int64_t ticks)
+{
+    uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
+    if (swIsDriftStill(&wave->drift))
+    {
+        return passed;
+    }
+    swPosXZ path = swFindDrift(&wave->drift, ticks);
+    return passed + swGetFractionOfTurn(wave->turnsX * path.x + wave->turnsZ * path.z);
+}
+
+// Where a current has carried a tile's waves at a time, in [0, side).
+static inline swPosXZ swGetTileShift(const swTile* tile, int64_t ticks)
+{
+    swPosXZ path = swFindDrift(&tile->drift, ticks);
+    return (swPosXZ){path.x - floor(path.x / tile->side) * tile->side,
+                     path.z - floor(path.z / tile->side) * tile->side};
 }
 
 // Variance of one free wave's slope.

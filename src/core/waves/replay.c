@@ -10,7 +10,7 @@ swWaveSystemDef swMakeRecordDef(const swWaveSystemDef* waves, const swSpectrumTa
 }
 
 // One of the sets that the replay holds, or a new one; counted as used once more.
-static swResult acquireRecord(swWaves* waves, swReplay* replay, int index, swWaveSet** set)
+static swResult acquireRecord(swWaves* waves, swReplay* replay, int slot, int index, swWaveSet** set)
 {
     for (int i = 0; i < 2; ++i)
     {
@@ -23,7 +23,8 @@ static swResult acquireRecord(swWaves* waves, swReplay* replay, int index, swWav
     }
     swMeasuredRecord record = swMeasuredSea_GetRecord(replay->sea, index);
     swWaveSystemDef def = swMakeRecordDef(&replay->waves, &record.table);
-    return swAcquireSet(waves, -1, &def, set);
+    swDrift drift = swPlanDrift(waves, slot, &def, 0.0);
+    return swAcquireSet(waves, -1, &def, &drift, set);
 }
 
 static void releaseSets(swWaves* waves, swWaveSet* sets[2])
@@ -43,8 +44,8 @@ static swResult changePair(swWaves* waves, swReplay* replay, int slot, int befor
 {
     swWaveSet* sets[2] = {NULL, NULL};
     swWaveSet* shown = NULL;
-    swResult result = acquireRecord(waves, replay, before, &sets[0]);
-    result = result == SW_SUCCESS ? acquireRecord(waves, replay, after, &sets[1]) : result;
+    swResult result = acquireRecord(waves, replay, slot, before, &sets[0]);
+    result = result == SW_SUCCESS ? acquireRecord(waves, replay, slot, after, &sets[1]) : result;
     if (result == SW_SUCCESS && sets[0] != sets[1])
     {
         result = swMixSets(waves, sets[0], 0.0f, sets[1], &shown);

@@ -16,7 +16,7 @@ void swClearTileList(swTileList* list)
     list->waveCount = 0;
 }
 
-static void addTile(swTileList* list, const swShownSet* shown, const swBandModes* bands, int index)
+static void addTile(swTileList* list, const swShownSet* shown, const swBandModes* bands, int index, int64_t ticks)
 {
     const swWaveSet* set = shown->set;
     const swBandModes* band = &bands[index];
@@ -37,6 +37,7 @@ static void addTile(swTileList* list, const swShownSet* shown, const swBandModes
         .slopeVarianceZ = band->slopeVarianceZ * square,
         .strain = band->strain,
         .depth = band->depth,
+        .drift = set->drift,
         .attenuation = swGetSetAttenuation(set, shown->share),
         .modeCount = band->modeCount,
         .modes = band->modes,
@@ -47,6 +48,9 @@ static void addTile(swTileList* list, const swShownSet* shown, const swBandModes
         .acceleration = set->texels[SW_TEXELS_ACCELERATION][index],
     };
     swScaleStrain(&tile->strain, square);
+    swPosXZ shift = swGetTileShift(tile, ticks);
+    tile->shiftX = shift.x;
+    tile->shiftZ = shift.z;
     for (int field = 0; field < SW_TEXELS_COUNT; ++field)
     {
         list->texels[list->tileCount][field] = set->texels[field][index];
@@ -54,7 +58,7 @@ static void addTile(swTileList* list, const swShownSet* shown, const swBandModes
     list->tileCount += 1;
 }
 
-static void listTiles(swTileList* list, const swShownSet* shown, const swBandModes* bands)
+static void listTiles(swTileList* list, const swShownSet* shown, const swBandModes* bands, int64_t ticks)
 {
     int first = list->tileCount;
     for (int i = 0; i < SW_SET_TILES; ++i)
@@ -62,7 +66,7 @@ static void listTiles(swTileList* list, const swShownSet* shown, const swBandMod
         int tile = i % SW_BAND_TILES * SW_MAX_BANDS + i / SW_BAND_TILES; // band by band
         if (bands[tile].modeCount > 0)
         {
-            addTile(list, shown, bands, tile);
+            addTile(list, shown, bands, tile, ticks);
         }
     }
     for (int tile = first; tile < list->tileCount; tile += 2)
@@ -91,16 +95,17 @@ static void listWaves(swTileList* list, const swShownSet* shown)
         list->waves[at].amplitude = set->waves[added].amplitude * shown->weight;
         list->waves[at].attenuation = swGetSetAttenuation(set, shown->share);
         list->waves[at].system = shown->system;
+        list->waves[at].drift = set->drift;
         added -= 1;
     }
     list->waveCount = total;
 }
 
-void swListSet(swTileList* list, const swShownSet* shown, const swBandModes* bands)
+void swListSet(swTileList* list, const swShownSet* shown, const swBandModes* bands, int64_t ticks)
 {
     if (shown->weight != 0.0f)
     {
-        listTiles(list, shown, bands);
+        listTiles(list, shown, bands, ticks);
         listWaves(list, shown);
     }
 }

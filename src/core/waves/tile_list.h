@@ -54,8 +54,8 @@ typedef struct swTileList
 } swTileList;
 
 void swClearTileList(swTileList* list);
-// A set's tiles, of `bands` (its own, or a copy at another share of its mix), and its free waves.
-void swListSet(swTileList* list, const swShownSet* shown, const swBandModes* bands);
+// For a time: a set's tiles, of `bands` (its own, or a copy at another share of its mix), and its free waves.
+void swListSet(swTileList* list, const swShownSet* shown, const swBandModes* bands, int64_t ticks);
 
 static inline int swCountTransforms(const swTileList* list)
 {

@@ -65,6 +65,10 @@ static const swField systemFields[] = {
     SW_NUMBER(shallowsDepth, "m", SW_WITHIN(0.0, 1e4), 0.0, .key = "shallows_depth_m", .label = "shallows end",
               .tip = "Deeper water attenuates none of them, however long", .zero = "by their lengths",
               SW_LOG_KNOB(1.0, 1000.0)),
+    SW_NUMBER(currentX, "m/s", SW_WITHIN(-SW_MAX_CURRENT, SW_MAX_CURRENT), 0.0, .key = "current_x_m_s",
+              .label = "current along x", .tip = "A current that carries all of these waves, by x", SW_KNOB(-5.0, 5.0)),
+    SW_NUMBER(currentZ, "m/s", SW_WITHIN(-SW_MAX_CURRENT, SW_MAX_CURRENT), 0.0, .key = "current_z_m_s",
+              .label = "current along z", .tip = "A current that carries all of these waves, by z", SW_KNOB(-5.0, 5.0)),
     SW_SWITCH(isLocal, false, .key = "is_local", .label = "local",
               .tip = "Its waves are only where an input gives them weight"),
     SW_NUMBER(loopPeriod, "s", SW_WITHIN(0.0, SW_LARGEST_TIME), 0.0, .key = "loop_period_s", .label = "loop",
@@ -138,5 +142,7 @@ bool swAreSameWaves(const swWaveSystemDef* a, const swWaveSystemDef* b)
 {
     swWaveSystemDef other = *b;
     other.weight = a->weight;
+    other.currentX = a->currentX;
+    other.currentZ = a->currentZ;
     return swIsSameDef(&swWaveSystemFields, a, &other) && swIsSameTable(&a->spectrum, &b->spectrum);
 }

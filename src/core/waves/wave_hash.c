@@ -51,6 +51,20 @@ static void addAttenuation(swHash* hash, swAttenuation attenuation)
     }
 }
 
+// Of still water nothing, likewise.
+static void addDrift(swHash* hash, const swDrift* drift)
+{
+    if (!swIsDriftStill(drift))
+    {
+        const float speeds[4] = {drift->fromX, drift->fromZ, drift->toX, drift->toZ};
+        swAddHash(hash, (uint64_t)drift->begin);
+        swAddHash(hash, (uint64_t)drift->length);
+        swAddHashDouble(hash, drift->x);
+        swAddHashDouble(hash, drift->z);
+        swAddHashFloats(hash, speeds, 4);
+    }
+}
+
 uint64_t swHashSet(const swWaveSet* set)
 {
     swHash hash = swBeginHash();
@@ -68,6 +82,7 @@ uint64_t swHashSet(const swWaveSet* set)
         swAddHashFreeWave(&hash, &set->waves[i]);
     }
     addAttenuation(&hash, swGetSetAttenuation(set, 1.0f));
+    addDrift(&hash, &set->drift);
     if (set->mix != NULL)
     {
         addAttenuation(&hash, set->attenuationBefore);

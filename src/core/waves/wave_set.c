@@ -58,7 +58,13 @@ void swFreeRetiredSets(swWaves* waves)
 
 // ---- the same def ----
 
-static swWaveSet* findSet(swWaves* waves, int own, const swWaveSystemDef* def)
+static bool areSameDrifts(const swDrift* a, const swDrift* b)
+{
+    return a->begin == b->begin && a->length == b->length && a->x == b->x && a->z == b->z && a->fromX == b->fromX &&
+           a->fromZ == b->fromZ && a->toX == b->toX && a->toZ == b->toZ;
+}
+
+static swWaveSet* findSet(swWaves* waves, int own, const swWaveSystemDef* def, const swDrift* drift)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
@@ -66,7 +72,7 @@ static swWaveSet* findSet(swWaves* waves, int own, const swWaveSystemDef* def)
         {
             swWaveSet* set = waves->systems[slot].parts[i].set;
             set = set->mix != NULL ? set->to : set;
-            if (swAreSameWaves(&set->def, def))
+            if (swAreSameWaves(&set->def, def) && areSameDrifts(&set->drift, drift))
             {
                 return set;
             }
@@ -206,9 +212,19 @@ static void numberSet(swWaves* waves, swWaveSet* set)
     set->useCount = 1;
 }
 
-swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, swWaveSet** out)
+void swTurnSet(swWaves* waves, swWaveSet* set, const swWaveSystemDef* def, const swDrift* drift)
 {
-    swWaveSet* set = findSet(waves, slot, def);
+    set->def.currentX = def->currentX;
+    set->def.currentZ = def->currentZ;
+    set->drift = *drift;
+    set->hash = swHashSet(set);
+    set->identity = swIdentifySet(set);
+    waves->isChanged = true;
+}
+
+swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** out)
+{
+    swWaveSet* set = findSet(waves, slot, def, drift);
     if (set != NULL)
     {
         set->useCount += 1;
@@ -220,6 +236,7 @@ swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, swWa
     {
         return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
+    set->drift = *drift;
     swResult result = makeWaves(waves, set);
     if (result != SW_SUCCESS)
     {
@@ -246,6 +263,7 @@ swResult swMixSets(swWaves* waves, swWaveSet* from, float share, swWaveSet* to, 
         return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
     set->def = to->def;
+    set->drift = to->drift;
     set->attenuationBefore = swGetSetAttenuation(from, share);
     memcpy(set->response, to->response, sizeof set->response);
     swResult result = swMakeModeMix(&waves->memory->host, from->bands, to->bands, set->response, set->bands, &set->mix);
@@ -307,6 +325,7 @@ swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet*
         return failSet(waves, set, SW_ERROR_NO_MEMORY);
     }
     set->def = *def;
+    set->drift = to->drift;
     memcpy(set->response, to->response, sizeof set->response);
     streamAttenuation(stream, &set->attenuationBefore);
     swResult result = swStreamModeMix(stream, host, def->tileWaves, def->resolution, set->bands, &set->mix);

@@ -103,10 +103,40 @@ static void warnOfTwins(swWaves* waves, int slot, const swWaveSet* set)
     }
 }
 
+// Of a system that has waves the path goes on from where it is; that of a new one began at time 0.
+swDrift swPlanDrift(const swWaves* waves, int slot, const swWaveSystemDef* def, double seconds)
+{
+    const swWaveSystem* system = &waves->systems[slot];
+    if (system->partCount == 0)
+    {
+        return (swDrift){.fromX = def->currentX, .fromZ = def->currentZ, .toX = def->currentX, .toZ = def->currentZ};
+    }
+    const swDrift* before = &system->parts[system->partCount - 1].set->drift;
+    if (before->toX == def->currentX && before->toZ == def->currentZ)
+    {
+        return *before;
+    }
+    double passed = (double)swGetTicksBetween(before->begin, waves->ticks);
+    bool isOver = passed >= (double)before->length;
+    float part = isOver ? 1.0f : passed > 0.0 ? (float)(passed / (double)before->length) : 0.0f;
+    swPosXZ path = swFindDrift(before, waves->ticks);
+    return (swDrift){
+        .begin = waves->ticks,
+        .length = (int64_t)floor(seconds * SW_TICKS_PER_SECOND + 0.5),
+        .x = path.x,
+        .z = path.z,
+        .fromX = before->fromX + (before->toX - before->fromX) * part,
+        .fromZ = before->fromZ + (before->toZ - before->fromZ) * part,
+        .toX = def->currentX,
+        .toZ = def->currentZ,
+    };
+}
+
 swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def)
 {
     swWaveSet* set = NULL;
-    swResult result = swAcquireSet(waves, slot, def, &set);
+    swDrift drift = swPlanDrift(waves, slot, def, 0.0);
+    swResult result = swAcquireSet(waves, slot, def, &drift, &set);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -260,13 +290,19 @@ static swResult changeWaves(swWaves* waves, int slot, swWaveSet* set, double sec
 swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, double seconds)
 {
     const swWaveSystem* system = &waves->systems[slot];
+    swWaveSet* newest = system->parts[system->partCount - 1].set;
+    swDrift drift = swPlanDrift(waves, slot, def, seconds);
+    bool isOwn = newest->mix == NULL && newest->useCount == 1;
+    if (isOwn && swAreSameWaves(&newest->def, def))
+    {
+        swTurnSet(waves, newest, def, &drift); // a current that changes in every step costs nothing
+    }
     swWaveSet* set = NULL;
-    swResult result = swAcquireSet(waves, slot, def, &set);
+    swResult result = swAcquireSet(waves, slot, def, &drift, &set);
     if (result != SW_SUCCESS)
     {
         return result;
     }
-    const swWaveSet* newest = system->parts[system->partCount - 1].set;
     if (set != newest && set != newest->to)
     {
         result = changeWaves(waves, slot, set, seconds);

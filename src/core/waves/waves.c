@@ -76,7 +76,7 @@ void swDeriveWaves(swWaves* waves, swFrame* frame)
     swClearTileList(list);
     for (int i = 0; i < shown.count; ++i)
     {
-        swListSet(list, &shown.sets[i], shown.sets[i].set->bands);
+        swListSet(list, &shown.sets[i], shown.sets[i].set->bands, waves->ticks);
     }
     frame->tileCount = list->tileCount;
     frame->tiles = list->tiles;

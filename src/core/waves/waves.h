@@ -24,6 +24,7 @@ struct swWaveSet
     uint64_t hash;       // of its waves at weight 1, or of what a mix is made from; part of digests
     uint64_t identity;   // the same and all else that decides what the set answers; by it saved sets are known
     swWaveSystemDef def; // its table and components are in `copies`
+    swDrift drift;
     void* copies;
     size_t copiesSize;
 
@@ -114,7 +115,9 @@ void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* show
 // wave_set.c
 // One that is there, or a new one. A local system shares its waves with no other, since places weigh them apart: of such
 // only those of the system at `slot` itself are taken; -1: a new one.
-swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, swWaveSet** set);
+swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** set);
+// Of a set that nobody else uses.
+void swTurnSet(swWaves* waves, swWaveSet* set, const swWaveSystemDef* def, const swDrift* drift);
 swResult swMixSets(swWaves* waves, swWaveSet* from, float share, swWaveSet* to,
                    swWaveSet** mix); // SW_ERROR_UNSUPPORTED: phases differ
 swResult swStreamMix(swWaves* waves, swStream* stream, swWaveSet* to, swWaveSet** set); // a mix that becomes `to`
@@ -132,7 +135,9 @@ void swFreeAllSystems(swWaves* waves);
 void swRampWeight(swWaves* waves, int slot, float weight, double seconds);
 swResult swShowSet(swWaves* waves, int slot, swWaveSet* set);                          // as the only part, at once
 void swSharePart(swWaves* waves, int slot, float share, const swRecordClock* records); // by a replay
-void swStopRecords(swWaves* waves, int slot);                      // a replay leaves the system as it is
+void swStopRecords(swWaves* waves, int slot); // a replay leaves the system as it is
+// How the waves of a system are carried on under a def that it gets now.
+swDrift swPlanDrift(const swWaves* waves, int slot, const swWaveSystemDef* def, double seconds);
 const swWaveSystemDef* swGetSystemDef(const swWaveSystem* system); // what was asked for last
 // Tiles and free waves of some systems; a sentence in the log if there are too many.
 bool swIsWithinLimits(const swWaves* waves, const swWaveSystem systems[SW_MAX_WAVE_SYSTEMS]);

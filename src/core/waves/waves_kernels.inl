@@ -503,8 +503,8 @@ static void listPlaces(int count, const swPosXZ* points, double* u)
 }
 
 // Add one tile to the sums of `count` points.
-static void addTile(const swTile* tile, const float* texels, int count, const double* u, bool withSlopes, Cells* cells,
-                    swPointSums* sums)
+static void addTileAt(const swTile* tile, const float* texels, int count, const double* u, bool withSlopes,
+                      Cells* cells, swPointSums* sums)
 {
     double scale = tile->resolution / tile->side;
     int pitch4 = (tile->resolution + 3) * 4;
@@ -532,6 +532,30 @@ static void addTile(const swTile* tile, const float* texels, int count, const do
             }
         }
     }
+}
+
+// One that a current has carried. Not inlined, for the sake of the stack.
+__attribute__((noinline)) static void addCarriedTile(const swTile* tile, const float* texels, int count,
+                                                     const double* u, bool withSlopes, Cells* cells, swPointSums* sums)
+{
+    double moved[2 * POINT_BLOCK];
+    for (int i = 0; i < padToEight(count); ++i)
+    {
+        moved[2 * i] = u[2 * i] - tile->shiftX;
+        moved[2 * i + 1] = u[2 * i + 1] - tile->shiftZ;
+    }
+    addTileAt(tile, texels, count, moved, withSlopes, cells, sums);
+}
+
+static void addTile(const swTile* tile, const float* texels, int count, const double* u, bool withSlopes, Cells* cells,
+                    swPointSums* sums)
+{
+    if (tile->shiftX != 0.0 || tile->shiftZ != 0.0)
+    {
+        addCarriedTile(tile, texels, count, u, withSlopes, cells, sums);
+        return;
+    }
+    addTileAt(tile, texels, count, u, withSlopes, cells, sums);
 }
 
 static const float* getFieldTexels(const swTile* tile, int field)

@@ -68,8 +68,8 @@ static inline void addPoint(const Columns* columns, int column, const Weights* w
 }
 
 // Add one tile to the sums of a row if its points lie close enough. Not inlined, for the sake of the stack.
-__attribute__((noinline)) static bool addTileRow(const swTile* tile, const float* texels, int count, const double* x,
-                                                 double z, bool withSlopes, swPointSums* sums)
+__attribute__((noinline)) static bool addTileRowAt(const swTile* tile, const float* texels, int count, const double* x,
+                                                   double z, bool withSlopes, swPointSums* sums)
 {
     double scale = tile->resolution / tile->side;
     Cells cells;
@@ -98,6 +98,21 @@ __attribute__((noinline)) static bool addTileRow(const swTile* tile, const float
         }
     }
     return true;
+}
+
+static bool addTileRow(const swTile* tile, const float* texels, int count, const double* x, double z, bool withSlopes,
+                       swPointSums* sums)
+{
+    if (tile->shiftX == 0.0 && tile->shiftZ == 0.0)
+    {
+        return addTileRowAt(tile, texels, count, x, z, withSlopes, sums);
+    }
+    double moved[POINT_BLOCK];
+    for (int i = 0; i < (count + 15) / 16 * 16; ++i)
+    {
+        moved[i] = x[i] - tile->shiftX;
+    }
+    return addTileRowAt(tile, texels, count, moved, z - tile->shiftZ, withSlopes, sums);
 }
 
 // The same tile, as points that lie anywhere.

@@ -143,6 +143,27 @@ void swListSets(const swWaves* waves, swSetList* list)
     }
 }
 
+static void streamDrift(swStream* stream, swDrift* drift)
+{
+    swStreamI64(stream, &drift->begin);
+    swStreamI64(stream, &drift->length);
+    swStreamF64(stream, &drift->x);
+    swStreamF64(stream, &drift->z);
+    swStreamF32(stream, &drift->fromX);
+    swStreamF32(stream, &drift->fromZ);
+    swStreamF32(stream, &drift->toX);
+    swStreamF32(stream, &drift->toZ);
+    const float speeds[4] = {drift->fromX, drift->fromZ, drift->toX, drift->toZ};
+    bool isFine = drift->begin <= SW_LARGEST_TICKS && drift->begin >= -SW_LARGEST_TICKS && drift->length >= 0 &&
+                  drift->length <= (int64_t)(SW_MAX_TRANSITION * SW_TICKS_PER_SECOND) && fabs(drift->x) < 1e14 &&
+                  fabs(drift->z) < 1e14;
+    for (int i = 0; i < 4; ++i)
+    {
+        isFine = isFine && fabsf(speeds[i]) <= SW_MAX_CURRENT;
+    }
+    stream->isBroken = stream->isBroken || !isFine;
+}
+
 static swResult streamPlainSet(swWaves* waves, swStream* stream, swWaveSet** set)
 {
     swWaveSystemDef def = swDefaultWaveSystemDef();
@@ -151,11 +172,20 @@ static swResult streamPlainSet(swWaves* waves, swStream* stream, swWaveSet** set
     {
         def = (*set)->def;
     }
+    swDrift drift = {0};
+    if (!swIsReading(stream))
+    {
+        drift = (*set)->drift;
+    }
     swResult result = streamSystemDef(stream, waves, &def, arrays);
+    if (result == SW_SUCCESS)
+    {
+        streamDrift(stream, &drift);
+    }
     if (result == SW_SUCCESS && swIsReading(stream))
     {
         bool isFine = !stream->isBroken && swCheckWaveSystemDef(&waves->memory->host, &def) == SW_SUCCESS;
-        result = isFine ? swAcquireSet(waves, -1, &def, set) : SW_ERROR_FORMAT;
+        result = isFine ? swAcquireSet(waves, -1, &def, &drift, set) : SW_ERROR_FORMAT;
     }
     swFree(&waves->memory->host, arrays[0].floats, arrays[0].size);
     swFree(&waves->memory->host, arrays[1].floats, arrays[1].size);

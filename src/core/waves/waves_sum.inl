@@ -163,9 +163,8 @@ static void fillFreeChunk(const swFreeWave* waves, int count, int64_t ticks, Wav
     for (int i = 0; i < count; ++i)
     {
         const swFreeWave* w = waves + i;
-        int64_t waveTicks = swGetFreeWaveTicks(w, ticks);
         float s, c;
-        swSinCosTurns(w->phase - (uint32_t)((w->frequency * (uint64_t)waveTicks) >> 32), &s, &c);
+        swSinCosTurns(w->phase - swGetPassedTurns(w, ticks), &s, &c);
         float omega = getModeOmega(w->frequency);
         chunk->re[i] = w->amplitude * c;
         chunk->im[i] = w->amplitude * s;
@@ -406,10 +405,11 @@ static void addTileToBlock(const swTile* tile, int64_t ticks, int count, const s
     }
     BlockPlaces places;
     double perMetre = 1.0 / tile->side;
+    swPosXZ shift = swGetTileShift(tile, ticks);
     for (int i = 0; i < count; ++i)
     {
-        places.x[i] = fractionOf(points[i].x * perMetre);
-        places.z[i] = fractionOf(points[i].z * perMetre);
+        places.x[i] = fractionOf((points[i].x - shift.x) * perMetre);
+        places.z[i] = fractionOf((points[i].z - shift.z) * perMetre);
     }
     int64_t tileTicks = swGetTileTicks(tile, ticks);
     bool isFinite = tile->depth < 1e9f;

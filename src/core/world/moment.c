@@ -125,6 +125,7 @@ typedef struct Fill
 {
     swOwnMoment* moment;
     const swWaves* waves;
+    int64_t ticks;
     size_t at;
 } Fill;
 
@@ -174,7 +175,7 @@ static void fillSet(Fill* fill, const swShownSet* shown)
     swTileList* list = &fill->moment->list;
     int first = list->tileCount;
     fillBands(fill, shown);
-    swListSet(list, shown, fill->moment->bands);
+    swListSet(list, shown, fill->moment->bands, fill->ticks);
     if (list->tileCount == first)
     {
         return;
@@ -330,7 +331,7 @@ swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double t
         return result;
     }
     swClearTileList(&moment->list);
-    Fill fill = {.moment = moment, .waves = waves, .at = getHeadSize(tileCount, waveCount)};
+    Fill fill = {.moment = moment, .waves = waves, .ticks = ticks, .at = getHeadSize(tileCount, waveCount)};
     for (int i = 0; i < shown.count; ++i)
     {
         if (shown.sets[i].weight != 0.0f)

@@ -138,8 +138,8 @@ static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* 
     for (int i = 0; i < frame->tileCount; ++i)
     {
         const swTile* tile = &frame->tiles[i];
-        double x = built->rings.anchorX / tile->side;
-        double z = built->rings.anchorZ / tile->side;
+        double x = (built->rings.anchorX - tile->shiftX) / tile->side;
+        double z = (built->rings.anchorZ - tile->shiftZ) / tile->side;
         built->bands[i] = (swDetailParams){
             .offsetX = (float)(x - floor(x) + 0.5 / detailSide),
             .offsetZ = (float)(z - floor(z) + 0.5 / detailSide),
@@ -155,8 +155,8 @@ static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* 
 
 static swDetailWave makeDetailWave(const swFreeWave* wave, int64_t ticks, const swMeshRings* rings)
 {
-    uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
-    double turns = wave->turnsX * rings->anchorX + wave->turnsZ * rings->anchorZ + (wave->phase - passed) * 0x1p-32;
+    double turns = wave->turnsX * rings->anchorX + wave->turnsZ * rings->anchorZ +
+                   (wave->phase - swGetPassedTurns(wave, ticks)) * 0x1p-32;
     return (swDetailWave){
         .kx = (float)(SW_TURN * wave->turnsX),
         .kz = (float)(SW_TURN * wave->turnsZ),

@@ -25,9 +25,9 @@ typedef struct State
 } State;
 
 // Spline coordinate of the slice's first texel along one axis, as a texel column and a fraction.
-static void reduceOffset(int64_t first, double texel, const swTile* tile, float* fraction, uint32_t* base)
+static void reduceOffset(int64_t first, double texel, double shift, const swTile* tile, float* fraction, uint32_t* base)
 {
-    double turns = (double)first * texel / tile->side;
+    double turns = ((double)first * texel - shift) / tile->side;
     double coordinate = (turns - floor(turns)) * tile->resolution;
     double cell = floor(coordinate);
     *fraction = (float)(coordinate - cell);
@@ -45,8 +45,8 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .waveNumber = swGetTileWaveNumber(tile),
     };
     uint32_t baseX, baseZ;
-    reduceOffset(slice->firstX, slice->texel, tile, &out.fractionX, &baseX);
-    reduceOffset(slice->firstZ, slice->texel, tile, &out.fractionZ, &baseZ);
+    reduceOffset(slice->firstX, slice->texel, tile->shiftX, tile, &out.fractionX, &baseX);
+    reduceOffset(slice->firstZ, slice->texel, tile->shiftZ, tile, &out.fractionZ, &baseZ);
     out.base = baseX | baseZ << 16;
     return out;
 }
@@ -157,11 +157,10 @@ static uint32_t toPhase(double turns)
 
 static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
 {
-    uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
     double place =
         wave->turnsX * ((double)slice->firstX * slice->texel) + wave->turnsZ * ((double)slice->firstZ * slice->texel);
     swSliceWave out = {
-        .phase = toPhase(place) + wave->phase - passed,
+        .phase = toPhase(place) + wave->phase - swGetPassedTurns(wave, ticks),
         .stepX = toPhase(wave->turnsX * slice->texel + 0x1p-33),
         .stepZ = toPhase(wave->turnsZ * slice->texel + 0x1p-33),
         .amplitude = wave->amplitude,

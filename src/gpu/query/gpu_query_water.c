@@ -17,8 +17,8 @@ static uint32_t toTurns(double turns)
 static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosXZ origin)
 {
     return (swQueryTile){
-        .turnsX = toTurns(origin.x / tile->side),
-        .turnsZ = toTurns(origin.z / tile->side),
+        .turnsX = toTurns((origin.x - tile->shiftX) / tile->side),
+        .turnsZ = toTurns((origin.z - tile->shiftZ) / tile->side),
         .cellTurns = toTurns((double)SW_QUERY_CELL / tile->side),
         .turnsPerMetre = (float)(1.0 / tile->side),
         .texelsPerMetre = (float)(tile->resolution / tile->side),
@@ -29,9 +29,9 @@ static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosX
 
 static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ origin)
 {
-    uint32_t moved = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
     return (swQueryWave){
-        .phase = toTurns(wave->turnsX * origin.x + wave->turnsZ * origin.z) + wave->phase - moved,
+        .phase =
+            toTurns(wave->turnsX * origin.x + wave->turnsZ * origin.z) + wave->phase - swGetPassedTurns(wave, ticks),
         .cellTurnsX = toTurns(wave->turnsX * (double)SW_QUERY_CELL),
         .cellTurnsZ = toTurns(wave->turnsZ * (double)SW_QUERY_CELL),
         .amplitude = wave->amplitude,
