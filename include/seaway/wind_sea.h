@@ -21,9 +21,14 @@ typedef struct swWindSeaDef
     /// The wind along x and z, m/s, at 10 m: two channels. Nothing is known of the sea outside of it. Default NULL.
     const swRaster* raster;
 
-    /// As swInputDef has them. Default 0 and 1.
+    /// Where the map lies, m: it is moved by so much from where the raster says. Range [-1e9, 1e9]. Default 0.
     swPos position;
+
+    /// How it is turned, radians, its winds with it: by the yaw, as swInputDef::rotation has it. Range [-1000, 1000].
+    /// Default 0.
     swAngles rotation;
+
+    /// Factor on the map's winds. Range [-1e6, 1e6]. Default 1.
     float gain;
 
     /// How far inwards from the map's edge the sea grows to its full height, m. Range [0, 1e6]. Default 0.
