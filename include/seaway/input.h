@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field.h"
+#include "hull.h"
 #include "id.h"
 #include "math.h"
 #include "moment.h"
@@ -43,7 +44,7 @@ typedef enum swInputField
     SW_INPUT_FLOW,         ///< velocity of the water along x and z, m/s. Below: 0, 0
     SW_INPUT_WAVES,        ///< weight of the waves of one system, see swInputDef::system. Below: 1; 0 of a local system
     SW_INPUT_DISPLACEMENT, ///< added to where the water rests, along x, y, z, m. Below: 0, 0, 0
-    SW_INPUT_CLIP,         ///< above 0.5 there is no water. Below: 0
+    SW_INPUT_CLIP,         ///< above 0.5 there is no water, else there is. Below: 0. See docs/clip.md
     SW_INPUT_FOAM,         ///< foam that is made, per second. Below: 0
     SW_INPUT_ALBEDO,       ///< colour on the water: red, green, blue (linear) and how much it covers. Below: 0, 0, 0, 0
     SW_INPUT_WIND,         ///< velocity of the wind 10 m above the water along x and z, m/s. Below: the world's
@@ -68,8 +69,8 @@ typedef enum swInputShape
     SW_SHAPE_BOX,        ///< the last five have a height, too, and are for SW_INPUT_CLIP: size.x by size.y by size.z
     SW_SHAPE_ELLIPSOID,
     SW_SHAPE_CYLINDER,
-    SW_SHAPE_CAPSULE,
-    SW_SHAPE_HULL, ///< the inside of a closed mesh
+    SW_SHAPE_CAPSULE, ///< upright, as wide as size.x and as long as size.y with its round ends
+    SW_SHAPE_HULL,    ///< the inside of a closed mesh
     SW_SHAPE_COUNT
 } swInputShape;
 
@@ -191,7 +192,7 @@ typedef struct swInputDef
     /// Default false.
     bool followsWaves;
 
-    /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null.
+    /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;
 
     /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come. Of
@@ -217,8 +218,18 @@ typedef struct swInputDef
     /// Default true: the last frame blends into the first. False: the first stands before, the last after.
     bool loops;
 
-    /// Of SW_SHAPE_MESH and SW_SHAPE_HULL. Held as a raster is. Default NULL.
+    /// Of SW_SHAPE_MESH. Held as a raster is. Default NULL.
     const swMesh* mesh;
+
+    /// Of SW_SHAPE_HULL, see hull.h. Held as a raster is. Default NULL.
+    const swHull* hull;
+
+    /// What a metre of the hull becomes along its own axes. Distances near its edge stay true. Range (0, 1e4]. Default
+    /// 1, 1, 1.
+    swVec3 scale;
+
+    /// Radius of the edges of boxes and cylinders, which it takes from their size, m. Range [0, 1e6]. Default 0.
+    float rounding;
 
     /// Of SW_SHAPE_SPLINE. Held as a raster is. Default NULL.
     const swSpline* spline;
@@ -287,7 +298,7 @@ typedef struct swFieldSamples
     swVec2* flow;  ///< m/s along x and z
     float* weight; ///< of the waves of `system`, by its inputs; without swWaveSystemDef::weight
     swWaveSystemId system;
-    float* clip;    ///< above 0.5: no water
+    float* clip;    ///< above 0.5: no water. It rises from 0 to 1 within 1 m across the edge of still water
     float* foam;    ///< made by inputs, per second
     swVec4* albedo; ///< red, green, blue, cover
     swVec2* wind;   ///< m/s along x and z, by inputs

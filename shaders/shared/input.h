@@ -64,9 +64,9 @@ SW_PARAMS(swInputRecord)
     float weight, feather;
     sw_vec4 value;
     sw_vec4 size; // x, y, z: full extents; w: height of its own origin above sea level, m
-    sw_vec4 turn; // of a shape with a height: its rotation as a quaternion x, y, z, w, from own axes to the sea's
+    sw_vec4 turn; // of a shape with a height: its pitch and roll as a quaternion x, y, z, w; the yaw comes after
     sw_uint field, shape, blend, flags;
-    sw_uint system;               // of SW_FIELD_OF_WAVES: its slot
+    sw_uint system;               // of SW_FIELD_OF_WAVES: its slot, or SW_ALL_SYSTEMS
     sw_uint firstWord, wordCount; // of its data. On the CPU each record has a pointer of its own, and firstWord is 0
     sw_uint extra0;               // what its shape says they are
     sw_uint extra1, extra2, extra3, extra4;
@@ -82,6 +82,7 @@ SW_PARAMS_VEC3(swInputRecord, turn);
 #define SW_NO_FLOOR (-1e30f)
 
 #define SW_NO_RECORD 0xffffffffu
+#define SW_ALL_SYSTEMS 0xffffffffu
 
 // A box of cells. Nodes of a field stand in depth-first order: below one stands its first child, at `skip` what comes
 // after the last one.

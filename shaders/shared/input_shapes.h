@@ -5,6 +5,7 @@
 #define SW_SHARED_INPUT_SHAPES_H
 #include "input.h"
 #include "shape_plain.h"
+#include "shape_polygon.h"
 #include "shape_raster.h"
 
 // At a place in own coordinates, before the record's weight.
@@ -17,6 +18,10 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     if (record.shape == SW_FORM_RECTANGLE)
     {
         return swSampleRectangle(record, own.x, own.z);
+    }
+    if (record.shape == SW_FORM_POLYGON)
+    {
+        return swSamplePolygon(words, record, own.x, own.z);
     }
     if (record.shape == SW_FORM_RASTER)
     {

@@ -161,7 +161,7 @@ SW_FORMULA swInputChannel swFindWindWeight(swInputRecord record, swInputChannel 
 // Whether a record has a say in its field, of waves in the weight of a system.
 SW_FORMULA bool swHasSay(swInputRecord record, sw_uint system)
 {
-    return record.field != SW_FIELD_OF_WAVES || record.system == system ||
+    return record.field != SW_FIELD_OF_WAVES || record.system == system || record.system == SW_ALL_SYSTEMS ||
            (record.flags & SW_INPUT_REMOVES_WAVES) != 0u;
 }
 
@@ -185,7 +185,7 @@ SW_FORMULA swInputChannel swJoinWaves(swInputRecord record, sw_uint system, swIn
         left = swMultiplyChannels(
             below, swMakeChannel(pair.first, pair.firstSlope * share.alongX, pair.firstSlope * share.alongZ));
     }
-    if (record.system != system)
+    if (record.system != system && record.system != SW_ALL_SYSTEMS)
     {
         return left;
     }

@@ -4,6 +4,7 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/field_tree.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_components.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_fields.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_measured.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_octaves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_read.c

@@ -2,7 +2,9 @@
 #include "core/input/input_def.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "core/input/polygon.h"
 #include "core/input/raster.h"
 #include "shared/input.h"
 
@@ -87,6 +89,11 @@ static const swField inputFields[] = {
               SW_KNOB(0.0, 3600.0), .kinds = SW_KIND(SW_SHAPE_RASTER)),
     SW_SWITCH(loops, true, .key = "loops", .label = "loops", .kinds = SW_KIND(SW_SHAPE_RASTER)),
     SW_GIVEN(mesh, .key = NULL, .label = "mesh"),
+    SW_GIVEN(hull, .key = NULL, .label = "hull"),
+    SW_NUMBERS(scale, float, "", SW_ABOVE(0.0, 1e4), SW_EACH(1.0, 1.0, 1.0), .key = "scale", .label = "scale",
+               SW_LOG_KNOB(0.01, 100.0), .kinds = SW_KIND(SW_SHAPE_HULL)),
+    SW_NUMBER(rounding, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "rounding_m", .label = "rounded by", SW_KNOB(0.0, 10.0),
+              .kinds = SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_CYLINDER)),
     SW_GIVEN(spline, .key = NULL, .label = "spline"),
     SW_GIVEN(points, .key = NULL, .label = "points"),
     SW_GIVEN(pointCount, .key = NULL, .label = "number of points"),
@@ -125,8 +132,10 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes =
-    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER);
+static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
+                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
+                                    SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
+                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -170,8 +179,7 @@ static swResult checkKinds(const swHost* host, const swInputDef* def)
         return refuse(host, SW_ERROR_UNSUPPORTED, def, "follows waves, which only colour, foam and displacement can");
     }
     bool isOfWaves = def->field == SW_INPUT_WAVES;
-    if ((def->removesWaves && !isOfWaves) ||
-        (def->windWeight.isUsed && !(isOfWaves && def->shape == SW_SHAPE_RASTER)))
+    if ((def->removesWaves && !isOfWaves) || (def->windWeight.isUsed && !(isOfWaves && def->shape == SW_SHAPE_RASTER)))
     {
         return refuse(host, SW_ERROR_UNSUPPORTED, def,
                       def->removesWaves ? "removes waves, which only inputs of waves can"
@@ -200,13 +208,18 @@ static swResult checkValues(const swHost* host, const swInputDef* def)
     if (wind->isUsed && ((wind->speedBelow > 0.0f && wind->speedBelow >= wind->speed) ||
                          (wind->speedAbove > 0.0f && wind->speedAbove <= wind->speed)))
     {
-        return refuse(host, SW_ERROR_INVALID, def,
-                      "has speeds of winds that do not ascend; swWindWeight::speedBelow must be below speed, speedAbove "
-                      "above it");
+        return refuse(
+            host, SW_ERROR_INVALID, def,
+            "has speeds of winds that do not ascend; swWindWeight::speedBelow must be below speed, speedAbove "
+            "above it");
     }
-    bool isFlat = def->shape == SW_SHAPE_CIRCLE || def->shape == SW_SHAPE_RECTANGLE;
-    bool isThin = def->size.x <= 0.0f || (def->shape == SW_SHAPE_RECTANGLE && def->size.z <= 0.0f);
-    if (isFlat && isThin)
+    uint32_t shape = SW_KIND(def->shape);
+    uint32_t round = SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_CAPSULE);
+    uint32_t tall = SOLID & ~SW_KIND(SW_SHAPE_HULL);
+    bool isThin = (shape & (round | tall | SW_KIND(SW_SHAPE_RECTANGLE))) != 0 && def->size.x <= 0.0f;
+    isThin = isThin || ((shape & tall) != 0 && def->size.y <= 0.0f);
+    isThin = isThin || ((shape & ((tall & ~round) | SW_KIND(SW_SHAPE_RECTANGLE))) != 0 && def->size.z <= 0.0f);
+    if (isThin)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no extent; swInputDef::size must be above 0 m");
     }
@@ -247,11 +260,17 @@ swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 
 swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
-    (void)host;
-    (void)def;
-    (void)count;
-    (void)points;
-    return SW_SUCCESS;
+    if (def->shape != SW_SHAPE_POLYGON)
+    {
+        return SW_SUCCESS;
+    }
+    char name[SW_MAX_INPUT_NAME + 32];
+    snprintf(name, sizeof name, "the input '%s'", def->name);
+    if (points == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no points");
+    }
+    return swCheckPolygon(host, name, count, &points->x, sizeof(swInputPoint) / sizeof(float));
 }
 
 swResult swCheckInputDef(const swHost* host, const swInputDef* def)
@@ -259,6 +278,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     swResult result = swCheckDef(host, &swInputFields, def);
     result = result == SW_SUCCESS ? checkKinds(host, def) : result;
     result = result == SW_SUCCESS ? checkValues(host, def) : result;
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_HULL && def->hull == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no hull");
+    }
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
     {
         result = checkRaster(host, def);
