@@ -9,6 +9,7 @@
 // two headings on either side of it, and its share of the second is that one's part of the sum.
 #ifndef SW_SHARED_REGION_H
 #define SW_SHARED_REGION_H
+#include "channels.h"
 #include "input.h"
 
 // Winds below this have no heading to speak of, m/s: their waves are still there, and lower than any that are seen.
@@ -46,12 +47,6 @@ SW_FORMULA swWeightPair swPairSmoothly(float share)
     pair.firstSlope = pair.firstSlope * slope;
     pair.secondSlope = pair.secondSlope * slope;
     return pair;
-}
-
-SW_FORMULA swInputChannel swMultiplyChannels(swInputChannel a, swInputChannel b)
-{
-    return swMakeChannel(a.value * b.value, a.alongX * b.value + a.value * b.alongX,
-                         a.alongZ * b.value + a.value * b.alongZ);
 }
 
 // ---- winds ----
@@ -158,10 +153,16 @@ SW_FORMULA swInputChannel swFindWindWeight(swInputRecord record, swInputChannel 
 
 // ---- joining ----
 
+// Whether a record of waves weighs a system's.
+SW_FORMULA bool swIsOfSystem(swInputRecord record, sw_uint system)
+{
+    return record.system == system || record.system == SW_ALL_SYSTEMS;
+}
+
 // Whether a record has a say in its field, of waves in the weight of a system.
 SW_FORMULA bool swHasSay(swInputRecord record, sw_uint system)
 {
-    return record.field != SW_FIELD_OF_WAVES || record.system == system || record.system == SW_ALL_SYSTEMS ||
+    return record.field != SW_FIELD_OF_WAVES || swIsOfSystem(record, system) ||
            (record.flags & SW_INPUT_REMOVES_WAVES) != 0u;
 }
 
@@ -182,16 +183,13 @@ SW_FORMULA swInputChannel swJoinWaves(swInputRecord record, sw_uint system, swIn
     swInputChannel left = below;
     if ((record.flags & SW_INPUT_REMOVES_WAVES) != 0u)
     {
-        left = swMultiplyChannels(
-            below, swMakeChannel(pair.first, pair.firstSlope * share.alongX, pair.firstSlope * share.alongZ));
+        left = swMultiplyChannels(below, swMapChannel(share, pair.first, pair.firstSlope));
     }
-    if (record.system != system && record.system != SW_ALL_SYSTEMS)
+    if (!swIsOfSystem(record, system))
     {
         return left;
     }
-    swInputChannel brought = swMultiplyChannels(
-        own, swMakeChannel(pair.second, pair.secondSlope * share.alongX, pair.secondSlope * share.alongZ));
-    return swMakeChannel(left.value + brought.value, left.alongX + brought.alongX, left.alongZ + brought.alongZ);
+    return swAddChannels(left, swMultiplyChannels(own, swMapChannel(share, pair.second, pair.secondSlope)));
 }
 
 // What a field is once a record that has a say in it has joined it; `system` of waves.

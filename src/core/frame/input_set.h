@@ -20,6 +20,7 @@ typedef struct swInputSet
     swInputRange ranges[SW_INPUT_FIELD_COUNT];
     float lowestLevel, highestLevel; // of still water above sea level, m: no place has more or less
     double time;                     // s, of values that change with time
+    uint32_t ribbonSystems;          // bit of each wave system's slot of which some waves run along splines
     uint32_t localSystems; // bit of each wave system's slot whose waves have no weight where no input gives them one
 } swInputSet;
 

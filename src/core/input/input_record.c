@@ -5,8 +5,10 @@
 
 #include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 #include "core/math/scalar.h"
 #include "shared/region.h"
+#include "shared/shape_spline.h"
 
 bool swFindCell(double place, int32_t* cell, float* rest)
 {
@@ -59,6 +61,29 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     record->gain = def->gain;
     double cosine = (double)record->cosine, sine = (double)record->sine;
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
+}
+
+// A spline's own axes begin in its middle. Heights of its points count from where the input is.
+static swPosXZ placeSpline(const swInputDef* def, const swSpline* spline, swInputRecord* record)
+{
+    record->middleX = (float)(0.5 * (spline->leastX + spline->mostX));
+    record->middleZ = (float)(0.5 * (spline->leastZ + spline->mostZ));
+    record->halfX = (float)(0.5 * (spline->mostX - spline->leastX));
+    record->halfZ = (float)(0.5 * (spline->mostZ - spline->leastZ));
+    record->wordCount = (sw_uint)spline->wordCount;
+    if (def->field == SW_INPUT_FLOOR || def->field == SW_INPUT_LEVEL)
+    {
+        record->value.x += def->field == SW_INPUT_FLOOR ? (float)def->position.y : record->size.w;
+    }
+    if (def->field == SW_INPUT_WAVES && def->alongSpline)
+    {
+        record->flags |= SW_INPUT_ALONG_SPLINE;
+        record->part0 = (float)floor(swCos((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+        record->part1 = (float)floor(swSin((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+    }
+    double cosine = (double)record->cosine, sine = (double)record->sine;
+    return (swPosXZ){cosine * spline->originX - sine * spline->originZ,
+                     sine * spline->originX + cosine * spline->originZ};
 }
 
 // Of a polygon, see shared/shape_polygon.h.
@@ -130,6 +155,8 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
+    case SW_SHAPE_SPLINE:
+        return placeSpline(def, data->spline, record);
     case SW_SHAPE_POLYGON:
         placePolygon(data->words[data->shown], data->pointCount, record);
         break;

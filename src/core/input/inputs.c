@@ -6,6 +6,7 @@
 
 #include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
 {
@@ -20,6 +21,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseSpline(data->spline);
         swReleaseHull(data->hull);
         swFree(host, data, data->size);
     }
@@ -36,7 +38,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL && def->spline == NULL)
     {
         return NULL;
     }
@@ -53,6 +55,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->spline = def->spline;
+    swRetainSpline(data->spline);
     data->hull = def->hull;
     swRetainHull(data->hull);
     data->pointCapacity = room;
@@ -361,6 +365,10 @@ static const float* showWords(swInputData* data)
         data->shown = 1 - data->shown;
         data->isNew = false;
     }
+    if (data->spline != NULL)
+    {
+        return data->spline->words;
+    }
     if (data->raster != NULL)
     {
         return data->raster->values;
@@ -384,6 +392,7 @@ static void makeSet(swInputs* inputs, double time)
     swInputSet* set = &inputs->set;
     memset(set->ranges, 0, sizeof set->ranges);
     set->recordCount = 0;
+    set->ribbonSystems = 0;
     for (int i = 0; i < inputs->count; ++i)
     {
         const swInput* input = swGetInputAt(inputs, i);
@@ -395,6 +404,11 @@ static void makeSet(swInputs* inputs, double time)
         swInputRange* range = &set->ranges[input->def.field];
         range->firstRecord = range->recordCount == 0 ? (uint32_t)set->recordCount : range->firstRecord;
         range->recordCount += 1;
+        const swInputRecord* record = &set->records[set->recordCount];
+        if ((record->flags & SW_INPUT_ALONG_SPLINE) != 0)
+        {
+            set->ribbonSystems |= record->system == SW_ALL_SYSTEMS ? UINT32_MAX : 1u << record->system;
+        }
         set->recordCount += 1;
     }
     set->nodeCount = swBuildInputIndex(set, inputs->boxes, inputs->items, inputs->scratch, inputs->nodes);
