@@ -117,6 +117,9 @@ typedef struct swTile
     const float* texels;      // [N + 3][N + 3][4], NULL without CPU queries
     const float* velocity;    // the same for the rates of displacement, NULL unless the world has them
     const float* acceleration;
+    // How alike the heights are a way apart: their correlation as component y, 1 at no way. Of a spectrum, not a time.
+    // NULL where no flow that varies carries waves.
+    const float* likeness;
 } swTile;
 
 // A wave that is no part of a tile: evaluated where it is asked for, with its exact wave vector. With
@@ -316,8 +319,8 @@ typedef struct swFoamLaw
     swFoamRest rest;     // of all waves that make foam
 } swFoamLaw;
 
-// One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns - frequency
-// ticks + phaseAlong)), and so across.
+// One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns -
+// frequency ticks + phaseAlong)), and so across.
 #define SW_GUSTS 12
 
 typedef struct swGust

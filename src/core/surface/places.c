@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/surface/carry.h"
+
 // ---- a block of points ----
 
 uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points)
@@ -230,6 +232,10 @@ void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape)
     if (!isDeep)
     {
         attenuate(block, group, &shape->copies[0]);
+    }
+    if ((block->touched & SW_TOUCHES_FLOW) != 0)
+    {
+        swCarryShape(block, group, shape);
     }
 }
 
