@@ -27,6 +27,7 @@ typedef struct QueryArguments
     const char* pointsPath;
     const char* timeText;
     const char* mapText;
+    const char* fieldsText;
     double minWavelength, tolerance, maxDistance;
     int backend, stretching;
     bool withMotion, isBelow, withDrift, ofParticles, isRays;
@@ -249,6 +250,11 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .value = &given->mapText,
          .placeholder = "X0,Z0,X1,Z1,STEP",
          .help = "heights on a grid from one corner to the other, STEP m apart; reads no CSV, CPU only"},
+        {.name = "fields",
+         .kind = OPTION_TEXT,
+         .value = &given->fieldsText,
+         .placeholder = "LIST",
+         .help = "what inputs say at the points, such as depth,level,flow; CPU only"},
         {.name = "stretching",
          .kind = OPTION_CHOICE,
          .value = &given->stretching,
@@ -290,7 +296,10 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
             "  point_x_m,point_y_m,point_z_m,nx,ny,nz,from_below\n"
             "on one line: hit 1 or 0, distance along the ray, position of the sphere's centre then, point of the\n"
             "water that it touches, normal there, and 1 if it came out of the water. Without a hit the distance is\n"
-            "how far was looked, and the fields after it are empty. --map answers with t_s,x_m,z_m,height_m.",
+            "how far was looked, and the fields after it are empty. --map answers with t_s,x_m,z_m,height_m.\n"
+            "--fields takes a list of depth, floor, level, flow, clip, body, wind, foam, albedo, shadow and\n"
+            "displacement, with commas between, and answers with t_s,x_m,z_m and the columns of each. They are\n"
+            "functions of the place: no wave is looked for. Depth is that of still water, inf without a floor.",
         .options = options,
         .optionCount = sizeof(options) / sizeof(options[0]),
         .positionalMin = 1,
@@ -304,6 +313,15 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
 static const char* FindConflict(const QueryArguments* given)
 {
     bool isMap = given->mapText != NULL;
+    if (given->fieldsText != NULL &&
+        (isMap || given->withMotion || given->isBelow || given->isRays || given->ofParticles))
+    {
+        return "--fields is a question of its own; leave out --map, --motion, --below, --rays and --particles";
+    }
+    if (given->fieldsText != NULL && given->backend == 1)
+    {
+        return "--fields are answered by the CPU only; leave out --backend gpu";
+    }
     if (isMap && (given->withMotion || given->isBelow || given->isRays))
     {
         return "--map has heights only; leave out --motion, --below and --rays";
@@ -345,11 +363,12 @@ static const char* FindConflict(const QueryArguments* given)
 
 static Question GetQuestion(const QueryArguments* given)
 {
-    return given->mapText != NULL ? QUESTION_MAP
-           : given->isRays        ? QUESTION_RAYS
-           : given->isBelow       ? QUESTION_BELOW
-           : given->withMotion    ? QUESTION_MOTION
-                                  : QUESTION_SURFACE;
+    return given->mapText != NULL      ? QUESTION_MAP
+           : given->fieldsText != NULL ? QUESTION_FIELDS
+           : given->isRays             ? QUESTION_RAYS
+           : given->isBelow            ? QUESTION_BELOW
+           : given->withMotion         ? QUESTION_MOTION
+                                       : QUESTION_SURFACE;
 }
 
 static bool ReadQuestionNumbers(const QueryArguments* given, Asked* asked)
@@ -437,7 +456,8 @@ int RunQuery(int argumentCount, char** arguments)
     asked.def.stretching = (swStretching)given.stretching;
     TimeRange times;
     if ((given.timeText != NULL && !ParseTimes(given.timeText, &times)) ||
-        (given.mapText != NULL && !ParseMap(given.mapText, &asked.map)))
+        (given.mapText != NULL && !ParseMap(given.mapText, &asked.map)) ||
+        (given.fieldsText != NULL && !ParseFieldList(given.fieldsText, &asked.fields)))
     {
         return EXIT_USAGE;
     }

@@ -110,9 +110,12 @@ void PrintHeading(const Asked* asked)
         [QUESTION_BELOW] = "t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m",
         [QUESTION_RAYS] = "t_s,x_m,y_m,z_m,dx,dy,dz,radius_m,hit,distance_m,position_x_m,position_y_m,position_z_m,"
                           "point_x_m,point_y_m,point_z_m,nx,ny,nz,from_below",
+        [QUESTION_FIELDS] = "t_s,x_m,z_m",
         [QUESTION_MAP] = "t_s,x_m,z_m,height_m",
     };
-    printf("%s%s\n", headings[asked->question], asked->withDrift ? ",drift_x_mps,drift_z_mps" : "");
+    printf("%s%s", headings[asked->question], asked->withDrift ? ",drift_x_mps,drift_z_mps" : "");
+    PrintFieldColumns(&asked->fields);
+    putchar('\n');
 }
 
 // What was asked, as it was asked.
@@ -284,6 +287,29 @@ static bool PrintRays(const Source* source, const Asked* asked, int begin, int c
     return true;
 }
 
+static bool PrintFields(const Source* source, const Asked* asked, int begin, int count)
+{
+    double time = swWorld_GetTime(source->world);
+    for (int first = 0; first < count; first += FIELD_BLOCK)
+    {
+        swPosXZ points[FIELD_BLOCK];
+        int some = count - first < FIELD_BLOCK ? count - first : FIELD_BLOCK;
+        for (int i = 0; i < some; ++i)
+        {
+            const double* row = GetCsvRow(&asked->numbers, begin + first + i);
+            points[i] = (swPosXZ){row[POINT_X], row[POINT_Z]};
+        }
+        const FieldAnswers* answers = AskFields(source->world, some, points);
+        for (int i = 0; i < some; ++i)
+        {
+            PrintAsked(time, (const double[]){points[i].x, points[i].z}, 2);
+            PrintFieldRow(&asked->fields, answers, i);
+            putchar('\n');
+        }
+    }
+    return true;
+}
+
 static bool PrintMap(const Source* source, const Asked* asked)
 {
     const swHeightMapDef* map = &asked->map;
@@ -314,10 +340,8 @@ bool PrintAnswers(const Source* source, const Asked* asked)
 {
     typedef bool PrintFcn(const Source*, const Asked*, int, int);
     static PrintFcn* const printers[] = {
-        [QUESTION_SURFACE] = PrintSurface,
-        [QUESTION_MOTION] = PrintSurface,
-        [QUESTION_BELOW] = PrintBelow,
-        [QUESTION_RAYS] = PrintRays,
+        [QUESTION_SURFACE] = PrintSurface, [QUESTION_MOTION] = PrintSurface, [QUESTION_BELOW] = PrintBelow,
+        [QUESTION_RAYS] = PrintRays,       [QUESTION_FIELDS] = PrintFields,
     };
     if (asked->question == QUESTION_MAP)
     {

@@ -5,6 +5,7 @@
 
 #include "csv_numbers.h"
 #include "gpu_answers.h"
+#include "query_fields.h"
 
 #define FARTHEST_POINT 1e12 // m from the origin along an axis: as far as the library answers
 
@@ -14,7 +15,8 @@ typedef enum Question
     QUESTION_MOTION, // and how the particle there moves
     QUESTION_BELOW,  // the water at the points' own heights
     QUESTION_RAYS,
-    QUESTION_MAP // heights on a grid; has no points
+    QUESTION_FIELDS, // what inputs say at the points
+    QUESTION_MAP     // heights on a grid; has no points
 } Question;
 
 typedef struct Asked
@@ -25,6 +27,7 @@ typedef struct Asked
     swHeightMapDef map; // of QUESTION_MAP
     bool ofParticles;   // the points are where particles rest
     bool withDrift;     // of QUESTION_BELOW: Stokes drift as well
+    FieldList fields;   // of QUESTION_FIELDS
     CsvNumbers numbers; // in the question's format
 } Asked;
 

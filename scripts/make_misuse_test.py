@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "spline", "input", "hull", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "spline", "hull", "input", "water_body", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -36,6 +36,12 @@ ALLOWED = {
     ("swCreateSeaReplay", "def.startSeconds", "NaN"): "the first record's",
     ("swWaveSystem_IsValid", "*", "*"): "asks just that",
     ("swInput_IsValid", "*", "*"): "asks just that",
+    ("swWaterBody_IsValid", "*", "*"): "asks just that",
+    ("swWorld_FindWaterBody", "x", "*"): "there is no body where there is no place",
+    ("swWorld_FindWaterBody", "z", "*"): "there is no body where there is no place",
+    ("swWorld_GetNumberedWaterBody", "number", "-1"): "no body has it",
+    ("*", "def.scale", "*"): "counts with SW_SHAPE_HULL only",
+    ("*", "def.rounding", "*"): "counts for boxes and cylinders only",
     ("*", "def.gain", "*"): "counts for shapes with values of their own only",
     ("*", "def.feather", "*"): "counts for shapes with an edge only",
     ("*", "def.framesPerSecond", "*"): "counts with SW_SHAPE_RASTER only",
@@ -289,7 +295,7 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swRasterDef", "swSplineDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swInputId", "swFieldSamples", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swRasterDef", "swSplineDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swInputId", "swWaterBodyDef", "swWaterBodyId", "swFieldSamples", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swStageTerrainDef", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.

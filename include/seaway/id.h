@@ -20,5 +20,12 @@ typedef struct swInputId
     uint32_t generation;
 } swInputId;
 
+/// A body of water. See water_body.h.
+typedef struct swWaterBodyId
+{
+    int32_t index1;
+    uint32_t generation;
+} swWaterBodyId;
+
 #define SW_IS_NULL(id) ((id).index1 == 0)
 #define SW_ID_EQUALS(a, b) ((a).index1 == (b).index1 && (a).generation == (b).generation)

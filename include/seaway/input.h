@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field.h"
+#include "hull.h"
 #include "id.h"
 #include "math.h"
 #include "moment.h"
@@ -43,7 +44,7 @@ typedef enum swInputField
     SW_INPUT_FLOW,         ///< velocity of the water along x and z, m/s. Below: 0, 0
     SW_INPUT_WAVES,        ///< weight of the waves of one system, see swInputDef::system. Below: 1; 0 of a local system
     SW_INPUT_DISPLACEMENT, ///< added to where the water rests, along x, y, z, m. Below: 0, 0, 0
-    SW_INPUT_CLIP,         ///< above 0.5 there is no water. Below: 0
+    SW_INPUT_CLIP,         ///< above 0.5 there is no water, else there is. Below: 0. See docs/clip.md
     SW_INPUT_FOAM,         ///< foam that is made, per second. Below: 0
     SW_INPUT_ALBEDO,       ///< colour on the water: red, green, blue (linear) and how much it covers. Below: 0, 0, 0, 0
     SW_INPUT_WIND,         ///< velocity of the wind 10 m above the water along x and z, m/s. Below: the world's
@@ -68,8 +69,8 @@ typedef enum swInputShape
     SW_SHAPE_BOX,        ///< the last five have a height, too, and are for SW_INPUT_CLIP: size.x by size.y by size.z
     SW_SHAPE_ELLIPSOID,
     SW_SHAPE_CYLINDER,
-    SW_SHAPE_CAPSULE,
-    SW_SHAPE_HULL, ///< the inside of a closed mesh
+    SW_SHAPE_CAPSULE, ///< upright, as wide as size.x and as long as size.y with its round ends
+    SW_SHAPE_HULL,    ///< the inside of a closed mesh
     SW_SHAPE_COUNT
 } swInputShape;
 
@@ -163,7 +164,7 @@ typedef struct swInputDef
     /// Default false.
     bool followsWaves;
 
-    /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null.
+    /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;
 
     /// Of SW_SHAPE_RASTER, with at least as many channels as the field has numbers. Unknown cells are not covered.
@@ -181,11 +182,33 @@ typedef struct swInputDef
     /// Default true: the last frame blends into the first. False: the first stands before, the last after.
     bool loops;
 
-    /// Of SW_SHAPE_MESH and SW_SHAPE_HULL. Held as a raster is. Default NULL.
+    /// Of SW_SHAPE_MESH. Held as a raster is. Default NULL.
     const swMesh* mesh;
 
-    /// Of SW_SHAPE_SPLINE. Held as a raster is. Default NULL.
+    /// Of SW_SHAPE_HULL, see hull.h. Held as a raster is. Default NULL.
+    const swHull* hull;
+
+    /// What a metre of the hull becomes along its own axes. Distances near its edge stay true. Range (0, 1e4]. Default
+    /// 1, 1, 1.
+    swVec3 scale;
+
+    /// Radius of the edges of boxes and cylinders, which it takes from their size, m. Range [0, 1e6]. Default 0.
+    float rounding;
+
+    /// Of SW_SHAPE_SPLINE. Held as a raster is. The spline lies where it says itself, moved and turned by this; heights
+    /// of its points count from position.y. Default NULL.
     const swSpline* spline;
+
+    /// Of SW_INPUT_WAVES along a spline: the waves turn with the line. They are looked up by metres to its side and
+    /// along it, so that their length is exact on the line and changes beside it as a bend asks for; towards the centre
+    /// of a bend, and where a line comes near itself, they fade. Blend SW_BLEND_ALPHA takes the system's other waves
+    /// away to the same share, SW_BLEND_ADD leaves them. Default false: the spline says how much of the waves there is.
+    bool alongSpline;
+
+    /// With alongSpline: where waves of the direction 0 go, radians from the way across the line from right to left,
+    /// towards the way along it: 0 onto a shore that is on the left, pi/2 along the line. The direction of the system's
+    /// spectrum adds to it. Range [-1000, 1000]. Default 0.
+    float heading;
 
     /// Of SW_SHAPE_POLYGON (3 or more), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
     const swInputPoint* points;
@@ -251,7 +274,7 @@ typedef struct swFieldSamples
     swVec2* flow;  ///< m/s along x and z
     float* weight; ///< of the waves of `system`, by its inputs; without swWaveSystemDef::weight
     swWaveSystemId system;
-    float* clip;    ///< above 0.5: no water
+    float* clip;    ///< above 0.5: no water. It rises from 0 to 1 within 1 m across the edge of still water
     float* foam;    ///< made by inputs, per second
     swVec4* albedo; ///< red, green, blue, cover
     swVec2* wind;   ///< m/s along x and z, by inputs

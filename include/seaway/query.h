@@ -117,6 +117,11 @@ typedef struct swSurfaceSamples
     /// Read before and written after the search, or NULL. See swSurfaceHint. swWorld_QueryParticles() leaves them
     /// alone.
     swSurfaceHint* hints;
+
+    /// Whether the water is cut away there: whether the surface, where it is displaced to, lies in a hole that inputs
+    /// of SW_INPUT_CLIP make, see docs/clip.md. The other answers are those of the surface that would be there. False
+    /// at a point that cannot be answered.
+    bool* isClipped;
 } swSurfaceSamples;
 
 /// Of a batch; every query takes one, or NULL.
@@ -209,11 +214,12 @@ typedef struct swRayHit
     bool fromBelow; ///< it began in the water and came out
 } swRayHit;
 
-/// Find where rays first cross the surface, from either side. Along the way the surface is looked at in steps of at
-/// most half the shortest wavelength that counts, so that whole crests are not missed; def.minWavelength makes long
-/// rays fast. Hits are good to 2 def.tolerance along the ray. A sphere touches where its lowest point seen along the
-/// surface's normal does: exact on flat water, and good to radius^2 times the surface's curvature / 2 on waves.
-/// A ray looks at the surface at most 100,000 times; one that needs more (a long way just above the water) ends without
-/// a hit at the distance that it has come to, and is not among stats' convergedCount. `stats` may be NULL.
+/// Find where rays first cross the surface, from either side. A ray passes through holes, see docs/clip.md. Along the
+/// way the surface is looked at in steps of at most half the shortest wavelength that counts, so that whole crests are
+/// not missed; def.minWavelength makes long rays fast. Hits are good to 2 def.tolerance along the ray. A sphere touches
+/// where its lowest point seen along the surface's normal does: exact on flat water, and good to radius^2 times the
+/// surface's curvature / 2 on waves. A ray looks at the surface at most 100,000 times; one that needs more (a long way
+/// just above the water) ends without a hit at the distance that it has come to, and is not among stats'
+/// convergedCount. `stats` may be NULL.
 SW_API void swMoment_CastRays(const swMoment* moment, const swQueryDef* def, int count, const swRay* rays,
                               swRayHit* hits, swQueryStats* stats);

@@ -73,6 +73,7 @@ SW_API swRasterInfo swRaster_GetInfo(const swRaster* raster);
 /// The values as they were given: [frames][height][width][channels].
 SW_API const float* swRaster_GetValues(const swRaster* raster);
 
-/// Values of the first channel of the first frame at points, bilinearly between the middles of cells. NaN outside of the outermost middles, where a cell that
-/// has a part in it is unknown, and at points that are not finite. The same bits on every machine.
+/// Values of the first channel of the first frame at points, bilinearly between the middles of cells. NaN outside of
+/// the outermost middles, where a cell that has a part in it is unknown, and at points that are not finite. The same
+/// bits on every machine.
 SW_API void swRaster_Sample(const swRaster* raster, int count, const swPosXZ* points, float* values);

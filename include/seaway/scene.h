@@ -3,6 +3,7 @@
 
 #include "draw.h"
 #include "field.h"
+#include "files.h"
 #include "seaway.h"
 
 /// @file
@@ -23,6 +24,7 @@ typedef struct swSceneView
     float sunAzimuth;   ///< radians clockwise from north
     float sunElevation; ///< radians
     int item;           ///< which of the file's views it is, from 1 on; 0: the file has it not yet
+    int line;           ///< of the file, where it begins; 0: none
 } swSceneView;
 
 /// Twenty metres above the water, northward.
@@ -41,7 +43,47 @@ typedef struct swSceneWaves
     bool isReplay;           ///< the records play one after another
     swSeaReplayDef replay;   ///< how, if they do; but its waves are `def`
     int item;                ///< which of the file's wave systems it is, from 1 on; 0: the file has it not yet
+    int line;                ///< of the file, where it begins; 0: none
 } swSceneWaves;
+
+/// Rasters, and splines, that a scene can name, and inputs that it can have.
+#define SW_MAX_SCENE_RESOURCES 256
+#define SW_MAX_SCENE_INPUTS 4096
+
+/// A raster that inputs of the scene name. The scene owns it.
+typedef struct swSceneRaster
+{
+    char name[64];
+    char file[512];      ///< relative to the scene's folder
+    char variable[64];   ///< of def.variable; empty: NULL
+    swRasterFileDef def; ///< how the file was read
+    swRaster* raster;    ///< NULL until it is read
+    int item;            ///< which of the file's rasters it is, from 1 on
+    int line;            ///< of the file, where it begins; 0: none
+} swSceneRaster;
+
+/// A spline that inputs of the scene name. The scene owns it.
+typedef struct swSceneSpline
+{
+    char name[64];
+    swSplineDef def; ///< its name is the scene's, its points are `points`
+    swSplinePoint* points;
+    int pointCount;
+    swSpline* spline; ///< NULL until it is made
+    int item;         ///< which of the file's splines it is, from 1 on
+    int line;         ///< of the file, where it begins; 0: none
+} swSceneSpline;
+
+/// An input of a scene. Its system is that of the scene's waves, see `waves`; what it names is the scene's.
+typedef struct swSceneInput
+{
+    swInputDef def;
+    int waves;            ///< index of the scene's waves that it weighs; -1: none
+    swInputPoint* points; ///< def.points points here; NULL if there are none
+    int pointCount;
+    int item; ///< which of the file's inputs it is, from 1 on
+    int line; ///< of the file, where it begins; 0: none
+} swSceneInput;
 
 /// The text that a scene was read from.
 typedef struct swSceneSource swSceneSource;
@@ -61,6 +103,12 @@ typedef struct swScene
     swSceneWaves waves[SW_MAX_WAVE_SYSTEMS];
     int viewCount;
     swSceneView views[SW_MAX_SCENE_VIEWS];
+    int rasterCount;
+    swSceneRaster* rasters;
+    int splineCount;
+    swSceneSpline* splines;
+    int inputCount;
+    swSceneInput* inputs;
     swHost host;           ///< who gave the memory
     swSceneSource* source; ///< what it was read from
 } swScene;
@@ -135,24 +183,44 @@ SW_API const swSceneView* swScene_FindView(const swScene* scene, const char* nam
 /// The scene's sky as a view sees it: with the view's own sun if it has one. NULL view: the scene's.
 SW_API swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view);
 
-/// The wave systems of a scene in a world, in the scene's order, and what drives those that are replayed.
+/// Something that a scene is rarely meant to be. docs/checks.md lists all.
+typedef struct swSceneRemark
+{
+    const char* code;    ///< stays the same when sentences change
+    swLogLevel severity; ///< SW_LOG_WARNING or SW_LOG_INFO
+    int line;            ///< of the file; 0: of the whole scene
+    char text[512];      ///< what is found, and what helps
+} swSceneRemark;
+
+/// Look for what a scene is rarely meant to be: no views, waves that are nowhere, inputs that say nothing, and the
+/// like.
+/// @param world that the scene was opened as, for what only a world can tell; may be NULL
+/// @param remarks room for `capacity`
+/// @return how many there are, also if there is room for fewer
+SW_API int swScene_Check(const swScene* scene, const swWorld* world, int capacity, swSceneRemark* remarks);
+
+/// The wave systems and inputs of a scene in a world, in the scene's order, and what drives waves that are replayed.
 typedef struct swSceneSea
 {
     int systemCount;
     swWaveSystemId systems[SW_MAX_WAVE_SYSTEMS];
     swSeaReplay* replays[SW_MAX_WAVE_SYSTEMS]; ///< NULL where nothing is replayed
+    int inputCount;
+    swInputId* inputs; ///< in the scene's order; NULL if there are none
+    int inputRoom;
+    swHost host; ///< who gave the memory of inputs
 } swSceneSea;
 
-/// Add the scene's wave systems to a world; replays begin at the world's present time. The scene has to outlive the
-/// sea.
-/// @return what swCreateWaveSystem() and swCreateSeaReplay() return; the world is then as it was
+/// Add the scene's wave systems and inputs to a world; replays begin at the world's present time. The scene has to
+/// outlive the sea.
+/// @return what swCreateWaveSystem(), swCreateSeaReplay() and swCreateInput() return; the world is then as it was
 SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea);
 
 /// Set replayed systems to a time; call it before each step to that time. Does nothing for a scene without replays.
 /// @return as swSeaReplay_Advance()
 SW_API swResult swSceneSea_Advance(swSceneSea* sea, double time);
 
-/// Stop the replays, while the world is still there. The wave systems stay as they are. NULL is allowed.
+/// Stop the replays, while the world is still there. Wave systems and inputs stay as they are. NULL is allowed.
 SW_API void swDestroySceneSea(swSceneSea* sea);
 
 /// Create a world with the scene's wave systems and step it to the scene's time.

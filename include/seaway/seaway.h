@@ -21,6 +21,7 @@
 #include "spectrum.h"
 #include "spline.h"
 #include "view.h"
+#include "water_body.h"
 #include "waves.h"
 #include "wind.h"
 #include "world.h"

@@ -7,8 +7,8 @@
 
 /// @file
 /// The wind of a world, 10 m above the water. Wave systems that say so (swWaveSystemDef::takesWind), whitecaps, and the
-/// ripples of a picture take it, unless they name a wind of their own. It is a function of place and time: a mean, gusts
-/// that the mean carries along, and inputs of the field SW_INPUT_WIND, which change it by place.
+/// ripples of a picture take it, unless they name a wind of their own. It is a function of place and time: a mean,
+/// gusts that the mean carries along, and inputs of the field SW_INPUT_WIND, which change it by place.
 
 typedef struct swWorld swWorld;
 

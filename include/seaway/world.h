@@ -32,9 +32,10 @@ typedef struct swFoamDef
     /// Factor on the whitecap cover that the waves' wind gives, for an artist. Range [0, 100]. Default 1.
     float coverage;
 
-    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the mean of the world's wind (see wind.h), or where it
-    /// names none the wind that a spectrum knows (see swSpectrumDef::hasWind), or else the one that the waves themselves tell of, by the level of the equilibrium
-    /// range above their peak [Phillips 1985]. Give a wind where it was measured, or where waves and weather disagree.
+    /// Wind at 10 m for the cover, m/s. Range [0, 100]. Default 0: the mean of the world's wind (see wind.h), or where
+    /// it names none the wind that a spectrum knows (see swSpectrumDef::hasWind), or else the one that the waves
+    /// themselves tell of, by the level of the equilibrium range above their peak [Phillips 1985]. Give a wind where it
+    /// was measured, or where waves and weather disagree.
     float windSpeed;
 
     /// Waves shorter than this make no foam, m: foam then follows long crests. The finest slices know waves of 8 texels

@@ -48,9 +48,10 @@
 
 // Bits of swInputRecord::flags.
 #define SW_INPUT_FOLLOWS_WAVES 1u
-#define SW_INPUT_TURNS_VALUES 2u // values x and z (of flow and wind x and y) lie along the record's own axes
-#define SW_INPUT_IS_BOUNDLESS 4u // it counts everywhere, also where cells do not fit 32 bits
-#define SW_INPUT_CHANGES 8u      // its value, gain or place is another in each step
+#define SW_INPUT_TURNS_VALUES 2u  // values x and z (of flow and wind x and y) lie along the record's own axes
+#define SW_INPUT_IS_BOUNDLESS 4u  // it counts everywhere, also where cells do not fit 32 bits
+#define SW_INPUT_ALONG_SPLINE 16u // waves turn with the spline, see shape_spline.h
+#define SW_INPUT_CHANGES 8u       // its value, gain or place is another in each step
 
 SW_PARAMS(swInputRecord)
 {
@@ -62,9 +63,9 @@ SW_PARAMS(swInputRecord)
     float weight, feather;
     sw_vec4 value;
     sw_vec4 size; // x, y, z: full extents; w: height of its own origin above sea level, m
-    sw_vec4 turn; // of a shape with a height: its rotation as a quaternion x, y, z, w, from own axes to the sea's
+    sw_vec4 turn; // of a shape with a height: its pitch and roll as a quaternion x, y, z, w; the yaw comes after
     sw_uint field, shape, blend, flags;
-    sw_uint system;               // of SW_FIELD_OF_WAVES: its slot
+    sw_uint system;               // of SW_FIELD_OF_WAVES: its slot, or SW_ALL_SYSTEMS
     sw_uint firstWord, wordCount; // of its data. On the CPU each record has a pointer of its own, and firstWord is 0
     sw_uint extra0;               // what its shape says they are
     sw_uint extra1, extra2, extra3, extra4;
@@ -80,6 +81,7 @@ SW_PARAMS_VEC3(swInputRecord, turn);
 #define SW_NO_FLOOR (-1e30f)
 
 #define SW_NO_RECORD 0xffffffffu
+#define SW_ALL_SYSTEMS 0xffffffffu
 
 // A box of cells. Nodes of a field stand in depth-first order: below one stands its first child, at `skip` what comes
 // after the last one.

@@ -109,10 +109,9 @@ static swResult readHeading(ExrGrid* reader)
     const double first[2] = {findNumber(reader, SW_EXR_X), -findNumber(reader, SW_EXR_Z)};
     swResult result = chooseChannel(reader);
     reader->message[0] = '\0'; // that an attribute is missing is no fault
-    return result != SW_SUCCESS
-               ? result
-               : swPlaceImageGrid(&reader->grid, reader->width, reader->height, spacing, first,
-                                  isfinite(first[0]) ? 'm' : 0);
+    return result != SW_SUCCESS ? result
+                                : swPlaceImageGrid(&reader->grid, reader->width, reader->height, spacing, first,
+                                                   isfinite(first[0]) ? 'm' : 0);
 }
 
 // `block` has room for two chunks: the channel that counts, and behind it whatever the others hold, since OpenEXR 3.1
@@ -201,10 +200,9 @@ static bool readChunk(const ExrGrid* reader, const ExrChunks* chunks, int column
                       exr_decode_pipeline_t* decoder, bool isFirst, float* block, float* values)
 {
     exr_chunk_info_t chunk;
-    exr_result_t result = chunks->isTiled
-                              ? exr_read_tile_chunk_info(reader->file, 0, column / chunks->width, row / chunks->height,
-                                                         0, 0, &chunk)
-                              : exr_read_scanline_chunk_info(reader->file, 0, reader->firstY + row, &chunk);
+    exr_result_t result = chunks->isTiled ? exr_read_tile_chunk_info(reader->file, 0, column / chunks->width,
+                                                                     row / chunks->height, 0, 0, &chunk)
+                                          : exr_read_scanline_chunk_info(reader->file, 0, reader->firstY + row, &chunk);
     if (result != EXR_ERR_SUCCESS || chunk.width < 1 || chunk.height < 1 || chunk.width > chunks->width ||
         chunk.height > chunks->height || !decodeChunk(reader, decoder, &chunk, block, isFirst))
     {

@@ -127,12 +127,9 @@ static swResult readCells(GmtGrid* reader, swRaster** raster)
 
 swResult swReadGmtGrid(const swNetcdfFile* file, const swRasterFileDef* def, swRaster** raster)
 {
-    GmtGrid reader = {.file = *file,
-                      .grid = {.host = file->host,
-                               .name = file->name,
-                               .def = def,
-                               .isDepth = def->isDepth,
-                               .isNorthFirst = true}};
+    GmtGrid reader = {
+        .file = *file,
+        .grid = {.host = file->host, .name = file->name, .def = def, .isDepth = def->isDepth, .isNorthFirst = true}};
     swFindNetcdfVariable(file, "z", &reader.values);
     swResult result = readAxes(&reader);
     if (result != SW_SUCCESS)

@@ -87,8 +87,7 @@ static swResult readHeading(PngGrid* reader)
     reader->bytesEach = depth / 8;
     reader->isInterlaced = png_get_interlace_type(reader->png, reader->info) != PNG_INTERLACE_NONE;
     swResult result = chooseChannel(reader, colorType);
-    return result != SW_SUCCESS ? result
-                                : swPlaceImageGrid(grid, reader->width, reader->height, unknown, unknown, 0);
+    return result != SW_SUCCESS ? result : swPlaceImageGrid(grid, reader->width, reader->height, unknown, unknown, 0);
 }
 
 static void keepRow(PngGrid* reader, int row, const unsigned char* bytes)
@@ -192,8 +191,8 @@ swResult swReadPngGrid(const swHost* host, const char* path, const swRasterFileD
     }
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, onError, onWarning);
     reader.info = reader.png != NULL ? png_create_info_struct(reader.png) : NULL;
-    swResult result = reader.info != NULL ? SW_SUCCESS
-                                          : swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", path);
+    swResult result =
+        reader.info != NULL ? SW_SUCCESS : swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", path);
     result = result != SW_SUCCESS ? result : read(&reader);
     result = result != SW_SUCCESS ? result : swMakeGridRaster(&reader.grid, reader.values, raster);
     freeReader(&reader);

@@ -34,8 +34,7 @@ static float decode(swRasterNumbers numbers, const unsigned char* bytes)
 static swResult checkSize(const swRasterGrid* grid, FILE* file)
 {
     const swRasterFileDef* def = grid->def;
-    long long expected =
-        (long long)def->rawWidth * (long long)def->rawHeight * (long long)getNumberSize(def->numbers);
+    long long expected = (long long)def->rawWidth * (long long)def->rawHeight * (long long)getNumberSize(def->numbers);
     if (fseek(file, 0, SEEK_END) != 0)
     {
         return swFail(grid->host, SW_ERROR_FILE, "Cannot read %s: %s", grid->name, strerror(errno));
@@ -43,10 +42,11 @@ static swResult checkSize(const swRasterGrid* grid, FILE* file)
     long long size = (long long)ftell(file);
     if (size != expected)
     {
-        return swFail(grid->host, SW_ERROR_FORMAT,
-                      "%s has %lld bytes; %d x %d numbers of %zu bytes are %lld. Set rawWidth, rawHeight and numbers of "
-                      "swRasterFileDef to what the file holds.",
-                      grid->name, size, def->rawWidth, def->rawHeight, getNumberSize(def->numbers), expected);
+        return swFail(
+            grid->host, SW_ERROR_FORMAT,
+            "%s has %lld bytes; %d x %d numbers of %zu bytes are %lld. Set rawWidth, rawHeight and numbers of "
+            "swRasterFileDef to what the file holds.",
+            grid->name, size, def->rawWidth, def->rawHeight, getNumberSize(def->numbers), expected);
     }
     return SW_SUCCESS;
 }

@@ -110,9 +110,10 @@ static swResult readKeys(TiffGrid* reader)
     reader->unit = model == 2 ? 'd' : model == 1 ? 'm' : 0;
     if (model == 1 && unit > 0 && unit != UNIT_METRE && unit != 32767)
     {
-        return swFail(reader->grid.host, SW_ERROR_FORMAT,
-                      "%s has coordinates of unit %d (EPSG); only metres (9001) and degrees are read. Convert it first.",
-                      reader->grid.name, unit);
+        return swFail(
+            reader->grid.host, SW_ERROR_FORMAT,
+            "%s has coordinates of unit %d (EPSG); only metres (9001) and degrees are read. Convert it first.",
+            reader->grid.name, unit);
     }
     return SW_SUCCESS;
 }
@@ -187,19 +188,20 @@ static swResult readHeading(TiffGrid* reader)
     if (reader->width < 1 || reader->height < 1 || reader->width > 10000000 || reader->height > 10000000 ||
         reader->samples < 1 || (reader->samples > 1 && planes != PLANARCONFIG_CONTIG) || !isKnownSample(reader))
     {
-        return swFail(reader->grid.host, SW_ERROR_FORMAT,
-                      "%s has %u x %u pixels of %u samples of %u bits, format %u; what is read is float of 32 or 64 bits "
-                      "and integers of 8, 16 or 32 bits. Convert it first.",
-                      reader->grid.name, reader->width, reader->height, (unsigned)reader->samples,
-                      (unsigned)reader->bits, (unsigned)reader->format);
+        return swFail(
+            reader->grid.host, SW_ERROR_FORMAT,
+            "%s has %u x %u pixels of %u samples of %u bits, format %u; what is read is float of 32 or 64 bits "
+            "and integers of 8, 16 or 32 bits. Convert it first.",
+            reader->grid.name, reader->width, reader->height, (unsigned)reader->samples, (unsigned)reader->bits,
+            (unsigned)reader->format);
     }
     double spacing[2] = {(double)NAN, (double)NAN}, first[2] = {(double)NAN, (double)NAN};
     swResult result = readKeys(reader);
     result = result != SW_SUCCESS ? result : readPlace(reader, spacing, first);
     readNoData(reader);
-    return result != SW_SUCCESS ? result
-                                : swPlaceImageGrid(&reader->grid, (int)reader->width, (int)reader->height, spacing,
-                                                   first, reader->unit);
+    return result != SW_SUCCESS
+               ? result
+               : swPlaceImageGrid(&reader->grid, (int)reader->width, (int)reader->height, spacing, first, reader->unit);
 }
 
 static float decode(const TiffGrid* reader, const unsigned char* at)
@@ -278,7 +280,8 @@ static swResult readTiles(TiffGrid* reader, unsigned char* bytes, float* values)
     {
         return failRead(reader);
     }
-    uint32_t firstColumn = (uint32_t)grid->east.begin / width * width, firstRow = (uint32_t)rows.first / height * height;
+    uint32_t firstColumn = (uint32_t)grid->east.begin / width * width,
+             firstRow = (uint32_t)rows.first / height * height;
     for (uint32_t row = firstRow; row < (uint32_t)rows.end; row += height)
     {
         for (uint32_t column = firstColumn; column < (uint32_t)grid->east.end; column += width)

@@ -81,13 +81,12 @@ static bool writeHeader(exr_context_t file, const swRasterInfo* info, const char
                    {SW_EXR_Z, info->z},
                    {SW_EXR_SPACING_X, info->spacingX},
                    {SW_EXR_SPACING_Z, info->spacingZ}};
-    bool isDone =
-        exr_add_part(file, "height", EXR_STORAGE_SCANLINE, &part) == EXR_ERR_SUCCESS &&
-        exr_initialize_required_attr_simple(file, part, info->width, info->height, EXR_COMPRESSION_NONE) ==
-            EXR_ERR_SUCCESS &&
-        exr_add_channel(file, part, "Y", EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LINEAR, 1, 1) == EXR_ERR_SUCCESS &&
-        exr_attr_set_string(file, part, SW_EXR_SOURCE, source) == EXR_ERR_SUCCESS &&
-        exr_attr_set_string(file, part, SW_EXR_SOURCE_HASH, hex) == EXR_ERR_SUCCESS;
+    bool isDone = exr_add_part(file, "height", EXR_STORAGE_SCANLINE, &part) == EXR_ERR_SUCCESS &&
+                  exr_initialize_required_attr_simple(file, part, info->width, info->height, EXR_COMPRESSION_NONE) ==
+                      EXR_ERR_SUCCESS &&
+                  exr_add_channel(file, part, "Y", EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LINEAR, 1, 1) == EXR_ERR_SUCCESS &&
+                  exr_attr_set_string(file, part, SW_EXR_SOURCE, source) == EXR_ERR_SUCCESS &&
+                  exr_attr_set_string(file, part, SW_EXR_SOURCE_HASH, hex) == EXR_ERR_SUCCESS;
     for (int i = 0; i < 4 && isDone; ++i)
     {
         isDone = exr_attr_set_double(file, part, numbers[i].name, numbers[i].number) == EXR_ERR_SUCCESS;
@@ -194,8 +193,10 @@ static swResult readSource(const swHost* host, const char* path, swRasterSource*
 #else
 static swResult refuse(const swHost* host, const char* path)
 {
-    return swFail(host, SW_ERROR_UNSUPPORTED, "%s would be an EXR image, which this build does not know: configure with "
-                                              "libopenexr-dev installed.", path);
+    return swFail(host, SW_ERROR_UNSUPPORTED,
+                  "%s would be an EXR image, which this build does not know: configure with "
+                  "libopenexr-dev installed.",
+                  path);
 }
 #endif
 

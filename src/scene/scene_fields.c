@@ -2,7 +2,10 @@
 
 #include "scene/scene_fields.h"
 
+#include <math.h>
+
 #include "core/base/field.h"
+#include "scene/scene_inputs.h"
 #include "scene/yaml_read.h"
 #include "seaway/math.h"
 
@@ -56,6 +59,54 @@ static const swFields view = SW_PART_FIELDS(swSceneView, "views", "view", viewFi
 const swFields* swGetSceneViewFields(void)
 {
     return &view;
+}
+
+// ---- inputs ----
+
+static const char* const coordinateWords[] = {"by_file", "metres", "degrees", NULL};
+
+#define SW_DEF swSceneRaster
+static const swField rasterFields[] = {
+    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_TEXT(file, .key = "file", .label = "file", .tip = "Relative to the scene file"),
+    SW_TEXT(variable, .key = "variable", .label = "variable", .tip = "Of netCDF; the channel of an image"),
+    SW_CHOICE(def.coordinates, coordinateWords, coordinateWords, SW_RASTER_BY_FILE, .key = "coordinates",
+              .label = "coordinates", .tip = "What the file's are"),
+    SW_NUMBER(def.originEast, "", SW_WITHIN(-1e9, 1e9), NAN, .key = "origin_east", .label = "origin east",
+              .tip = "The file's easting or longitude that is the world's x = 0"),
+    SW_NUMBER(def.originNorth, "", SW_WITHIN(-1e9, 1e9), NAN, .key = "origin_north", .label = "origin north",
+              .tip = "The file's northing or latitude that is the world's z = 0"),
+    SW_NUMBER(def.west, "m", SW_WITHIN(-1e9, 1e9), -INFINITY, .key = "west_m", .label = "west",
+              .tip = "Cells outside of these metres of the world are left out"),
+    SW_NUMBER(def.east, "m", SW_WITHIN(-1e9, 1e9), INFINITY, .key = "east_m", .label = "east"),
+    SW_NUMBER(def.north, "m", SW_WITHIN(-1e9, 1e9), -INFINITY, .key = "north_m", .label = "north"),
+    SW_NUMBER(def.south, "m", SW_WITHIN(-1e9, 1e9), INFINITY, .key = "south_m", .label = "south"),
+    SW_SWITCH(def.isDepth, false, .key = "is_depth", .label = "depths", .tip = "The numbers count downwards"),
+};
+#undef SW_DEF
+
+static const swFields raster = SW_PART_FIELDS(swSceneRaster, "rasters", "raster", rasterFields);
+
+const swFields* swGetSceneRasterFields(void)
+{
+    return &raster;
+}
+
+#define SW_DEF swInputPoint
+static const swField pointFields[] = {
+    SW_NUMBER(x, "m", SW_WITHIN(-1e6, 1e6), 0.0, .key = "x_m", .label = "x"),
+    SW_NUMBER(z, "m", SW_WITHIN(-1e6, 1e6), 0.0, .key = "z_m", .label = "z"),
+    SW_NUMBER(radius, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "radius_m", .label = "radius",
+              .tip = "Of a particle, or half the width of a polyline", .zero = "half the input's size"),
+    SW_NUMBER(weight, "", SW_WITHIN(0.0, 100.0), 1.0, .key = "weight", .label = "weight"),
+};
+#undef SW_DEF
+
+static const swFields point = SW_PART_FIELDS(swInputPoint, "points", "point", pointFields);
+
+const swFields* swGetInputPointFields(void)
+{
+    return &point;
 }
 
 // ---- waves ----

@@ -10,6 +10,7 @@
 #include "core/base/misuse.h"
 #include "files/file_text.h"
 #include "scene/scene_components.h"
+#include "scene/scene_inputs.h"
 #include "scene/scene_measured.h"
 #include "scene/scene_source.h"
 #include "scene/scene_waves.h"
@@ -87,6 +88,7 @@ static swResult readWaves(swYaml* yaml, yaml_node_t* node, const swYamlKey* key,
         // Counted first, so that what a failed one has read is freed.
         scene->wavesCount = i + 1;
         scene->waves[i].item = i + 1;
+        scene->waves[i].line = (int)swGetYamlItem(yaml, node, i)->start_mark.line + 1;
         result = swKeepFailure(result, swReadSceneWaves(yaml, swGetYamlItem(yaml, node, i), reader->folder,
                                                         reader->opensNone, &scene->waves[i], &scene->source->waves[i]));
     }
@@ -127,6 +129,7 @@ static swResult readSceneView(swYaml* yaml, yaml_node_t* node, swScene* scene, i
     swSceneView* view = &scene->views[index];
     *view = swDefaultSceneView();
     view->item = index + 1;
+    view->line = (int)node->start_mark.line + 1;
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "views");
     swAddYamlFields(&mapping, swGetSceneViewFields(), 0, "views");
@@ -151,6 +154,7 @@ static swResult readViews(swYaml* yaml, yaml_node_t* node, const swYamlKey* key,
 
 static swResult readScene(swYaml* yaml, yaml_node_t* root, swScene* scene)
 {
+    const Reader* reader = getReader(yaml);
     swYamlMapping mapping;
     const char* sections[SW_SCENE_MAX_SECTIONS];
     int count = swListSceneSections(sections);
@@ -162,7 +166,11 @@ static swResult readScene(swYaml* yaml, yaml_node_t* root, swScene* scene)
     }
     swAddYamlKey(&mapping, "waves", readWaves);
     swAddYamlKey(&mapping, "views", readViews);
-    return swReadYamlMapping(yaml, root, &mapping, scene);
+    swAddInputKeys(&mapping);
+    swResult result = swReadYamlMapping(yaml, root, &mapping, scene);
+    return root->type == YAML_MAPPING_NODE && !swIsYamlOver(yaml, result)
+               ? swKeepFailure(result, swReadSceneInputs(yaml, &mapping, reader->folder, reader->opensNone, scene))
+               : result;
 }
 
 static swResult readRoot(const swHost* host, const char* text, size_t size, const char* name, Reader* reader)
@@ -278,6 +286,7 @@ void swDestroyScene(swScene* scene)
             swDestroyMeasuredSea(scene->waves[i].measured);
             swFreeComponents(&host, &scene->waves[i]);
         }
+        swFreeSceneInputs(scene);
         swSceneSource* source = scene->source;
         swFree(&host, source->text, source->text != NULL ? source->size + 1 : 0);
         swFreeTree(&source->tree);

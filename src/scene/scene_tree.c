@@ -43,6 +43,11 @@ static bool isReadBack(swWavesWriter* writer)
     swHost host = writer->scene->host;
     host.log = sayNothing;
     swTree tree = swBeginTree(&host, SW_TREE_MAPPING);
+    static const char* const unchanged[] = {"rasters", "splines", "inputs"}; // an empty list stays as it is
+    for (int i = 0; i < 3 && !tree.isBroken; ++i)
+    {
+        swAddTreeNode(&tree, 0, SW_TREE_LIST, unchanged[i]);
+    }
     int list = swAddTreeNode(&tree, 0, SW_TREE_LIST, "waves");
     int item = swAddTreeNode(&tree, list, SW_TREE_MAPPING, NULL);
     swFillWavesTree(&tree, item, writer);
@@ -180,6 +185,11 @@ swTree swMakeSceneTree(const swScene* scene, bool isAsRead)
             swScenePart part = swGetScenePart(j);
             swAddFields(&tree, node, part.fields, (const char*)scene + part.offset, sections[i]);
         }
+    }
+    static const char* const unchanged[] = {"rasters", "splines", "inputs"}; // an empty list stays as it is
+    for (int i = 0; i < 3 && !tree.isBroken; ++i)
+    {
+        swAddTreeNode(&tree, 0, SW_TREE_LIST, unchanged[i]);
     }
     int list = swAddTreeNode(&tree, 0, SW_TREE_LIST, "waves");
     for (int i = 0; i < scene->wavesCount && !tree.isBroken; ++i)

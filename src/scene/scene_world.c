@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/base/misuse.h"
+#include "scene/scene_inputs.h"
 #include "seaway/scene.h"
 
 const swSceneView* swScene_FindView(const swScene* scene, const char* name)
@@ -48,6 +49,22 @@ static swResult createSystem(swWorld* world, const swSceneWaves* waves, swSceneS
     return result;
 }
 
+static swResult createSystems(swWorld* world, const swScene* scene, swSceneSea* sea)
+{
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        swResult result = createSystem(world, &scene->waves[i], sea);
+        if (result != SW_SUCCESS)
+        {
+            swLog(&scene->host, SW_LOG_ERROR, "Wave system %d of the scene '%s' could not be created.", i + 1,
+                  scene->name);
+            return result;
+        }
+        sea->systemCount += 1;
+    }
+    return SW_SUCCESS;
+}
+
 swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
     if (sea != NULL)
@@ -56,24 +73,22 @@ swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
     }
     SW_REQUIRE(world != NULL && scene != NULL && sea != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
                "swCreateSceneSea() needs a world, a scene and a place for the sea");
-    for (int i = 0; i < scene->wavesCount; ++i)
+    swResult result = createSystems(world, scene, sea);
+    result = result == SW_SUCCESS ? swCreateSceneInputs(world, scene, sea) : result;
+    if (result != SW_SUCCESS)
     {
-        swResult result = createSystem(world, &scene->waves[i], sea);
-        if (result != SW_SUCCESS)
+        for (int i = 0; i < sea->inputCount; ++i)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Wave system %d of the scene '%s' could not be created.", i + 1,
-                  scene->name);
-            int count = sea->systemCount;
-            swDestroySceneSea(sea);
-            for (int j = 0; j < count; ++j)
-            {
-                swDestroyWaveSystem(world, sea->systems[j]);
-            }
-            return result;
+            swDestroyInput(world, sea->inputs[i]);
         }
-        sea->systemCount += 1;
+        int count = sea->systemCount;
+        swDestroySceneSea(sea);
+        for (int i = 0; i < count; ++i)
+        {
+            swDestroyWaveSystem(world, sea->systems[i]);
+        }
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 swResult swSceneSea_Advance(swSceneSea* sea, double time)
@@ -100,6 +115,7 @@ void swDestroySceneSea(swSceneSea* sea)
         sea->replays[i] = NULL;
     }
     sea->systemCount = 0;
+    swFreeSceneSeaInputs(sea);
 }
 
 swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** world, swSceneSea* sea)

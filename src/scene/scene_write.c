@@ -275,29 +275,42 @@ static swResult checkFile(const swScene* scene, const char* path)
                         path);
 }
 
-// Relative names of spectrum files must lead there from the new file too.
+static swResult checkFileName(const swScene* scene, const char* path, const char* folder, const char* name)
+{
+    const char* old = scene->source->folder;
+    char file[SW_MAX_PATH + 512];
+    snprintf(file, sizeof(file), "%s%s%s", folder, folder[0] != '\0' ? "/" : "", name);
+    if (name[0] == '\0' || name[0] == '/' || swHasFile(file))
+    {
+        return SW_SUCCESS;
+    }
+    return swFail(
+        &scene->host, SW_ERROR_FILE,
+        "Cannot write %s: the scene names the file %s, which is not there beside it; write the scene into the "
+        "folder %s, or copy that file first.",
+        path, name, old[0] != '\0' ? old : ".");
+}
+
+// Relative names of files must lead there from the new file too.
 static swResult checkNames(const swScene* scene, const char* path)
 {
     const char* old = scene->source->folder;
-    char folder[SW_MAX_PATH], file[SW_MAX_PATH + 512];
+    char folder[SW_MAX_PATH];
     swFindFolder(path, folder);
     if (swIsSameFile(folder[0] != '\0' ? folder : ".", old[0] != '\0' ? old : "."))
     {
         return SW_SUCCESS;
     }
-    for (int i = 0; i < scene->wavesCount; ++i)
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < scene->wavesCount && result == SW_SUCCESS; ++i)
     {
-        const char* name = scene->waves[i].file;
-        snprintf(file, sizeof(file), "%s%s%s", folder, folder[0] != '\0' ? "/" : "", name);
-        if (name[0] != '\0' && name[0] != '/' && !swHasFile(file))
-        {
-            return swFail(&scene->host, SW_ERROR_FILE,
-                          "Cannot write %s: the scene names the spectrum file %s, which is not there beside it; write "
-                          "the scene into the folder %s, or copy that file first.",
-                          path, name, old[0] != '\0' ? old : ".");
-        }
+        result = checkFileName(scene, path, folder, scene->waves[i].file);
     }
-    return SW_SUCCESS;
+    for (int i = 0; i < scene->rasterCount && result == SW_SUCCESS; ++i)
+    {
+        result = checkFileName(scene, path, folder, scene->rasters[i].file);
+    }
+    return result;
 }
 
 // From now on the scene is the one that was read from the text.

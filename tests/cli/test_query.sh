@@ -216,6 +216,26 @@ query_particles_and_drift
     [ $? -eq 1 ] || fail "a full disk is not exit code 1"
 }
 
+# What inputs say at the points.
+cat >inputs.yaml <<'SCENE'
+waves: [{beaufort: 3}]
+inputs:
+  - {field: level, shape: circle, size_m: [20, 0, 20], value: 2, blend: replace}
+  - {field: floor, value: -30}
+  - {field: flow, value: [0.5, -1]}
+SCENE
+printf 'x,z\n0,0\n100,0\n' >fields.csv
+run 0 query inputs.yaml --points fields.csv --fields depth,level,flow,body
+out '^t_s,x_m,z_m,depth_m,level_m,flow_x_mps,flow_z_mps,body$'
+out '^0,0,0,32,2,0.5,-1,-1$'
+out '^0,100,0,30,0,0.5,-1,-1$'
+run 2 query inputs.yaml --points fields.csv --fields depth,heat
+err "no 'heat'"
+run 2 query inputs.yaml --points fields.csv --fields depth,depth
+err 'depth twice'
+run 2 query inputs.yaml --points fields.csv --fields depth --below
+err 'question of its own'
+
 # Lines may end in CR alone.
 printf 'x,z\n0,0\n10,5\n' >lf.csv
 printf 'x,z\r0,0\r10,5\r' >cr.csv

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "scene/exact_number.h"
+#include "scene/scene_inputs.h"
 #include "scene/scene_source.h"
 #include "scene/scene_waves.h"
 #include "scene/yaml_read.h"
@@ -73,7 +74,11 @@ static void PrintValues(FILE* out, const swField* field)
         return;
     }
     swField_GetShownRange(field, &low, &high);
-    fprintf(out, "%s%s", field->count > 1 ? "three numbers, " : "", field->isLowOpen ? "above " : "");
+    fprintf(out, "%s%s",
+            field->count == 3   ? "three numbers, "
+            : field->count == 4 ? "as many numbers as the field has, "
+                                : "",
+            field->isLowOpen ? "above " : "");
     PrintNumber(out, low);
     fputs(isinf(high) ? " and more" : field->isHighOpen ? " to below " : " to ", out);
     if (!isinf(high))
@@ -177,10 +182,11 @@ static void PrintSection(FILE* out, const char* section)
 {
     swYamlMapping mapping;
     const swFields* const tables[] = {
-        swGetSceneFields(),      swGetSceneViewFields(),     swGetWavesTextFields(), swGetMeasuredTextFields(),
-        swGetOctaveTextFields(), swGetOctaveFields(),        swGetOctavesFields(),   swGetWaveSystemFields(),
-        swGetWorldFields(),      swGetWaveComponentFields(), swGetViewFields(),      swGetSkyFields(),
-        swGetWaterFields(),
+        swGetSceneFields(),      swGetSceneViewFields(),     swGetWavesTextFields(),   swGetMeasuredTextFields(),
+        swGetOctaveTextFields(), swGetOctaveFields(),        swGetOctavesFields(),     swGetWaveSystemFields(),
+        swGetWorldFields(),      swGetWaveComponentFields(), swGetViewFields(),        swGetSkyFields(),
+        swGetWaterFields(),      swGetInputFields(),         swGetSceneRasterFields(), swGetInputPointFields(),
+        swGetSplineFields(),     swGetSplinePointFields(),
     };
     swBeginYamlMapping(&mapping, section);
     for (size_t i = 0; i < sizeof(tables) / sizeof(tables[0]); ++i)

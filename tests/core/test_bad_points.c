@@ -155,8 +155,8 @@ static void AskSurface(const swWorld* world, const swQueryDef* def, bool isParti
     static swPosXZ points[MOST];
     Flatten(points, of, count);
     memset(to, 0x55, sizeof *to);
-    const swSurfaceSamples samples = {to->height,   to->displacement, to->normal,       to->jacobian,
-                                      to->residual, to->velocity,     to->acceleration, NULL};
+    const swSurfaceSamples samples = {to->height,   to->displacement, to->normal, to->jacobian, to->residual,
+                                      to->velocity, to->acceleration, NULL,       NULL};
     if (isParticles)
     {
         swMoment_QueryParticles(swWorld_GetMoment(world), def, count, points, &samples, to->slopes, &to->stats);

@@ -297,8 +297,10 @@ static void VelocitiesHaveTheFlow(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(HeightsDoNotBreathe), cmocka_unit_test(HeightsAreTheSameAcrossAnEdge),
-        cmocka_unit_test(NothingJumpsWhenCopiesBeginAnew), cmocka_unit_test(WavesGoWithTheWater),
+        cmocka_unit_test(HeightsDoNotBreathe),
+        cmocka_unit_test(HeightsAreTheSameAcrossAnEdge),
+        cmocka_unit_test(NothingJumpsWhenCopiesBeginAnew),
+        cmocka_unit_test(WavesGoWithTheWater),
         cmocka_unit_test(VelocitiesHaveTheFlow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

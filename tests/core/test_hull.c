@@ -207,6 +207,52 @@ static void MeshesWithoutAnInsideAreRefusedInASentence(void** state)
     Refuses(&def, "resolution");
 }
 
+// Corners of triangles of a text file: [count][3].
+static int ReadStlText(const char* path, TestMesh* mesh)
+{
+    FILE* file = fopen(path, "r");
+    mesh->vertexCount = mesh->triangleCount = 0;
+    if (file == NULL)
+    {
+        printf("skipped: there is no %s\n", path);
+        return 0;
+    }
+    char line[256];
+    while (fgets(line, sizeof line, file) != NULL)
+    {
+        swVec3* v = &mesh->vertices[mesh->vertexCount];
+        if (sscanf(line, " vertex %f %f %f", &v->x, &v->y, &v->z) == 3)
+        {
+            mesh->indices[mesh->vertexCount] = (uint32_t)mesh->vertexCount;
+            mesh->vertexCount += 1;
+        }
+    }
+    fclose(file);
+    mesh->triangleCount = mesh->vertexCount / 3;
+    return mesh->triangleCount;
+}
+
+static void RoundedCornersOfAFileOfTrianglesAreJoined(void** state)
+{
+    (void)state;
+    static TestMesh mesh;
+    if (ReadStlText(SW_SOURCE_DIR "/../shared/data/meshes/wecsim_rm3/float.stl", &mesh) == 0)
+    {
+        skip();
+    }
+    swHullDef def = MakeHullDef(&mesh, "float");
+    swHull* hull = CreateHull(&def);
+    swHullInfo info = swHull_GetInfo(hull);
+    printf("float: %d triangles, %d x %d x %d values, %zu bytes%s%s\n", mesh.triangleCount, info.countX, info.countY,
+           info.countZ, info.memory, info.isSelfCrossing ? ", crosses itself" : "",
+           info.isInsideOut ? ", inside out" : "");
+    assert_false(info.isSelfCrossing);
+    // A ring of 20 m about a hole of 6.5 m.
+    assert_true(DistanceAt(hull, 0.0f, 0.0f, 0.5f * (info.low.z + info.high.z)) > 2.0f);
+    assert_true(DistanceAt(hull, 7.0f, 0.0f, 0.5f * (info.low.z + info.high.z)) < -0.5f);
+    swDestroyHull(hull);
+}
+
 static void NothingIsHalfMadeWithoutMemory(void** state)
 {
     (void)state;
@@ -230,7 +276,7 @@ static void NothingIsHalfMadeWithoutMemory(void** state)
         assert_null(hull);
         assert_int_equal(atomic_load(&memory.bytes), 0);
     }
-    assert_true(failures >= 4);
+    assert_true(failures >= 6);
     swDestroyHull(hull);
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
@@ -244,6 +290,7 @@ int main(void)
         cmocka_unit_test(AMeshThatCrossesItselfIsMarkedAndOneHole),
         cmocka_unit_test(TwoPartsAndACavityAreOneHull),
         cmocka_unit_test(MeshesWithoutAnInsideAreRefusedInASentence),
+        cmocka_unit_test(RoundedCornersOfAFileOfTrianglesAreJoined),
         cmocka_unit_test(NothingIsHalfMadeWithoutMemory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,11 +5,12 @@
 #include <math.h>
 
 #include "core/input/polygon.h"
+#include "seaway/math.h"
 
 static void Refuses(int count, const swVec2* points, const char* sentence)
 {
     swHost host = MakeHost();
-    assert_int_equal(swCheckPolygon(&host, "lake", count, points), SW_ERROR_INVALID);
+    assert_int_equal(swCheckPolygon(&host, "lake", count, &points->x, 2), SW_ERROR_INVALID);
     printf("%s", s_messages);
     assert_non_null(strstr(s_messages, sentence));
 }
@@ -17,7 +18,7 @@ static void Refuses(int count, const swVec2* points, const char* sentence)
 static void Accepts(int count, const swVec2* points)
 {
     swHost host = MakeHost();
-    assert_int_equal(swCheckPolygon(&host, "lake", count, points), SW_SUCCESS);
+    assert_int_equal(swCheckPolygon(&host, "lake", count, &points->x, 2), SW_SUCCESS);
 }
 
 static void ConcavePolygonsAreTakenEitherWayRound(void** state)

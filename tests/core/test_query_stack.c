@@ -44,18 +44,20 @@ static void AskHeights(const swWorld* world, const swQueryDef* def)
     swMoment_QuerySurface(swWorld_GetMoment(world), def, POINTS, points, &samples, NULL);
 }
 
+static bool clipped[POINTS];
+
 static void AskSurface(const swWorld* world, const swQueryDef* def)
 {
-    const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1],
-                                      numbers[2], vectors[2], vectors[3], hints};
+    const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1], numbers[2],
+                                      vectors[2], vectors[3], hints,      clipped};
     swQueryStats stats;
     swMoment_QuerySurface(swWorld_GetMoment(world), def, POINTS, points, &samples, &stats);
 }
 
 static void AskParticles(const swWorld* world, const swQueryDef* def)
 {
-    const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1],
-                                      numbers[2], vectors[2], vectors[3], NULL};
+    const swSurfaceSamples samples = {numbers[0], vectors[0], vectors[1], numbers[1], numbers[2],
+                                      vectors[2], vectors[3], NULL,       clipped};
     swQueryStats stats;
     swMoment_QueryParticles(swWorld_GetMoment(world), def, POINTS, points, &samples, slopes, &stats);
 }

@@ -462,11 +462,11 @@ typedef struct Tiff
 } Tiff;
 
 static const TIFFFieldInfo GeoTags[] = {
-    {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t)"ModelPixelScale"},
-    {33922, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t)"ModelTiepoint"},
-    {34264, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t)"ModelTransformation"},
-    {34735, -1, -1, TIFF_SHORT, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t)"GeoKeyDirectory"},
-    {42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, (char*)(uintptr_t)"GDALNoData"},
+    {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t) "ModelPixelScale"},
+    {33922, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t) "ModelTiepoint"},
+    {34264, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t) "ModelTransformation"},
+    {34735, -1, -1, TIFF_SHORT, FIELD_CUSTOM, 1, 1, (char*)(uintptr_t) "GeoKeyDirectory"},
+    {42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, (char*)(uintptr_t) "GDALNoData"},
 };
 
 static void PutSample(const Tiff* kind, unsigned char* at, int column, int row)
@@ -550,8 +550,12 @@ static void TiffIsReadInStripsAndTiles(void** state)
     (void)state;
     for (int way = 0; way < 8; ++way)
     {
-        Tiff kind = {.width = 21, .height = 18, .bits = (way & 1) != 0 ? 64 : 32, .format = SAMPLEFORMAT_IEEEFP,
-                     .isTiled = (way & 2) != 0, .isTurned = (way & 4) != 0};
+        Tiff kind = {.width = 21,
+                     .height = 18,
+                     .bits = (way & 1) != 0 ? 64 : 32,
+                     .format = SAMPLEFORMAT_IEEEFP,
+                     .isTiled = (way & 2) != 0,
+                     .isTurned = (way & 4) != 0};
         WriteTiff(&kind);
         swRaster* raster = Read(NULL);
         assert_string_equal(s_messages, "");
@@ -653,7 +657,8 @@ static void LongitudesMayRunOverTheMeridian(void** state)
     (void)state;
     int file = MakeNetcdf(s_path, NC_NETCDF4);
     int east = AddDimension(file, "lon", 4), north = AddDimension(file, "lat", 2);
-    int eastAxis = AddVariable(file, "lon", NC_DOUBLE, 1, &east), northAxis = AddVariable(file, "lat", NC_DOUBLE, 1, &north);
+    int eastAxis = AddVariable(file, "lon", NC_DOUBLE, 1, &east),
+        northAxis = AddVariable(file, "lat", NC_DOUBLE, 1, &north);
     int heights = AddVariable(file, "z", NC_FLOAT, 2, (int[]){north, east});
     CheckNetcdf(nc_enddef(file));
     PutNumbers(file, eastAxis, (double[]){179.5, -180.0, -179.5, -179.0});

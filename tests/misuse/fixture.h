@@ -53,6 +53,8 @@ typedef struct Fixture
     swSplineDef splineDef;
     swFieldSamples fieldSamples;
     swInputId inputId, staleInputId;
+    swWaterBodyDef waterBodyDef;
+    swWaterBodyId waterBodyId, staleWaterBodyId;
     swHull* hull;
     swHullDef hullDef;
     swSeaBins bins;
@@ -94,7 +96,10 @@ typedef struct Fixture
 #define FIX_swHost (&f->host)
 #define FIX_swWaveSystemId (f->id)
 #define FIX_swInputId (f->inputId)
+#define FIX_swWaterBodyDef (&f->waterBodyDef)
+#define FIX_swWaterBodyId (f->waterBodyId)
 #define FIX_STALE_swInputId (f->staleInputId)
+#define FIX_STALE_swWaterBodyId (f->staleWaterBodyId)
 #define FIX_STALE_swWaveSystemId (f->staleId)
 #define FIX_swFieldSamples (&f->fieldSamples)
 #define FIX_swSeaReplayDef (&f->replayDef)
@@ -234,6 +239,13 @@ static inline void MakeWorld(Fixture* f)
     Need(swCreateInput(f->world, &inputDef, &f->staleInputId), "input");
     swDestroyInput(f->world, f->staleInputId);
     Need(swCreateInput(f->world, &inputDef, &f->inputId), "input");
+    static const swVec2 shore[3] = {{0.0f, 0.0f}, {10.0f, 0.0f}, {0.0f, 10.0f}};
+    f->waterBodyDef = swDefaultWaterBodyDef();
+    f->waterBodyDef.points = shore;
+    f->waterBodyDef.pointCount = 3;
+    Need(swCreateWaterBody(f->world, &f->waterBodyDef, &f->staleWaterBodyId), "body of water");
+    swDestroyWaterBody(f->world, f->staleWaterBodyId);
+    Need(swCreateWaterBody(f->world, &f->waterBodyDef, &f->waterBodyId), "body of water");
     static const swVec3 corners[4] = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
     static const uint32_t faces[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     f->hullDef = swDefaultHullDef();

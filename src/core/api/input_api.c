@@ -22,13 +22,14 @@ static swInputDef placeInSea(const swWorld* world, const swInputDef* def)
 // Waves are those of a system that is there.
 static swResult checkSystem(const swWorld* world, const swInputDef* def)
 {
-    if (def->field != SW_INPUT_WAVES || swWaveSystem_IsValid(world, def->system))
+    bool isForAll = SW_IS_NULL(def->system);
+    if (def->field != SW_INPUT_WAVES || isForAll || swWaveSystem_IsValid(world, def->system))
     {
         return SW_SUCCESS;
     }
     return swFail(&world->host, SW_ERROR_INVALID,
                   "the input '%s' weighs the waves of system %d of generation %u, which is not there; set "
-                  "swInputDef::system to one that swCreateWaveSystem() gave",
+                  "swInputDef::system to one that swCreateWaveSystem() gave, or to null for all systems",
                   def->name, def->system.index1, def->system.generation);
 }
 

@@ -319,6 +319,16 @@ typedef struct swFoamLaw
     swFoamRest rest;     // of all waves that make foam
 } swFoamLaw;
 
+// A body of water as pictures see it, see core/input/water_bodies.h.
+typedef struct swBodyFrame
+{
+    int number; // that the field BODY has in it
+    int look;
+    bool setsLevel;
+    float level;       // of still water above sea level, m, if it sets one
+    swPosXZ low, high; // bounds, in the sea
+} swBodyFrame;
+
 // One wave of a gust, and a wind with some, see core/input/wind.c. At a place and a tick: along cos(2 pi (turns -
 // frequency ticks + phaseAlong)), and so across.
 #define SW_GUSTS 12
@@ -368,6 +378,8 @@ typedef struct swFrame
     int zoneCount;
     const swZoneFrame* zones;
     const swInputSet* inputs; // NULL: there are none
+    int bodyCount;
+    const swBodyFrame* bodies;
 } swFrame;
 
 // The foam layer's parameters of slice `i`.

@@ -44,39 +44,32 @@ static void findBounds(swHull* hull, const swHullMesh* mesh)
     }
 }
 
-swResult swCreateHull(const swHost* host, const swHullDef* def, swHull** hull)
+// A hull of a mesh whose corners are joined.
+static swResult makeHull(const swHost* host, const swHullMesh* mesh, int resolution, swHull** hull)
 {
-    SW_REQUIRE_PLACE(host, hull, "swCreateHull()");
-    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE && def->vertices != NULL && def->indices != NULL &&
-                   def->vertexCount > 0 && def->triangleCount > 0 && def->triangleCount <= 50000000,
-               SW_ERROR_INVALID, host,
-               "swCreateHull() needs a def made by swDefaultHullDef(), vertices, and 1 to 50,000,000 triangles");
-    const swHullMesh mesh = {def->name != NULL ? def->name : "hull", def->vertexCount, def->vertices,
-                             def->triangleCount, def->indices};
     swHullGrid grid;
-    swResult result = swCheckDef(host, &swHullFields, def);
-    result = result == SW_SUCCESS ? swPlanHullGrid(host, &mesh, def->resolution, &grid) : result;
+    swResult result = swPlanHullGrid(host, mesh, resolution, &grid);
     if (result != SW_SUCCESS)
     {
         return result;
     }
     size_t head = (sizeof(swHull) + 63) & ~(size_t)63;
     size_t count = (size_t)grid.countX * (size_t)grid.countY * (size_t)grid.countZ + SW_HULL_HEAD;
-    swHull* made = swAllocate(host, head + count * sizeof(float));
+    size_t size = head + count * sizeof(float);
+    swHull* made = swAllocate(host, size);
     if (made == NULL)
     {
-        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the grid of %s, %zu bytes.", mesh.name,
-                      head + count * sizeof(float));
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory for the grid of %s, %zu bytes.", mesh->name, size);
     }
     *made = (swHull){.host = *host,
-                     .users = 1,
+                     .references = 1,
                      .grid = grid,
-                     .memory = head + count * sizeof(float),
+                     .memory = size,
                      .wordCount = (int)count,
                      .words = (float*)((char*)made + head)};
-    strncpy(made->name, mesh.name, sizeof(made->name) - 1);
-    findBounds(made, &mesh);
-    result = swFillHullGrid(host, &mesh, &made->grid, made->words + SW_HULL_HEAD);
+    strncpy(made->name, mesh->name, sizeof(made->name) - 1);
+    findBounds(made, mesh);
+    result = swFillHullGrid(host, mesh, &made->grid, made->words + SW_HULL_HEAD);
     if (result != SW_SUCCESS)
     {
         swDestroyHull(made);
@@ -88,17 +81,44 @@ swResult swCreateHull(const swHost* host, const swHullDef* def, swHull** hull)
     return SW_SUCCESS;
 }
 
-void swHoldHull(swHull* hull)
+swResult swCreateHull(const swHost* host, const swHullDef* def, swHull** hull)
 {
-    hull->users += 1;
+    SW_REQUIRE_PLACE(host, hull, "swCreateHull()");
+    SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE && def->vertices != NULL && def->indices != NULL &&
+                   def->vertexCount > 0 && def->triangleCount > 0 && def->triangleCount <= 50000000,
+               SW_ERROR_INVALID, host,
+               "swCreateHull() needs a def made by swDefaultHullDef(), vertices, and 1 to 50,000,000 triangles");
+    swResult result = swCheckDef(host, &swHullFields, def);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swHullMesh mesh = {def->name != NULL ? def->name : "hull", def->vertexCount, def->vertices, def->triangleCount,
+                       def->indices};
+    size_t size = (size_t)def->vertexCount * sizeof(swVec3);
+    swVec3* places = swAllocate(host, size);
+    result = places != NULL ? swWeldHullMesh(host, &mesh, places)
+                            : swFail(host, SW_ERROR_NO_MEMORY, "No memory for the corners of %s.", mesh.name);
+    mesh.vertices = places;
+    result = result == SW_SUCCESS ? makeHull(host, &mesh, def->resolution, hull) : result;
+    swFree(host, places, size);
+    return result;
 }
 
-void swReleaseHull(swHull* hull)
+void swRetainHull(const swHull* hull)
 {
-    if (hull != NULL && --hull->users == 0)
+    if (hull != NULL)
+    {
+        atomic_fetch_add(&((swHull*)hull)->references, 1);
+    }
+}
+
+void swReleaseHull(const swHull* hull)
+{
+    if (hull != NULL && atomic_fetch_sub(&((swHull*)hull)->references, 1) == 1)
     {
         swHost host = hull->host;
-        swFree(&host, hull, hull->memory);
+        swFree(&host, (swHull*)hull, hull->memory);
     }
 }
 

@@ -14,7 +14,7 @@ extern const swFields swHullFields;
 struct swHull
 {
     swHost host;
-    atomic_int users; // the host's handle, and inputs
+    atomic_int references; // the host's handle, and inputs
     char name[256];
     swVec3 low, high; // of the mesh
     swHullGrid grid;
@@ -24,5 +24,5 @@ struct swHull
     float* words;
 };
 
-void swHoldHull(swHull* hull);
-void swReleaseHull(swHull* hull);
+void swRetainHull(const swHull* hull);
+void swReleaseHull(const swHull* hull);

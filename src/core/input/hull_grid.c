@@ -74,7 +74,77 @@ static swResult checkNumbers(const swHost* host, const swHullMesh* mesh)
     return SW_SUCCESS;
 }
 
-// Vertices at one place are one vertex, as files of single triangles have them.
+// ---- corners at one place ----
+
+typedef struct Key
+{
+    double along; // a direction in which no mesh is flat
+    int vertex;
+} Key;
+
+static int compareKeys(const void* first, const void* second)
+{
+    const Key *a = first, *b = second;
+    if (a->along != b->along)
+    {
+        return a->along < b->along ? -1 : 1;
+    }
+    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
+}
+
+static void weld(const swHullMesh* mesh, Key* keys, double tolerance, swVec3* places)
+{
+    int first = 0;
+    for (int i = 0; i < mesh->vertexCount; ++i)
+    {
+        swVec3 v = mesh->vertices[keys[i].vertex];
+        swVec3* place = &places[keys[i].vertex];
+        *place = v;
+        while (keys[i].along - keys[first].along > 2.0 * tolerance)
+        {
+            first += 1;
+        }
+        for (int k = first; k < i; ++k)
+        {
+            swVec3 other = places[keys[k].vertex];
+            if (fabs((double)v.x - (double)other.x) <= tolerance && fabs((double)v.y - (double)other.y) <= tolerance &&
+                fabs((double)v.z - (double)other.z) <= tolerance)
+            {
+                *place = other;
+                break;
+            }
+        }
+    }
+}
+
+swResult swWeldHullMesh(const swHost* host, const swHullMesh* mesh, swVec3* places)
+{
+    swResult result = checkNumbers(host, mesh);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    size_t size = (size_t)mesh->vertexCount * sizeof(Key);
+    Key* keys = swAllocate(host, size);
+    if (keys == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to join the corners of %s.", mesh->name);
+    }
+    double most = 0.0;
+    for (int i = 0; i < mesh->vertexCount; ++i)
+    {
+        swVec3 v = mesh->vertices[i];
+        keys[i] = (Key){0.57 * (double)v.x + 0.31 * (double)v.y + 0.76 * (double)v.z, i};
+        most = fmax(most, fmax(fabs((double)v.x), fmax(fabs((double)v.y), fabs((double)v.z))));
+    }
+    qsort(keys, (size_t)mesh->vertexCount, sizeof(Key), compareKeys);
+    weld(mesh, keys, 2e-6 * most, places);
+    swFree(host, keys, size);
+    return SW_SUCCESS;
+}
+
+// ---- edges ----
+
 static size_t listEdges(const swHullMesh* mesh, Edge* edges)
 {
     size_t count = 0;
@@ -163,8 +233,7 @@ swResult swPlanHullGrid(const swHost* host, const swHullMesh* mesh, int resoluti
         return swFail(host, SW_ERROR_INVALID, "%s has %d triangles; a closed hull has at least 4.", mesh->name,
                       mesh->triangleCount);
     }
-    swResult result = checkNumbers(host, mesh);
-    result = result == SW_SUCCESS ? checkClosed(host, mesh) : result;
+    swResult result = checkClosed(host, mesh);
     if (result != SW_SUCCESS)
     {
         return result;

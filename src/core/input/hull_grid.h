@@ -24,9 +24,13 @@ typedef struct swHullGrid
     bool isInsideOut;    // faces were turned inwards
 } swHullGrid;
 
+// Where each vertex lies once corners that are as near as floats can tell are at one place, as files of single
+// triangles have them. `places` has room for all vertices. The log names a vertex or an index that is no good.
+swResult swWeldHullMesh(const swHost* host, const swHullMesh* mesh, swVec3* places);
+
 // The grid's shape for a number of spacings along the mesh's longest side. The log says what is wrong with a mesh that
-// has no inside: an open one, one with NaN, one without a volume.
+// has no inside: an open one, one without a volume.
 swResult swPlanHullGrid(const swHost* host, const swHullMesh* mesh, int resolution, swHullGrid* grid);
 
-// Fill [countZ][countY][countX] values, m; says whether the mesh crosses itself. SW_ERROR_NO_MEMORY has no sentence.
+// Fill [countZ][countY][countX] values, m; says whether the mesh crosses itself.
 swResult swFillHullGrid(const swHost* host, const swHullMesh* mesh, swHullGrid* grid, float* values);

@@ -2,8 +2,11 @@
 #include "core/input/input_def.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "core/input/polygon.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 #include "shared/input.h"
 
 static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "displacement", "clip",
@@ -62,7 +65,17 @@ static const swField inputFields[] = {
               SW_KNOB(0.0, 3600.0), .kinds = SW_KIND(SW_SHAPE_RASTER)),
     SW_SWITCH(loops, true, .key = "loops", .label = "loops", .kinds = SW_KIND(SW_SHAPE_RASTER)),
     SW_GIVEN(mesh, .key = NULL, .label = "mesh"),
+    SW_GIVEN(hull, .key = NULL, .label = "hull"),
+    SW_NUMBERS(scale, float, "", SW_ABOVE(0.0, 1e4), SW_EACH(1.0, 1.0, 1.0), .key = "scale", .label = "scale",
+               SW_LOG_KNOB(0.01, 100.0), .kinds = SW_KIND(SW_SHAPE_HULL)),
+    SW_NUMBER(rounding, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "rounding_m", .label = "rounded by", SW_KNOB(0.0, 10.0),
+              .kinds = SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_CYLINDER)),
     SW_GIVEN(spline, .key = NULL, .label = "spline"),
+    SW_SWITCH(alongSpline, false, .key = "along_spline", .label = "along the spline", .tip = "Waves turn with the line",
+              .kinds = SW_KIND(SW_SHAPE_SPLINE)),
+    SW_NUMBER(heading, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "heading_deg", .label = "heading",
+              .tip = "0 goes across the line from right to left, 90 along it", .form = SW_FORM_DEGREES,
+              SW_KNOB(-180.0, 180.0), .kinds = SW_KIND(SW_SHAPE_SPLINE)),
     SW_GIVEN(points, .key = NULL, .label = "points"),
     SW_GIVEN(pointCount, .key = NULL, .label = "number of points"),
     SW_NUMBER(pointCapacity, "", SW_WITHIN(0.0, SW_MAX_INPUT_POINTS), 0.0, .key = NULL, .label = "room for points",
@@ -100,8 +113,10 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes =
-    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_RASTER);
+static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
+                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
+                                    SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
+                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -163,9 +178,13 @@ static swResult checkValues(const swHost* host, const swInputDef* def)
         return refuse(host, SW_ERROR_INVALID, def,
                       "has a weight above 1, which only SW_BLEND_ADD can use; a mix is at most 1");
     }
-    bool isFlat = def->shape == SW_SHAPE_CIRCLE || def->shape == SW_SHAPE_RECTANGLE;
-    bool isThin = def->size.x <= 0.0f || (def->shape == SW_SHAPE_RECTANGLE && def->size.z <= 0.0f);
-    if (isFlat && isThin)
+    uint32_t shape = SW_KIND(def->shape);
+    uint32_t round = SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_CAPSULE);
+    uint32_t tall = SOLID & ~SW_KIND(SW_SHAPE_HULL);
+    bool isThin = (shape & (round | tall | SW_KIND(SW_SHAPE_RECTANGLE))) != 0 && def->size.x <= 0.0f;
+    isThin = isThin || ((shape & tall) != 0 && def->size.y <= 0.0f);
+    isThin = isThin || ((shape & ((tall & ~round) | SW_KIND(SW_SHAPE_RECTANGLE))) != 0 && def->size.z <= 0.0f);
+    if (isThin)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no extent; swInputDef::size must be above 0 m");
     }
@@ -197,6 +216,35 @@ static swResult checkRaster(const swHost* host, const swInputDef* def)
     return SW_SUCCESS;
 }
 
+static swResult checkSpline(const swHost* host, const swInputDef* def)
+{
+    if (def->spline == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no spline");
+    }
+    if (def->field == SW_INPUT_FLOW)
+    {
+        float most = swGetFastestSplineFlow(def->spline) * fabsf(def->gain);
+        if (!(most <= SW_MAX_INPUT_SPEED))
+        {
+            return swFail(host, SW_ERROR_INVALID,
+                          "the input '%s' says flow of up to %g m/s by its spline '%s'; at most %g is taken", def->name,
+                          (double)most, def->spline->name, (double)SW_MAX_INPUT_SPEED);
+        }
+    }
+    bool turns = def->alongSpline && def->field == SW_INPUT_WAVES;
+    if (def->alongSpline && !turns)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def, "turns with its spline, which only waves can");
+    }
+    if (turns && def->blend != SW_BLEND_ALPHA && def->blend != SW_BLEND_ADD)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "turns waves with its spline; they join by SW_BLEND_ALPHA or SW_BLEND_ADD");
+    }
+    return SW_SUCCESS;
+}
+
 swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 {
     swResult result = swCheckDef(host, &swInputFields, def);
@@ -205,11 +253,17 @@ swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 
 swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
-    (void)host;
-    (void)def;
-    (void)count;
-    (void)points;
-    return SW_SUCCESS;
+    if (def->shape != SW_SHAPE_POLYGON)
+    {
+        return SW_SUCCESS;
+    }
+    char name[SW_MAX_INPUT_NAME + 32];
+    snprintf(name, sizeof name, "the input '%s'", def->name);
+    if (points == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no points");
+    }
+    return swCheckPolygon(host, name, count, &points->x, sizeof(swInputPoint) / sizeof(float));
 }
 
 swResult swCheckInputDef(const swHost* host, const swInputDef* def)
@@ -217,9 +271,17 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     swResult result = swCheckDef(host, &swInputFields, def);
     result = result == SW_SUCCESS ? checkKinds(host, def) : result;
     result = result == SW_SUCCESS ? checkValues(host, def) : result;
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_HULL && def->hull == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no hull");
+    }
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
     {
         result = checkRaster(host, def);
+    }
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_SPLINE)
+    {
+        result = checkSpline(host, def);
     }
     return result == SW_SUCCESS ? swCheckInputPoints(host, def, def->pointCount, def->points) : result;
 }

@@ -3,8 +3,11 @@
 
 #include <math.h>
 
+#include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 #include "core/math/scalar.h"
+#include "shared/shape_spline.h"
 
 bool swFindCell(double place, int32_t* cell, float* rest)
 {
@@ -17,17 +20,22 @@ bool swFindCell(double place, int32_t* cell, float* rest)
 
 int swCountInputWords(const swInputDef* def)
 {
-    (void)def;
-    return 0;
+    int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
+    return def->shape == SW_SHAPE_POLYGON ? 2 * room : 0;
 }
 
 int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
 {
-    (void)def;
-    (void)pointCount;
-    (void)points;
-    (void)words;
-    return 0;
+    if (def->shape != SW_SHAPE_POLYGON)
+    {
+        return 0;
+    }
+    for (int i = 0; i < pointCount; ++i)
+    {
+        words[2 * i] = points[i].x;
+        words[2 * i + 1] = points[i].z;
+    }
+    return 2 * pointCount;
 }
 
 // ---- shapes: bounds in own coordinates, and what their samplers read ----
@@ -54,6 +62,86 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
 }
 
+// A spline's own axes begin in its middle. Heights of its points count from where the input is.
+static swPosXZ placeSpline(const swInputDef* def, const swSpline* spline, swInputRecord* record)
+{
+    record->middleX = (float)(0.5 * (spline->leastX + spline->mostX));
+    record->middleZ = (float)(0.5 * (spline->leastZ + spline->mostZ));
+    record->halfX = (float)(0.5 * (spline->mostX - spline->leastX));
+    record->halfZ = (float)(0.5 * (spline->mostZ - spline->leastZ));
+    record->wordCount = (sw_uint)spline->wordCount;
+    if (def->field == SW_INPUT_FLOOR || def->field == SW_INPUT_LEVEL)
+    {
+        record->value.x += def->field == SW_INPUT_FLOOR ? (float)def->position.y : record->size.w;
+    }
+    if (def->field == SW_INPUT_WAVES && def->alongSpline)
+    {
+        record->flags |= SW_INPUT_ALONG_SPLINE;
+        record->part0 = (float)floor(swCos((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+        record->part1 = (float)floor(swSin((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+    }
+    double cosine = (double)record->cosine, sine = (double)record->sine;
+    return (swPosXZ){cosine * spline->originX - sine * spline->originZ,
+                     sine * spline->originX + cosine * spline->originZ};
+}
+
+// Of a polygon, see shared/shape_polygon.h.
+static void placePolygon(const float* words, int count, swInputRecord* record)
+{
+    float lowX = words[0], highX = words[0], lowZ = words[1], highZ = words[1];
+    for (int i = 1; i < count; ++i)
+    {
+        lowX = fminf(lowX, words[2 * i]);
+        highX = fmaxf(highX, words[2 * i]);
+        lowZ = fminf(lowZ, words[2 * i + 1]);
+        highZ = fmaxf(highZ, words[2 * i + 1]);
+    }
+    record->middleX = 0.5f * (lowX + highX);
+    record->middleZ = 0.5f * (lowZ + highZ);
+    // A little more, so that rounding leaves no point out.
+    record->halfX = 0.5f * (highX - lowX) + 1e-6f * (fabsf(lowX) + fabsf(highX));
+    record->halfZ = 0.5f * (highZ - lowZ) + 1e-6f * (fabsf(lowZ) + fabsf(highZ));
+    record->extra0 = (sw_uint)count;
+}
+
+// Of a shape with a height: its own axes are turned, so its box is that of a sphere unless they are upright.
+static void placeSolid(const swInputDef* def, swInputRecord* record)
+{
+    float x = 0.5f * def->size.x, y = 0.5f * def->size.y, z = 0.5f * def->size.z;
+    y = def->shape == SW_SHAPE_CAPSULE && y < x ? x : y; // too short for its ends: a sphere
+    z = def->shape == SW_SHAPE_CAPSULE ? x : z;
+    bool isUpright = def->rotation.pitch == 0.0f && def->rotation.roll == 0.0f;
+    float reach = sqrtf(x * x + y * y + z * z);
+    record->halfX = isUpright ? x : reach;
+    record->halfZ = isUpright ? z : reach;
+    record->part0 = def->rounding;
+}
+
+// The grid lies in the mesh's own axes, which need not begin in its middle. `size` is what a length of it becomes.
+static void placeHull(const swInputDef* def, const swHull* hull, swInputRecord* record)
+{
+    record->extra0 = (sw_uint)hull->grid.countX;
+    record->extra1 = (sw_uint)hull->grid.countY;
+    record->extra2 = (sw_uint)hull->grid.countZ;
+    record->wordCount = (sw_uint)hull->wordCount;
+    record->size.x = def->scale.x;
+    record->size.y = def->scale.y;
+    record->size.z = def->scale.z;
+    swVec3 low = {hull->low.x * def->scale.x, hull->low.y * def->scale.y, hull->low.z * def->scale.z};
+    swVec3 high = {hull->high.x * def->scale.x, hull->high.y * def->scale.y, hull->high.z * def->scale.z};
+    if (def->rotation.pitch == 0.0f && def->rotation.roll == 0.0f)
+    {
+        record->middleX = 0.5f * (low.x + high.x);
+        record->middleZ = 0.5f * (low.z + high.z);
+        record->halfX = 0.5f * (high.x - low.x);
+        record->halfZ = 0.5f * (high.z - low.z);
+        return;
+    }
+    float x = fmaxf(fabsf(low.x), fabsf(high.x)), y = fmaxf(fabsf(low.y), fabsf(high.y));
+    float z = fmaxf(fabsf(low.z), fabsf(high.z));
+    record->halfX = record->halfZ = sqrtf(x * x + y * y + z * z);
+}
+
 static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInputRecord* record)
 {
     switch (def->shape)
@@ -66,6 +154,20 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
+    case SW_SHAPE_SPLINE:
+        return placeSpline(def, data->spline, record);
+    case SW_SHAPE_POLYGON:
+        placePolygon(data->words[data->shown], data->pointCount, record);
+        break;
+    case SW_SHAPE_BOX:
+    case SW_SHAPE_ELLIPSOID:
+    case SW_SHAPE_CYLINDER:
+    case SW_SHAPE_CAPSULE:
+        placeSolid(def, record);
+        break;
+    case SW_SHAPE_HULL:
+        placeHull(def, data->hull, record);
+        break;
     default:
         record->flags |= SW_INPUT_IS_BOUNDLESS;
         break;
@@ -75,13 +177,21 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
 
 // ---- the record ----
 
+// Pitch about z lifts the x axis, roll about x lowers the z axis; pitch comes first, so roll is inside.
+static sw_vec4 makeTilt(swAngles rotation)
+{
+    double pitch = 0.5 * (double)rotation.pitch, roll = 0.5 * (double)rotation.roll;
+    double cp = swCos(pitch), sp = swSin(pitch), cr = swCos(roll), sr = swSin(roll);
+    return (sw_vec4){(float)(cp * sr), (float)(sp * sr), (float)(sp * cr), (float)(cp * cr)};
+}
+
 static void turnRecord(const swInputDef* def, swInputRecord* record)
 {
     bool isTurned = def->shape != SW_SHAPE_EVERYWHERE && def->rotation.yaw != 0.0f;
     double yaw = (double)def->rotation.yaw;
     record->cosine = isTurned ? (float)swCos(yaw) : 1.0f;
     record->sine = isTurned ? (float)swSin(yaw) : 0.0f;
-    record->turn.w = 1.0f;
+    record->turn = makeTilt(def->rotation);
     bool isVector = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->field == SW_INPUT_DISPLACEMENT;
     record->flags |= isTurned && isVector ? SW_INPUT_TURNS_VALUES : 0u;
 }
@@ -115,7 +225,7 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         .shape = (sw_uint)def->shape,
         .blend = (sw_uint)def->blend,
         .flags = def->followsWaves ? SW_INPUT_FOLLOWS_WAVES : 0u,
-        .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : 0u,
+        .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : SW_ALL_SYSTEMS,
         .wordCount = data != NULL ? (sw_uint)data->wordCount[data->shown] : 0u,
         .gain = def->gain,
     };

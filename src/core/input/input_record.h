@@ -12,6 +12,8 @@ typedef struct swInputData
     struct swInputData* next; // of those that wait to be freed
     size_t size;              // bytes of this block
     const swRaster* raster;   // held
+    const swSpline* spline;   // held
+    const swHull* hull;       // held
     int pointCount, pointCapacity;
     swInputPoint* points; // as they were given
     // Words of shapes that have data of their own. There are two so that points may change while the last step's words

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/input/inputs.h"
 
+#include <math.h>
 #include <string.h>
 
+#include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
 {
@@ -18,6 +21,8 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseSpline(data->spline);
+        swReleaseHull(data->hull);
         swFree(host, data, data->size);
     }
 }
@@ -33,7 +38,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL && def->spline == NULL)
     {
         return NULL;
     }
@@ -50,6 +55,10 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->spline = def->spline;
+    swRetainSpline(data->spline);
+    data->hull = def->hull;
+    swRetainHull(data->hull);
     data->pointCapacity = room;
     data->pointCount = def->pointCount;
     data->points = (swInputPoint*)(void*)((char*)data + head);
@@ -342,7 +351,7 @@ static bool counts(const swInputs* inputs, const swInput* input)
     const swInputDef* def = &input->def;
     swId system = {def->system.index1, def->system.generation};
     return def->isEnabled && def->weight > 0.0f &&
-           (def->field != SW_INPUT_WAVES || swIsIdValid(inputs->systemIds, system));
+           (def->field != SW_INPUT_WAVES || system.index1 == 0 || swIsIdValid(inputs->systemIds, system));
 }
 
 static const float* showWords(swInputData* data)
@@ -356,7 +365,15 @@ static const float* showWords(swInputData* data)
         data->shown = 1 - data->shown;
         data->isNew = false;
     }
-    return data->raster != NULL ? data->raster->values : data->words[data->shown];
+    if (data->spline != NULL)
+    {
+        return data->spline->words;
+    }
+    if (data->raster != NULL)
+    {
+        return data->raster->values;
+    }
+    return data->hull != NULL ? data->hull->words : data->words[data->shown];
 }
 
 static void addRecord(swInputs* inputs, uint32_t slot, int at, double time)
@@ -375,6 +392,7 @@ static void makeSet(swInputs* inputs, double time)
     swInputSet* set = &inputs->set;
     memset(set->ranges, 0, sizeof set->ranges);
     set->recordCount = 0;
+    set->ribbonSystems = 0;
     for (int i = 0; i < inputs->count; ++i)
     {
         const swInput* input = swGetInputAt(inputs, i);
@@ -386,6 +404,11 @@ static void makeSet(swInputs* inputs, double time)
         swInputRange* range = &set->ranges[input->def.field];
         range->firstRecord = range->recordCount == 0 ? (uint32_t)set->recordCount : range->firstRecord;
         range->recordCount += 1;
+        const swInputRecord* record = &set->records[set->recordCount];
+        if ((record->flags & SW_INPUT_ALONG_SPLINE) != 0)
+        {
+            set->ribbonSystems |= record->system == SW_ALL_SYSTEMS ? UINT32_MAX : 1u << record->system;
+        }
         set->recordCount += 1;
     }
     set->nodeCount = swBuildInputIndex(set, inputs->boxes, inputs->items, inputs->scratch, inputs->nodes);
@@ -409,6 +432,62 @@ static void moveTime(swInputs* inputs, double time)
     inputs->set.version += hasChanged ? 1 : 0;
 }
 
+// What a record may say of a field of one number. Shapes whose values are not known here may say anything.
+static void findRange(const swInputDef* def, const swInputRecord* record, float* low, float* high)
+{
+    float value = record->value.x;
+    *low = *high = value;
+    if (def->shape == SW_SHAPE_RASTER)
+    {
+        float a = def->gain * def->raster->least, b = def->gain * def->raster->most;
+        *low = a == a ? value + fminf(a, b) : value;
+        *high = b == b ? value + fmaxf(a, b) : value;
+    }
+    else if (def->shape == SW_SHAPE_POLYLINE || def->shape == SW_SHAPE_PARTICLES)
+    {
+        for (int i = 0; i < def->pointCount; ++i)
+        {
+            *low = fminf(*low, value + def->points[i].value[0]);
+            *high = fmaxf(*high, value + def->points[i].value[0]);
+        }
+    }
+    else if (def->shape == SW_SHAPE_SPLINE || def->shape == SW_SHAPE_MESH || def->shape == SW_SHAPE_FUNCTION)
+    {
+        *low = -1e6f;
+        *high = 1e6f;
+    }
+}
+
+// Between which heights still water stands, whatever is above or below another.
+static void findLevels(swInputs* inputs)
+{
+    float low = 0.0f, high = 0.0f;
+    swInputRange range = inputs->set.ranges[SW_INPUT_LEVEL];
+    for (uint32_t i = range.firstRecord; i < range.firstRecord + range.recordCount; ++i)
+    {
+        const swInputDef* def = &getSlot(inputs, inputs->sources[i])->def;
+        float least, most;
+        findRange(def, &inputs->records[i], &least, &most);
+        if (def->blend == SW_BLEND_ADD)
+        {
+            low += fminf(0.0f, def->weight * least);
+            high += fmaxf(0.0f, def->weight * most);
+            continue;
+        }
+        if (def->blend == SW_BLEND_MULTIPLY)
+        {
+            float factor = fmaxf(1.0f, fmaxf(fabsf(least), fabsf(most)));
+            float reach = factor * fmaxf(fabsf(low), fabsf(high));
+            least = -reach;
+            most = reach;
+        }
+        low = fminf(low, least);
+        high = fmaxf(high, most);
+    }
+    inputs->set.lowestLevel = low;
+    inputs->set.highestLevel = high;
+}
+
 void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
 {
     if (inputs->isChanged)
@@ -421,6 +500,7 @@ void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
     {
         moveTime(inputs, time);
     }
+    findLevels(inputs);
     inputs->set.time = time;
     inputs->set.localSystems = localSystems;
 }

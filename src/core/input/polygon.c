@@ -5,51 +5,72 @@
 
 #define FARTHEST 1e6f // m, of a point from its polygon's place
 
-static swResult checkPoints(const swHost* host, const char* name, int count, const swVec2* points)
+// A polygon as it was given.
+typedef struct Polygon
 {
-    for (int i = 0; i < count; ++i)
+    const swHost* host;
+    const char* name;
+    int count;
+    const float* points;
+    size_t stride;
+} Polygon;
+
+typedef struct Point
+{
+    float x, z;
+} Point;
+
+// Indices go round.
+static Point getPoint(const Polygon* polygon, int i)
+{
+    const float* at = polygon->points + polygon->stride * (size_t)(i % polygon->count);
+    return (Point){at[0], at[1]};
+}
+
+static swResult checkPoints(const Polygon* polygon)
+{
+    for (int i = 0; i < polygon->count; ++i)
     {
-        const swVec2* p = &points[i];
-        if (!(fabsf(p->x) <= FARTHEST && fabsf(p->y) <= FARTHEST))
+        Point p = getPoint(polygon, i);
+        if (!(fabsf(p.x) <= FARTHEST && fabsf(p.z) <= FARTHEST))
         {
-            return swFail(host, SW_ERROR_INVALID,
+            return swFail(polygon->host, SW_ERROR_INVALID,
                           "%s has point %d, counted from 0, at (%g, %g); a polygon's points are finite and within 1000 "
                           "km of its place.",
-                          name, i, (double)p->x, (double)p->y);
+                          polygon->name, i, (double)p.x, (double)p.z);
         }
     }
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < polygon->count; ++i)
     {
-        const swVec2 *p = &points[i], *next = &points[(i + 1) % count];
-        if (p->x == next->x && p->y == next->y)
+        Point p = getPoint(polygon, i), next = getPoint(polygon, i + 1);
+        if (p.x == next.x && p.z == next.z)
         {
-            return swFail(host, SW_ERROR_INVALID,
-                          "%s has points %d and %d at the same place, (%g, %g); remove one of them.", name, i,
-                          (i + 1) % count, (double)p->x, (double)p->y);
+            return swFail(polygon->host, SW_ERROR_INVALID,
+                          "%s has points %d and %d at the same place, (%g, %g); remove one of them.", polygon->name, i,
+                          (i + 1) % polygon->count, (double)p.x, (double)p.z);
         }
     }
     return SW_SUCCESS;
 }
 
 // Which side of a to b the point c is on: exact in double but for points of very different sizes.
-static int findSide(const swVec2* a, const swVec2* b, const swVec2* c)
+static int findSide(Point a, Point b, Point c)
 {
-    double left = ((double)b->x - (double)a->x) * ((double)c->y - (double)a->y);
-    double right = ((double)b->y - (double)a->y) * ((double)c->x - (double)a->x);
+    double left = ((double)b.x - (double)a.x) * ((double)c.z - (double)a.z);
+    double right = ((double)b.z - (double)a.z) * ((double)c.x - (double)a.x);
     return left > right ? 1 : (left < right ? -1 : 0);
 }
 
 // Of a point on the line through a and b.
-static bool isBetween(const swVec2* a, const swVec2* b, const swVec2* c)
+static bool isBetween(Point a, Point b, Point c)
 {
-    return fminf(a->x, b->x) <= c->x && c->x <= fmaxf(a->x, b->x) && fminf(a->y, b->y) <= c->y &&
-           c->y <= fmaxf(a->y, b->y);
+    return fminf(a.x, b.x) <= c.x && c.x <= fmaxf(a.x, b.x) && fminf(a.z, b.z) <= c.z && c.z <= fmaxf(a.z, b.z);
 }
 
-static bool doMeet(const swVec2* a, const swVec2* b, const swVec2* c, const swVec2* d)
+static bool doMeet(Point a, Point b, Point c, Point d)
 {
-    if (fmaxf(a->x, b->x) < fminf(c->x, d->x) || fmaxf(c->x, d->x) < fminf(a->x, b->x) ||
-        fmaxf(a->y, b->y) < fminf(c->y, d->y) || fmaxf(c->y, d->y) < fminf(a->y, b->y))
+    if (fmaxf(a.x, b.x) < fminf(c.x, d.x) || fmaxf(c.x, d.x) < fminf(a.x, b.x) || fmaxf(a.z, b.z) < fminf(c.z, d.z) ||
+        fmaxf(c.z, d.z) < fminf(a.z, b.z))
     {
         return false;
     }
@@ -63,46 +84,47 @@ static bool doMeet(const swVec2* a, const swVec2* b, const swVec2* c, const swVe
 }
 
 // Edges that follow each other meet in a point; they must not run back on themselves.
-static bool turnsBack(const swVec2* a, const swVec2* b, const swVec2* c)
+static bool turnsBack(Point a, Point b, Point c)
 {
-    double dot = ((double)b->x - (double)a->x) * ((double)c->x - (double)b->x) +
-                 ((double)b->y - (double)a->y) * ((double)c->y - (double)b->y);
+    double dot = ((double)b.x - (double)a.x) * ((double)c.x - (double)b.x) +
+                 ((double)b.z - (double)a.z) * ((double)c.z - (double)b.z);
     return findSide(a, b, c) == 0 && dot < 0.0;
 }
 
-static swResult checkCrossings(const swHost* host, const char* name, int count, const swVec2* points)
+static swResult checkCrossings(const Polygon* polygon)
 {
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < polygon->count; ++i)
     {
-        const swVec2 *a = &points[i], *b = &points[(i + 1) % count];
-        if (turnsBack(a, b, &points[(i + 2) % count]))
+        Point a = getPoint(polygon, i), b = getPoint(polygon, i + 1);
+        if (turnsBack(a, b, getPoint(polygon, i + 2)))
         {
-            return swFail(host, SW_ERROR_INVALID,
-                          "%s turns back on itself at point %d, (%g, %g); a polygon encloses its area once.", name,
-                          (i + 1) % count, (double)b->x, (double)b->y);
+            return swFail(polygon->host, SW_ERROR_INVALID,
+                          "%s turns back on itself at point %d, (%g, %g); a polygon encloses its area once.",
+                          polygon->name, (i + 1) % polygon->count, (double)b.x, (double)b.z);
         }
-        for (int k = i + 2; k < count - (i == 0 ? 1 : 0); ++k)
+        for (int k = i + 2; k < polygon->count - (i == 0 ? 1 : 0); ++k)
         {
-            const swVec2 *c = &points[k], *d = &points[(k + 1) % count];
-            if (doMeet(a, b, c, d))
+            Point c = getPoint(polygon, k);
+            if (doMeet(a, b, c, getPoint(polygon, k + 1)))
             {
-                return swFail(host, SW_ERROR_INVALID,
+                return swFail(polygon->host, SW_ERROR_INVALID,
                               "%s crosses itself: its edge from point %d, (%g, %g), meets the one from point %d, (%g, "
                               "%g); points are counted from 0, in order around the area.",
-                              name, i, (double)a->x, (double)a->y, k, (double)c->x, (double)c->y);
+                              polygon->name, i, (double)a.x, (double)a.z, k, (double)c.x, (double)c.z);
             }
         }
     }
     return SW_SUCCESS;
 }
 
-swResult swCheckPolygon(const swHost* host, const char* name, int count, const swVec2* points)
+swResult swCheckPolygon(const swHost* host, const char* name, int count, const float* points, size_t stride)
 {
     if (count < 3 || count > SW_MAX_POLYGON_POINTS)
     {
         return swFail(host, SW_ERROR_INVALID, "%s has %d points; a polygon has 3 to %d.", name, count,
                       SW_MAX_POLYGON_POINTS);
     }
-    swResult result = checkPoints(host, name, count, points);
-    return result == SW_SUCCESS ? checkCrossings(host, name, count, points) : result;
+    const Polygon polygon = {host, name, count, points, stride};
+    swResult result = checkPoints(&polygon);
+    return result == SW_SUCCESS ? checkCrossings(&polygon) : result;
 }

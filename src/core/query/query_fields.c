@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/frame/asked.h"
+#include "core/input/sample_clip.h"
 #include "core/input/sample_inputs.h"
 #include "core/query/answers.h"
 #include "core/surface/input_places.h"
@@ -132,6 +133,22 @@ static void findDepths(const swFrame* frame, const Block* block, float* to)
     }
 }
 
+// At the height of still water.
+static void findClips(const swInputSet* set, const Block* block, float* to)
+{
+    swInputValue levels[SW_PLACE_BLOCK];
+    if (to == NULL)
+    {
+        return;
+    }
+    find(set, SW_INPUT_LEVEL, -1, block, levels);
+    for (int i = 0; i < block->count; ++i)
+    {
+        float distance = swFindClip(set, block->places[i], levels[i].value.x);
+        to[block->at[i]] = fminf(fmaxf(0.5f - distance, 0.0f), 1.0f);
+    }
+}
+
 static void findRest(const swInputSet* set, const Block* block, const swFieldSamples* samples)
 {
     swInputValue values[SW_PLACE_BLOCK];
@@ -169,7 +186,7 @@ static void answerBlock(const swFrame* frame, int system, const Block* block, co
     findFloors(frame, block, samples->floor);
     findNumber(set, SW_INPUT_LEVEL, -1, block, samples->level);
     findNumber(set, SW_INPUT_WAVES, system, block, samples->weight);
-    findNumber(set, SW_INPUT_CLIP, -1, block, samples->clip);
+    findClips(set, block, samples->clip);
     findNumber(set, SW_INPUT_FOAM, -1, block, samples->foam);
     findNumber(set, SW_INPUT_SHADOW, -1, block, samples->shadow);
     findPair(set, SW_INPUT_FLOW, block, samples->flow);

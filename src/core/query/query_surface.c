@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/query/query_surface.h"
 
+#include "core/input/sample_clip.h"
 #include "core/query/answers.h"
 #include "core/surface/search.h"
 
@@ -29,6 +30,10 @@ static void markBad(const swSurfaceSamples* samples, swVec2* slopes, int point)
         {
             numbers[i][point] = SW_NO_NUMBER;
         }
+    }
+    if (samples->isClipped != NULL)
+    {
+        samples->isClipped[point] = false;
     }
     if (slopes != NULL)
     {
@@ -110,6 +115,17 @@ static void writeSamples(const swSurfaceSamples* samples, double seaLevel, const
     }
 }
 
+// Whether particles are in holes, where they are.
+static void writeClips(const swQuery* query, const swSurfaceSamples* samples, const Block* block, const swPosXZ* rest,
+                       float (*displacement)[4], const float* levels)
+{
+    for (int i = 0; i < block->count && samples->isClipped != NULL; ++i)
+    {
+        const swPosXZ place = {rest[i].x + (double)displacement[i][0], rest[i].z + (double)displacement[i][2]};
+        samples->isClipped[block->at[i]] = swFindClip(query->clip, place, levels[i] + displacement[i][1]) < 0.0f;
+    }
+}
+
 static bool wantsGradients(const swSurfaceSamples* samples)
 {
     return samples->normal != NULL || samples->jacobian != NULL;
@@ -147,6 +163,7 @@ static void querySurfaceBlock(const swQuery* query, const Block* block, const sw
     }
     swFindParticles(query, block->count, block->places, samples->hints != NULL ? hints : NULL, &found);
     writeSamples(samples, query->seaLevel, block, found.displacement, found.levels, found.gradients, found.residual);
+    writeClips(query, samples, block, found.rest, found.displacement, found.levels);
     if (samples->velocity != NULL || samples->acceleration != NULL)
     {
         sampleMotion(query, samples, block, found.rest, block->places);
@@ -198,6 +215,7 @@ static void queryParticleBlock(const swQuery* query, const Block* block, const s
         .displacement = displacement, .levels = levels, .gradients = withGradients ? gradients : NULL};
     swEvaluate(query, block->count, block->places, &evaluation);
     writeSamples(samples, query->seaLevel, block, displacement, levels, withGradients ? gradients : NULL, NULL);
+    writeClips(query, samples, block, block->places, displacement, levels);
     if (samples->velocity != NULL || samples->acceleration != NULL)
     {
         swPosXZ places[SW_QUERY_BLOCK];

@@ -9,6 +9,8 @@
 // A ray that cannot be followed (NaN, an infinite or empty direction, a length out of range) is answered with NaN and
 // counted; it has no part in the blocks of others.
 //
+// Where the water is cut away a ray goes on behind the crossing, on the other side.
+//
 // A sphere's gap is its centre's distance from the plane that touches the surface below it, less the radius.
 
 #include "core/query/raycast.h"
@@ -17,6 +19,7 @@
 #include <string.h>
 
 #include "core/frame/asked.h"
+#include "core/input/sample_clip.h"
 #include "core/query/answers.h"
 #include "core/surface/search.h"
 
@@ -75,20 +78,21 @@ static double findShortest(const swQuery* query)
     return isinf(shortest) ? 1000.0 : (double)shortest;
 }
 
-// The part of the ray within `reach` of still water; false if there is none.
+// The part of the ray within `reach` of still water, wherever that may stand; false if there is none.
 static bool clipRay(const swQuery* query, double reach, March* march)
 {
     double y = march->ray->origin.y - query->seaLevel;
+    double low = (double)query->lowestLevel - reach, high = (double)query->highestLevel + reach;
     double begin = 0.0;
     double end = (double)march->ray->maxDistance;
     if (march->y != 0.0)
     {
-        double a = (-reach - y) / march->y;
-        double b = (reach - y) / march->y;
+        double a = (low - y) / march->y;
+        double b = (high - y) / march->y;
         begin = fmax(begin, fmin(a, b));
         end = fmin(end, fmax(a, b));
     }
-    else if (fabs(y) > reach)
+    else if (y < low || y > high)
     {
         return false;
     }
@@ -184,6 +188,25 @@ static int look(const swQuery* query, int count, March* const* marches, Look* lo
     return evaluations;
 }
 
+// Where the surface is crossed there is a hole: go on behind it. Of a sphere the place that it touches decides.
+static bool passHole(const swQuery* query, March* march, const Look* look)
+{
+    double back = march->ray->radius > 0.0f ? (double)look->gap : 0.0;
+    swPosXZ place = getPlace(query, march);
+    place.x -= back * (double)look->normal.x;
+    place.z -= back * (double)look->normal.z;
+    if (query->clip == NULL || swFindClip(query->clip, place, (float)look->height) >= 0.0f)
+    {
+        return false;
+    }
+    // Farther than the crossing is exact, and than the sphere reaches.
+    march->at += 4.0 * (double)query->def->tolerance + 2.0 * (double)march->ray->radius;
+    march->hasLooked = march->isRefining = false;
+    march->refinements = 0;
+    march->isDone = march->at >= march->end;
+    return true;
+}
+
 static void finishMarch(const swQuery* query, March* march, const Look* look, swRayHit* hit)
 {
     const swRay* ray = march->ray;
@@ -232,7 +255,10 @@ static void advanceMarch(const swQuery* query, double shortest, March* march, co
         double width = march->after - march->before;
         if (fabsf(gap) <= query->def->tolerance || width < 1e-9 || march->refinements >= MAX_REFINEMENTS)
         {
-            finishMarch(query, march, look, hit);
+            if (!passHole(query, march, look))
+            {
+                finishMarch(query, march, look, hit);
+            }
             return;
         }
         *(gap > 0.0f ? &march->before : &march->after) = march->at;

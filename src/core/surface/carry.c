@@ -82,15 +82,15 @@ static void correlateFreeWaves(const swPlaceBlock* block, const swWaveGroup* gro
 // ---- copies ----
 
 // The flow in the axes in which the waves lie, and its gradients.
-static void turnFlow(const swPlaceBlock* block, int i, float velocity[2], float gradients[4])
+static void turnFlow(const swPlaceBlock* block, const swWarp* warps, int i, float velocity[2], float gradients[4])
 {
     memcpy(velocity, block->flow[i], sizeof block->flow[i]);
     memcpy(gradients, block->flowGradients[i], sizeof block->flowGradients[i]);
-    if (!block->isWarped)
+    if (warps == NULL)
     {
         return;
     }
-    const swWarp* warp = &block->warps[i];
+    const swWarp* warp = &warps[i];
     const float* u = block->flow[i];
     const float* g = block->flowGradients[i];
     float c = warp->cosine, s = warp->sine;
@@ -117,7 +117,7 @@ static void moveCopy(const swPlaceBlock* block, float seconds, float (*velocitie
     }
 }
 
-void swCarryShape(const swPlaceBlock* block, const swWaveGroup* group, swShape* shape)
+void swCarryLook(const swPlaceBlock* block, const swWaveGroup* group, swLook* carried)
 {
     if (group->tile != NULL && group->tile->likeness == NULL)
     {
@@ -133,7 +133,7 @@ void swCarryShape(const swPlaceBlock* block, const swWaveGroup* group, swShape* 
     float half = 0.5f * period;
     for (int i = 0; i < block->count; ++i)
     {
-        turnFlow(block, i, velocities[i], gradients[i]);
+        turnFlow(block, carried->copies[0].warps, i, velocities[i], gradients[i]);
         ways[i] = (swPosXZ){(double)(half * velocities[i][0]), (double)(half * velocities[i][1])};
     }
     if (group->tile != NULL)
@@ -144,8 +144,8 @@ void swCarryShape(const swPlaceBlock* block, const swWaveGroup* group, swShape* 
     {
         correlateFreeWaves(block, group, ways, rho, slopes);
     }
-    shape->copyCount = 2;
-    shape->copies[1] = shape->copies[0];
+    carried->copyCount = 2;
+    carried->copies[1] = carried->copies[0];
     for (int i = 0; i < block->count; ++i)
     {
         float variance = swGetCarryVariance(weight, rho[i]);
@@ -158,7 +158,7 @@ void swCarryShape(const swPlaceBlock* block, const swWaveGroup* group, swShape* 
         float factorZ = slope * (slopes[i][0] * g[1] + slopes[i][1] * g[3]);
         for (int c = 0; c < 2; ++c)
         {
-            swCopy* copy = &shape->copies[c];
+            swCopy* copy = &carried->copies[c];
             copy->alongX[i] = weights[c] * (copy->alongX[i] * factor + copy->weight[i] * factorX);
             copy->alongZ[i] = weights[c] * (copy->alongZ[i] * factor + copy->weight[i] * factorZ);
             copy->weight[i] *= weights[c] * factor;
@@ -166,6 +166,6 @@ void swCarryShape(const swPlaceBlock* block, const swWaveGroup* group, swShape* 
     }
     for (int c = 0; c < 2; ++c)
     {
-        moveCopy(block, (phases[c] - 0.5f) * period, velocities, gradients, &shape->copies[c]);
+        moveCopy(block, (phases[c] - 0.5f) * period, velocities, gradients, &carried->copies[c]);
     }
 }

@@ -5,8 +5,8 @@
 
 #include "core/surface/places.h"
 
-// From the one copy that a shape has, where `block` has a flow.
-void swCarryShape(const swPlaceBlock* block, const swWaveGroup* group, swShape* shape);
+// Makes two copies of the one that a look has, where `block` has a flow.
+void swCarryLook(const swPlaceBlock* block, const swWaveGroup* group, swLook* look);
 
 // How far the first copy of a group of waves is in its period, a fraction of 2^32; the second is half a turn ahead.
 // `period` is in seconds.

@@ -27,10 +27,12 @@ typedef struct swQuery
     int waveCount;
     const swFreeWave* waves;
     int tileCount;
-    const swTile* tiles; // of the frame; see swIsTileAsked()
-    int64_t tileTicks;   // of their texels
-    float sideways;      // root mean square of the particles' horizontal displacement, m
-    float longestFelt;   // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
+    const swTile* tiles;             // of the frame; see swIsTileAsked()
+    int64_t tileTicks;               // of their texels
+    float lowestLevel, highestLevel; // of still water above sea level, m, wherever it is
+    const swInputSet* clip;          // inputs that cut holes, NULL if there are none
+    float sideways;                  // root mean square of the particles' horizontal displacement, m
+    float longestFelt; // of tiles that displace by a tolerance's tenth or more, the longest wave, m; 0: none do
 
     // A later frame, or NULL: up to its time the surface runs linearly from the one's to the other's.
     const swFrame* after;

@@ -54,16 +54,15 @@ static void chain(const float way[4], swPointSums* own)
 }
 
 // Add a look at waves to all, `own` and `all` being those of the block's point i.
-static void addCopy(const swPlaceBlock* block, const swShape* shape, const swCopy* copy, int i, bool withSlopes,
-                    swPointSums* own, swPointSums* all)
+static void addCopy(const swCopy* copy, int i, bool withSlopes, swPointSums* own, swPointSums* all)
 {
     if (withSlopes)
     {
         chain(copy->way[i], own);
     }
-    if (shape->isTurned)
+    if (copy->warps != NULL)
     {
-        turn(&block->warps[i], withSlopes, own);
+        turn(&copy->warps[i], withSlopes, own);
     }
     float weight = copy->weight[i];
     for (int c = 0; c < 8; ++c)
@@ -131,6 +130,22 @@ static int countLook(const swPlaceBlock* block, int first)
     return block->count - first < LOOK_BLOCK ? block->count - first : LOOK_BLOCK;
 }
 
+static void addLook(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes,
+                    const swPlaceBlock* block, const swCopy* copy, swPointSums* all)
+{
+    for (int first = 0; first < block->count; first += LOOK_BLOCK)
+    {
+        swPointSums own[LOOK_BLOCK];
+        int count = countLook(block, first);
+        memset(own, 0, sizeof own);
+        look(query, group, field, count, copy->source + first, withSlopes, own);
+        for (int i = 0; i < count; ++i)
+        {
+            addCopy(copy, first + i, withSlopes, &own[i], &all[first + i]);
+        }
+    }
+}
+
 static void addGroup(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes, swPlaceBlock* block,
                      swPointSums* all)
 {
@@ -143,20 +158,13 @@ static void addGroup(const swQuery* query, const swWaveGroup* group, int field, 
     {
         return;
     }
-    swShape shape;
-    swFindShape(block, group, &shape);
-    for (int c = 0; c < shape.copyCount; ++c)
+    for (int i = 0; i < swCountLooks(block, group); ++i)
     {
-        for (int first = 0; first < block->count; first += LOOK_BLOCK)
+        swLook found;
+        swFindLook(block, group, i, &found);
+        for (int c = 0; c < found.copyCount; ++c)
         {
-            swPointSums own[LOOK_BLOCK];
-            int count = countLook(block, first);
-            memset(own, 0, sizeof own);
-            look(query, group, field, count, shape.copies[c].source + first, withSlopes, own);
-            for (int i = 0; i < count; ++i)
-            {
-                addCopy(block, &shape, &shape.copies[c], first + i, withSlopes, &own[i], &all[first + i]);
-            }
+            addLook(query, group, field, withSlopes, block, &found.copies[c], all);
         }
     }
 }

@@ -22,8 +22,8 @@
 #define SUM_FLOATS 2048
 
 // Waves that their places shape come for few points, with more on the stack above them.
-#define FEW_POINTS 16
-#define FEW_FLOATS 512
+#define FEW_POINTS 8
+#define FEW_FLOATS 288
 
 // Outputs that a point of the surface collects, in order; how many depends on the kind.
 enum

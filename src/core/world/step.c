@@ -30,6 +30,7 @@ static uint32_t findLocalSystems(const swWorld* world)
 void swDeriveWater(swWorld* world)
 {
     swStepInputs(&world->inputs, world->frame.time, findLocalSystems(world));
+    swStepWaterBodies(&world->waterBodies, &world->frame);
     swDeriveWaves(&world->waves, &world->frame);
     swDeriveWorldWind(world);
     swFindFoamLaw(&world->whitecaps, &world->frame);

@@ -17,6 +17,7 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     swBeginWaves(&world->waves, &world->memory, kernels, def);
     world->systemIds = swMakeIdPool(SW_MAX_WAVE_SYSTEMS);
     swBeginInputs(&world->inputs, &world->memory, &world->systemIds, def->seaLevel);
+    swBeginWaterBodies(&world->waterBodies, &world->inputs);
     world->frame = (swFrame){
         .inputs = &world->inputs.set,
         .seaLevel = def->seaLevel,
@@ -43,6 +44,7 @@ void swFreeWorld(swWorld* world)
     {
         swRemoveView(world->views[world->viewCount - 1]);
     }
+    swEndWaterBodies(&world->waterBodies);
     swEndInputs(&world->inputs);
     swEndWaves(&world->waves);
     swHost host = world->host;

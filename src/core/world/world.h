@@ -8,7 +8,7 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
-#include "core/input/inputs.h"
+#include "core/input/water_bodies.h"
 #include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
 #include "core/sim/whitecaps.h"
@@ -43,6 +43,7 @@ struct swWorld
     swWaves waves;
     swWhitecaps whitecaps;
     swInputs inputs;
+    swWaterBodies waterBodies;
     swWind wind;
 
     swView* views[SW_MAX_VIEWS];
