@@ -11,7 +11,6 @@
 // Public headers only: scripts/determinism builds it with every compiler at hand, also for AArch64.
 #include <seaway/seaway.h>
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -276,50 +275,8 @@ static swResult MakeDigest(const Run* run, uint64_t* digest)
     return result;
 }
 
-// A beach, a lake, a calm and a current about the places that are asked for.
-static swResult AddInputs(const swHost* host, swWorld* world)
-{
-    float heights[9 * 9];
-    for (int i = 0; i < 9 * 9; ++i)
-    {
-        heights[i] = i == 40 ? NAN : -20.0f + 2.5f * (float)(i % 9) + 0.5f * (float)(i / 9);
-    }
-    swRasterDef rasterDef = swDefaultRasterDef();
-    rasterDef.width = rasterDef.height = 9;
-    rasterDef.x = rasterDef.z = -20.0;
-    rasterDef.spacingX = rasterDef.spacingZ = 24.0;
-    rasterDef.values = heights;
-    swRaster* raster = NULL;
-    swInputId id;
-    swResult result = swCreateRaster(host, &rasterDef, &raster);
-    swInputDef def = swDefaultInputDef();
-    def.shape = SW_SHAPE_RASTER;
-    def.raster = raster;
-    def.feather = 30.0f;
-    def.rotation.yaw = 0.25f;
-    def.position = (swPos){1.0e5, 0.0, -3.0e4};
-    result = result != SW_SUCCESS ? result : swCreateInput(world, &def, &id);
-    swDestroyRaster(raster);
-    def = swDefaultInputDef();
-    def.position = (swPos){1.0e5 + 60.0, 0.0, -3.0e4 + 30.0};
-    def.shape = SW_SHAPE_CIRCLE;
-    def.size.x = 250.0f;
-    def.feather = 60.0f;
-    def.field = SW_INPUT_LEVEL;
-    def.value[0] = 2.0f;
-    result = result != SW_SUCCESS ? result : swCreateInput(world, &def, &id);
-    def.field = SW_INPUT_WAVES;
-    def.shape = SW_SHAPE_RECTANGLE;
-    def.value[0] = 0.25f;
-    result = result != SW_SUCCESS ? result : swCreateInput(world, &def, &id);
-    def.field = SW_INPUT_FLOW;
-    def.position.x += 100.0;
-    def.value[0] = 0.5f;
-    return result != SW_SUCCESS ? result : swCreateInput(world, &def, &id);
-}
-
 // One system alone, a minute in, and what is asked of it.
-static swResult MakeSmallParts(const swWaveSystemDef* def, bool hasInputs, Parts* parts)
+static swResult MakeSmallParts(const swWaveSystemDef* def, Parts* parts)
 {
     swHost host = swDefaultHost();
     swWorldDef worldDef = swDefaultWorldDef();
@@ -333,12 +290,7 @@ static swResult MakeSmallParts(const swWaveSystemDef* def, bool hasInputs, Parts
     swView* view = NULL;
     swResult result = swCreateWorld(&host, &worldDef, &world);
     result = result != SW_SUCCESS ? result : swCreateWaveSystem(world, def, &id);
-    result = result != SW_SUCCESS || !hasInputs ? result : AddInputs(&host, world);
     result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
-    if (result == SW_SUCCESS && hasInputs)
-    {
-        swView_SetViewpoint(view, (swPos){1.0e5, 5.0, -3.0e4});
-    }
     result = result != SW_SUCCESS ? result : swWorld_Step(world, 60.0);
     result = result != SW_SUCCESS ? result : swWorld_Step(world, 0.25);
     if (result == SW_SUCCESS)
@@ -405,7 +357,7 @@ static swResult AddLine(Line* lines, int* count, const char* name, const swWaveS
     snprintf(line->name, sizeof(line->name), "%s", name);
     if (def != NULL)
     {
-        return MakeSmallParts(def, strcmp(name, "inputs") == 0, &line->parts);
+        return MakeSmallParts(def, &line->parts);
     }
     Run run = {SW_ISA_BEST, 1, 1.0, false};
     return MakeParts(&run, &line->parts);
@@ -446,9 +398,7 @@ static swResult MakeLines(Line* lines, int* count)
     swSpectrumTable table = MakeTable(frequencies, bandwidths, density);
     swWaveSystemDef measured = MakeKind(SW_SPECTRUM_TABLE);
     measured.spectrum.table = &table;
-    result = result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
-    swWaveSystemDef shaped = MakeKind(SW_SPECTRUM_JONSWAP);
-    return result != SW_SUCCESS ? result : AddLine(lines, count, "inputs", &shaped);
+    return result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
 }
 
 static int List(void)
