@@ -320,6 +320,10 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         record->value.x = (float)((double)def->value[0] - seaLevel);
     }
     turnRecord(def, record);
+    bool isHeight = def->field == SW_INPUT_DISPLACEMENT && def->shape == SW_SHAPE_RASTER && def->raster->channels < 3;
+    record->flags |= isHeight ? SW_INPUT_IS_HEIGHT : 0u;
+    record->flags |= def->isBump ? SW_INPUT_IS_BUMP : 0u;
+    record->value.w = def->field == SW_INPUT_DISPLACEMENT ? def->wavelength : record->value.w;
     record->flags |= def->removesWaves ? SW_INPUT_REMOVES_WAVES : 0u;
     if (def->windWeight.isUsed)
     {
