@@ -23,5 +23,6 @@ void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ
 void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves);
 void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height);
 
-// Whether any input of the fields in `mask` may say something within `reach` metres of a point.
-bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach);
+// The cells within `reach` metres of a point; false where they do not fit 32 bits.
+bool swFindCellBox(swPosXZ point, double reach, swCellBox* box);
+

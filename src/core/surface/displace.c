@@ -21,8 +21,9 @@ static bool isNear(const swQuery* query, int count, const swPosXZ* points, doubl
         maxZ = fmax(maxZ, points[i].z);
     }
     const swPosXZ middle = {0.5 * (minX + maxX), 0.5 * (minZ + maxZ)};
-    return swIsNearInputs(query->inputs, SW_FIELD_BIT(SW_INPUT_DISPLACEMENT), middle,
-                          fmax(maxX - middle.x, maxZ - middle.z) + reach);
+    swCellBox box;
+    return !swFindCellBox(middle, fmax(maxX - middle.x, maxZ - middle.z) + reach, &box) ||
+           swTouchesInputs(query->inputs, SW_FIELD_BIT(SW_INPUT_DISPLACEMENT), &box);
 }
 
 static swInputValue getWaves(const float* d, const float* g)
