@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "core/input/polygon.h"
+#include "core/input/polyline.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "shared/input.h"
@@ -113,10 +114,10 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
-                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
-                                    SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
-                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE);
+static const uint32_t knownShapes =
+    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) |
+    SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
+    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_POLYLINE);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -253,12 +254,16 @@ swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 
 swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
-    if (def->shape != SW_SHAPE_POLYGON)
+    if (def->shape != SW_SHAPE_POLYGON && def->shape != SW_SHAPE_POLYLINE)
     {
         return SW_SUCCESS;
     }
     char name[SW_MAX_INPUT_NAME + 32];
     snprintf(name, sizeof name, "the input '%s'", def->name);
+    if (def->shape == SW_SHAPE_POLYLINE)
+    {
+        return swCheckPolyline(host, name, count, points);
+    }
     if (points == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no points");

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/input/hull.h"
+#include "core/input/polyline.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "core/math/scalar.h"
@@ -21,11 +22,15 @@ bool swFindCell(double place, int32_t* cell, float* rest)
 int swCountInputWords(const swInputDef* def)
 {
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
-    return def->shape == SW_SHAPE_POLYGON ? 2 * room : 0;
+    return def->shape == SW_SHAPE_POLYGON ? 2 * room : def->shape == SW_SHAPE_POLYLINE ? swCountPolylineWords(room) : 0;
 }
 
 int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
 {
+    if (def->shape == SW_SHAPE_POLYLINE)
+    {
+        return swWritePolyline(pointCount, points, def->size.x, words);
+    }
     if (def->shape != SW_SHAPE_POLYGON)
     {
         return 0;
@@ -104,6 +109,17 @@ static void placePolygon(const float* words, int count, swInputRecord* record)
     record->extra0 = (sw_uint)count;
 }
 
+static void placePolyline(const float* words, int count, swInputRecord* record)
+{
+    float bounds[4];
+    swBoundPolyline(count, words, bounds);
+    record->middleX = 0.5f * (bounds[0] + bounds[2]);
+    record->middleZ = 0.5f * (bounds[1] + bounds[3]);
+    record->halfX = 0.5f * (bounds[2] - bounds[0]);
+    record->halfZ = 0.5f * (bounds[3] - bounds[1]);
+    record->extra0 = (sw_uint)count;
+}
+
 // Of a shape with a height: its own axes are turned, so its box is that of a sphere unless they are upright.
 static void placeSolid(const swInputDef* def, swInputRecord* record)
 {
@@ -158,6 +174,9 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         return placeSpline(def, data->spline, record);
     case SW_SHAPE_POLYGON:
         placePolygon(data->words[data->shown], data->pointCount, record);
+        break;
+    case SW_SHAPE_POLYLINE:
+        placePolyline(data->words[data->shown], data->pointCount, record);
         break;
     case SW_SHAPE_BOX:
     case SW_SHAPE_ELLIPSOID:

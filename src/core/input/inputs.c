@@ -451,7 +451,14 @@ static void findRange(const swInputDef* def, const swInputRecord* record, float*
             *high = fmaxf(*high, value + def->points[i].value[0]);
         }
     }
-    else if (def->shape == SW_SHAPE_SPLINE || def->shape == SW_SHAPE_MESH || def->shape == SW_SHAPE_FUNCTION)
+    else if (def->shape == SW_SHAPE_SPLINE)
+    {
+        float a, b;
+        swGetSplineHeights(def->spline, &a, &b);
+        *low = value + fminf(def->gain * a, def->gain * b);
+        *high = value + fmaxf(def->gain * a, def->gain * b);
+    }
+    else if (def->shape == SW_SHAPE_MESH || def->shape == SW_SHAPE_FUNCTION)
     {
         *low = -1e6f;
         *high = 1e6f;

@@ -8,6 +8,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/input_record.c
     ${CMAKE_CURRENT_LIST_DIR}/inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/polygon.c
+    ${CMAKE_CURRENT_LIST_DIR}/polyline.c
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_def.c
     ${CMAKE_CURRENT_LIST_DIR}/sample_clip.c
