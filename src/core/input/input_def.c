@@ -33,7 +33,7 @@ static const char* const blendNames[] = {"added", "mixed", "multiplied", "the le
 
 #define SW_DEF swInputDef
 static const swField inputFields[] = {
-    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_TEXT(name, .key = "name", .label = "name", .use = SW_USE_STATE),
     SW_CHOICE(field, fieldWords, fieldNames, SW_INPUT_FLOOR, .key = "field", .label = "says"),
     SW_CHOICE(shape, shapeWords, shapeNames, SW_SHAPE_EVERYWHERE, .key = "shape", .label = "shape"),
     SW_CHOICE(blend, blendWords, blendNames, SW_BLEND_ALPHA, .key = "blend", .label = "joins",
