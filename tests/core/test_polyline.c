@@ -25,8 +25,6 @@ typedef struct Line
 
 static void MakeLine(Line* line, int count, const swInputPoint* points, float width, float feather)
 {
-    swHost host = MakeHost();
-    assert_int_equal(swCheckPolyline(&host, "trail", count, points), SW_SUCCESS);
     assert_true(swWritePolyline(count, points, width, line->words) <= (int)(sizeof line->words / sizeof(float)));
     line->record = (swInputRecord){.cosine = 1.0f, .weight = 1.0f, .gain = 1.0f, .feather = feather};
     line->record.extra0 = (sw_uint)count;
@@ -167,22 +165,33 @@ static void BadLinesAreRefusedWithASentence(void** state)
 {
     (void)state;
     swHost host = MakeHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
     swInputPoint points[3] = {{.x = 0.0f}, {.x = 1.0f}, {.x = 2.0f}};
-    assert_int_equal(swCheckPolyline(&host, "trail", 1, points), SW_ERROR_INVALID);
-    assert_string_equal(s_messages, "trail is a line through 1 points; it needs 2 or more.\n");
-    host = MakeHost();
+    swInputDef def = swDefaultInputDef();
+    strcpy(def.name, "trail");
+    def.field = SW_INPUT_FOAM;
+    def.shape = SW_SHAPE_POLYLINE;
+    def.points = points;
+    def.pointCount = 1;
+    swInputId id;
+    assert_int_equal(swCreateInput(world, &def, &id), SW_ERROR_INVALID);
+    assert_non_null(
+        strstr(s_messages, "the input 'trail' (polyline of the foam) is a line through fewer than two points"));
+    s_messages[0] = '\0';
+    def.pointCount = 3;
     points[1].z = NAN;
-    assert_int_equal(swCheckPolyline(&host, "trail", 3, points), SW_ERROR_INVALID);
-    assert_string_equal(s_messages, "trail needs x and z within [-1e6, 1e6] m at its point 1, counted from 0.\n");
+    assert_int_equal(swCreateInput(world, &def, &id), SW_ERROR_INVALID);
+    assert_non_null(strstr(s_messages, "point 1 of the input 'trail' is out of range"));
     points[1].z = 0.0f;
-    points[2].weight = -1.0f;
-    assert_int_equal(swCheckPolyline(&host, "trail", 3, points), SW_ERROR_INVALID);
-    points[2].weight = 1.0f;
     points[2].value[3] = INFINITY;
-    assert_int_equal(swCheckPolyline(&host, "trail", 3, points), SW_ERROR_INVALID);
+    assert_int_equal(swCreateInput(world, &def, &id), SW_ERROR_INVALID);
     // One place twice is a ship at rest.
     points[2] = points[1];
-    assert_int_equal(swCheckPolyline(&host, "trail", 3, points), SW_SUCCESS);
+    assert_int_equal(swCreateInput(world, &def, &id), SW_SUCCESS);
+    assert_int_equal(swInput_SetPoints(world, id, 1, points), SW_ERROR_INVALID);
+    swDestroyWorld(world);
 }
 
 int main(void)

@@ -4,53 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/base/host.h"
-
-#define FARTHEST 1e6f
-
-static bool isWithin(float value, float low, float high)
-{
-    return value >= low && value <= high;
-}
-
-static const char* findFault(const swInputPoint* point)
-{
-    bool isHere = isWithin(point->x, -FARTHEST, FARTHEST) && isWithin(point->z, -FARTHEST, FARTHEST);
-    bool isValued = true;
-    for (int k = 0; k < 4; ++k)
-    {
-        isValued = isValued && isWithin(point->value[k], -1e6f, 1e6f);
-    }
-    return !isHere                                    ? "x and z within [-1e6, 1e6] m"
-           : !isWithin(point->radius, 0.0f, FARTHEST) ? "a radius within [0, 1e6] m"
-           : !isWithin(point->weight, 0.0f, 100.0f)   ? "a weight within [0, 100]"
-           : !isValued                                ? "values within [-1e6, 1e6]"
-                                                      : NULL;
-}
-
-swResult swCheckPolyline(const swHost* host, const char* name, int count, const swInputPoint* points)
-{
-    if (count < 2 || points == NULL)
-    {
-        return swFail(host, SW_ERROR_INVALID, "%s is a line through %d points; it needs 2 or more.", name,
-                      points == NULL ? 0 : count);
-    }
-    if (count > SW_MAX_INPUT_POINTS)
-    {
-        return swFail(host, SW_ERROR_INVALID, "%s is a line through %d points; it has at most %d.", name, count,
-                      SW_MAX_INPUT_POINTS);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-        const char* fault = findFault(&points[i]);
-        if (fault != NULL)
-        {
-            return swFail(host, SW_ERROR_INVALID, "%s needs %s at its point %d, counted from 0.", name, fault, i);
-        }
-    }
-    return SW_SUCCESS;
-}
-
 int swCountPolylineWords(int count)
 {
     return count < 2 ? 0
