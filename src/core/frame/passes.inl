@@ -2,6 +2,7 @@
 // Every pass that both halves run, in order: SW_PASS(NAME, name, text).
 // The core module, shaders/**/name.comp, gpu/pass/pass_name.c and tests/parity/parity_name.c go with each line. The GPU
 // runs the lines in this order; barriers follow from what they read and write, see gpu/pass/passes.h.
+SW_PASS(FIELDS, fields, "Authored fields of all slices, and what shapes waves in each block")
 SW_PASS(VOLUME_WAVES, volume_waves, "Waves of this time one by one, for the water below")
 SW_PASS(WAVES_ROWS, waves_rows, "Spectra at this time, and the FFT's first axis")
 SW_PASS(WAVES_COLUMNS, waves_columns, "The FFT's second axis: tiles of spline coefficients")
