@@ -237,6 +237,21 @@ SW_API const swFields* swGetInputFields(void);
 /// than SW_MAX_INPUTS), SW_ERROR_UNSUPPORTED where a shape makes no sense for a field; then nothing is made
 SW_API swResult swCreateInput(swWorld* world, const swInputDef* def, swInputId* id);
 
+/// Most rasters of a nest.
+#define SW_MAX_NEST 64
+
+/// Put a nest of rasters into the sea, such as a coarse chart of a coast and finer ones of its harbours: an input for
+/// each, which joins by SW_BLEND_ALPHA over the coarser ones, so that the finest counts. Each fades into what is below
+/// it within a feather from its edge inwards: three cells of the next coarser one, at most a quarter of its own shorter
+/// side. The coarsest fades into what is below all within `def`'s feather, or, where that is 0, within a sixteenth of
+/// its shorter side. The other fields of `def` are those of each input; its shape and raster are not looked at, and the
+/// order is that of the coarsest, which the others follow.
+/// @param rasters in any order; of equal spacing the one that comes later counts
+/// @param ids [count], in the order of the rasters
+/// @return as swCreateInput(); then none is made
+SW_API swResult swCreateNest(swWorld* world, const swInputDef* def, int count, const swRaster* const* rasters,
+                             swInputId* ids);
+
 /// Take an input away, from the next step on.
 SW_API void swDestroyInput(swWorld* world, swInputId id);
 

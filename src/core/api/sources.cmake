@@ -2,6 +2,7 @@
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/input_api.c
     ${CMAKE_CURRENT_LIST_DIR}/moment_api.c
+    ${CMAKE_CURRENT_LIST_DIR}/nest_api.c
     ${CMAKE_CURRENT_LIST_DIR}/query_api.c
     ${CMAKE_CURRENT_LIST_DIR}/replay_api.c
     ${CMAKE_CURRENT_LIST_DIR}/view_api.c

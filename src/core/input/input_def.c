@@ -117,7 +117,7 @@ static const uint32_t knownShapes =
     SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) |
     SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
     SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_PARTICLES) |
-    SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_POLYLINE);
+    SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_POLYLINE) | SW_KIND(SW_SHAPE_MESH);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -325,6 +325,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
     {
         result = checkRaster(host, def);
+    }
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_MESH && def->mesh == NULL)
+    {
+        result = refuse(host, SW_ERROR_INVALID, def, "has no mesh");
     }
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_SPLINE)
     {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/input/hull.h"
+#include "core/input/mesh.h"
 #include "core/input/polyline.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
@@ -95,6 +96,14 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     record->gain = def->gain;
     double cosine = (double)record->cosine, sine = (double)record->sine;
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
+}
+
+// Heights of a mesh count from its own origin, which lies at the input's place.
+static void placeMesh(const swInputDef* def, const swMesh* mesh, swInputRecord* record)
+{
+    swDescribeMesh(mesh, record);
+    record->gain = def->gain;
+    record->value.x = def->field == SW_INPUT_FLOOR ? def->value[0] + record->size.w : record->value.x;
 }
 
 // A spline's own axes begin in its middle. Heights of its points count from where the input is.
@@ -218,6 +227,9 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RECTANGLE:
         placeCentred(record, def->size.x, def->size.z);
+        break;
+    case SW_SHAPE_MESH:
+        placeMesh(def, data->mesh, record);
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
@@ -354,6 +366,11 @@ const float* swGetInputWords(const swInputData* data, int* count)
         *count = (int)data->spline->wordCount;
         return data->spline->words;
     }
+    if (data->mesh != NULL)
+    {
+        *count = (int)data->mesh->wordCount;
+        return data->mesh->words;
+    }
     if (data->hull != NULL)
     {
         *count = (int)data->hull->wordCount;
@@ -422,8 +439,15 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words)
 void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most)
 {
     float low = 0.0f, high = 0.0f;
-    bool isUnknown = def->shape == SW_SHAPE_FUNCTION || def->shape == SW_SHAPE_MESH ||
-                     (def->shape == SW_SHAPE_SPLINE && def->field != SW_INPUT_LEVEL);
+    bool isMeshOfFloor = def->shape == SW_SHAPE_MESH && def->field == SW_INPUT_FLOOR;
+    bool isUnknown = def->shape == SW_SHAPE_FUNCTION ||
+                     (def->shape == SW_SHAPE_SPLINE && def->field != SW_INPUT_LEVEL) ||
+                     (def->shape == SW_SHAPE_MESH && !isMeshOfFloor);
+    if (isMeshOfFloor)
+    {
+        low = def->mesh->low.y;
+        high = fminf(def->mesh->high.y, fmaxf(def->mesh->highest, low));
+    }
     if (def->shape == SW_SHAPE_RASTER && def->raster->least <= def->raster->most)
     {
         low = def->raster->least;
@@ -444,7 +468,7 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
             high = fmaxf(high, data->points[i].value[k]);
         }
     }
-    bool isScaled = def->shape == SW_SHAPE_RASTER || def->shape == SW_SHAPE_SPLINE;
+    bool isScaled = def->shape == SW_SHAPE_RASTER || def->shape == SW_SHAPE_SPLINE || isMeshOfFloor;
     float a = isScaled ? def->gain * low : low, b = isScaled ? def->gain * high : high;
     *least = isUnknown ? -LARGEST_VALUE : fminf(a, b);
     *most = isUnknown ? LARGEST_VALUE : fmaxf(a, b);
