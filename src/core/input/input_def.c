@@ -142,11 +142,11 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
-                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
-                                    SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
-                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) |
-                                    SW_KIND(SW_SHAPE_PARTICLES) | SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_MESH);
+static const uint32_t knownShapes =
+    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) |
+    SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
+    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_PARTICLES) |
+    SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_POLYLINE) | SW_KIND(SW_SHAPE_MESH);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -317,7 +317,7 @@ swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 }
 
 // Each point by itself; a point is named by its place in the array.
-static swResult checkParticles(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
+static swResult checkPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
     if (count < 0 || count > SW_MAX_INPUT_POINTS || (count > 0 && points == NULL))
     {
@@ -349,9 +349,13 @@ static swResult checkParticles(const swHost* host, const swInputDef* def, int co
 
 swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
-    if (def->shape == SW_SHAPE_PARTICLES)
+    if (def->shape == SW_SHAPE_POLYLINE && (count < 2 || points == NULL))
     {
-        return checkParticles(host, def, count, points);
+        return refuse(host, SW_ERROR_INVALID, def, "is a line through fewer than two points");
+    }
+    if (def->shape == SW_SHAPE_PARTICLES || def->shape == SW_SHAPE_POLYLINE)
+    {
+        return checkPoints(host, def, count, points);
     }
     if (def->shape != SW_SHAPE_POLYGON)
     {
