@@ -10,7 +10,8 @@
 /// made of them goes on with the same bits, on any machine, also in the middle of changes.
 
 /// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, inputs
-/// with their points, views with their slices and foam. Of rasters, hulls, splines and functions it holds hashes. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
+/// with their points, views with their slices and foam. Of rasters, hulls, splines and functions it holds hashes. The
+/// bytes are the same on every machine. Any thread that may use a `const swWorld*`.
 /// @param data room for `*size` bytes; NULL to ask for the size
 /// @param size in: bytes of room; out: bytes needed
 /// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing
@@ -37,7 +38,8 @@ typedef struct swResource
     void* functionContext;
 } swResource;
 
-/// Give what has a hash (of a raster, a hull or a spline, see their infos) or a fingerprint (of a function). `name` is the input's.
+/// Give what has a hash (of a raster, a hull or a spline, see their infos) or a fingerprint (of a function). `name` is
+/// the input's.
 /// @return false if there is no such thing
 typedef bool (*swFindResourceFcn)(void* context, swResourceKind kind, uint64_t hash, const char* name,
                                   swResource* resource);
@@ -52,8 +54,8 @@ typedef struct swRestoreDef
     /// What would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
     size_t memoryBudget;
 
-    /// Asked for the rasters, hulls, splines and functions of inputs. Default NULL: there are none, and a world that uses one is
-    /// refused with a sentence that names it.
+    /// Asked for the rasters, hulls, splines and functions of inputs. Default NULL: there are none, and a world that
+    /// uses one is refused with a sentence that names it.
     swFindResourceFcn findResource;
     void* resourceContext;
 
