@@ -23,6 +23,7 @@ typedef enum swResourceKind
 {
     SW_RESOURCE_RASTER,
     SW_RESOURCE_HULL,
+    SW_RESOURCE_MESH,
     SW_RESOURCE_SPLINE,
     SW_RESOURCE_FUNCTION,
     SW_RESOURCE_KIND_COUNT
@@ -33,13 +34,14 @@ typedef struct swResource
 {
     const swRaster* raster;
     const swHull* hull;
+    const swMesh* mesh;
     const swSpline* spline;
     swInputFunctionFcn function;
     void* functionContext;
 } swResource;
 
-/// Give what has a hash (of a raster, a hull or a spline, see their infos) or a fingerprint (of a function). `name` is
-/// the input's.
+/// Give what has a hash (of a raster, a hull, a mesh or a spline, see their infos) or a fingerprint (of a function).
+/// `name` is the input's.
 /// @return false if there is no such thing
 typedef bool (*swFindResourceFcn)(void* context, swResourceKind kind, uint64_t hash, const char* name,
                                   swResource* resource);
@@ -54,8 +56,8 @@ typedef struct swRestoreDef
     /// What would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
     size_t memoryBudget;
 
-    /// Asked for the rasters, hulls, splines and functions of inputs. Default NULL: there are none, and a world that
-    /// uses one is refused with a sentence that names it.
+    /// Asked for the rasters, hulls, meshes, splines and functions of inputs. Default NULL: there are none, and a world
+    /// that uses one is refused with a sentence that names it.
     swFindResourceFcn findResource;
     void* resourceContext;
 

@@ -12,6 +12,7 @@ typedef struct swInputData
     struct swInputData* next; // of those that wait to be freed
     size_t size;              // bytes of this block
     const swRaster* raster;   // held
+    const swMesh* mesh;       // held
     const swSpline* spline;   // held
     const swHull* hull;       // held
     int pointCount, pointCapacity;
