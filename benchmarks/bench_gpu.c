@@ -533,40 +533,6 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
     free(bench->rays);
 }
 
-// Slices where waves differ from place to place
-// --------------------------------------------------------------------------
-
-typedef struct PlaceCase
-{
-    const char* name;
-    float share; // of each slice's rows over a bottom; nearly 0: the pipeline that could, and no row
-} PlaceCase;
-
-static const PlaceCase placeCases[] = {
-    {"none of the blocks over a bottom", 1e-6f},
-    {"half of them", 0.5f},
-    {"all of them", 1.0f},
-};
-#define PLACE_CASES (int)(sizeof(placeCases) / sizeof(placeCases[0]))
-
-// Microseconds of the slices over a bottom of 5 m.
-static void MeasurePlaces(Bench* bench, double* times)
-{
-    for (int c = 0; c < PLACE_CASES; ++c)
-    {
-        bench->gpuWorld->bottom = (swGpuBottom){.depth = 5.0f, .share = placeCases[c].share};
-        Series passes[MAX_PASSES] = {0};
-        RunFrames(bench, passes, NULL);
-        for (int i = 0; i < MAX_PASSES; ++i)
-        {
-            bool isSlices = passes[i].name != NULL && strcmp(passes[i].name, "slices") == 0;
-            times[c] = isSlices ? Median(&passes[i]) : times[c];
-            free(passes[i].values);
-        }
-    }
-    bench->gpuWorld->bottom = (swGpuBottom){0};
-}
-
 // Report -------------------------------------------------------------------------------------------------------------
 
 typedef struct Report
@@ -576,7 +542,6 @@ typedef struct Report
     double waves;     // frame without a view: rows, columns, detail
     double frame;     // frame with the view
     Series passes[MAX_PASSES];
-    double places[PLACE_CASES]; // the slices
     QueryTimes queries[QUERY_CASES];
 } Report;
 
@@ -601,11 +566,6 @@ static void PrintTable(const Bench* bench, Report* report)
     printf("%-16s %10.2f\n\n", "sum", sum);
     printf("frame without a view (rows, columns, detail; 4 barriers): %.2f us\n", report->waves);
     printf("whole frame (5 passes, 5 barriers, no timestamps inside):  %.2f us\n", report->frame);
-    puts("\nslices whose blocks take the general path where waves differ from place to place");
-    for (int i = 0; i < PLACE_CASES; ++i)
-    {
-        printf("%-40s %10.2f us\n", placeCases[i].name, report->places[i]);
-    }
     if (bench->options.queryPoints > 0)
     {
         Floor least = QueryFloor(bench, 2.0);
@@ -638,12 +598,6 @@ static void PrintJson(const Bench* bench, Report* report)
                "\"least_flops\": %.0f, \"barriers\": 1}",
                i > 0 ? "," : "", report->passes[i].name, time, least.bytes, least.bytes / report->bandwidth,
                least.flops);
-    }
-    printf("],\n \"places\": [");
-    for (int i = 0; i < PLACE_CASES; ++i)
-    {
-        printf("%s\n  {\"name\": \"%s\", \"slices_us\": %.3f}", i > 0 ? "," : "", placeCases[i].name,
-               report->places[i]);
     }
     printf("],\n \"query_points\": %d, \"queries\": [", bench->options.queryPoints);
     for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
@@ -762,7 +716,6 @@ int main(int argc, char** argv)
     RunFrames(&bench, NULL, &frame);
     RunFrames(&bench, report.passes, NULL);
     report.frame = Median(&frame);
-    MeasurePlaces(&bench, report.places);
 
     if (bench.options.json)
     {

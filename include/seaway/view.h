@@ -62,6 +62,7 @@ typedef struct swSliceInfo
 /// Quantities on a view's slices.
 typedef enum swLayer
 {
+    SW_LAYER_PLACES,       ///< 4 floats a texel: depth of still water, m, its slopes along x and z, its level, m
     SW_LAYER_DISPLACEMENT, ///< 4 floats a texel: x, y, z, 0
     SW_LAYER_DERIVATIVES,  ///< 4 floats a texel: gx, gz, J, 0, see swView_GetDerivatives()
     SW_LAYER_FOAM,         ///< 1 float a texel
@@ -76,6 +77,9 @@ SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
 /// Derivatives: 4 floats (gx, gz, J, 0), the unnormalised normal of the displaced surface: J is the determinant of the
 /// horizontal Jacobian, (-gx, J, -gz) points along the normal, and (gx, gz) / J is the slope. Smooth also where it
 /// folds.
+/// Places: 4 floats a texel where it rests: the depth of still water, m (1e30 without a floor, below 0 on land), its
+/// slopes along x and z, and its level above sea level, m. NULL also where no input says anything of floor or level.
+SW_API const float* swView_GetPlaces(const swView* view, int slice);
 SW_API const float* swView_GetDisplacement(const swView* view, int slice);
 SW_API const float* swView_GetDerivatives(const swView* view, int slice);
 SW_API const float* swView_GetFoam(const swView* view, int slice);

@@ -18,10 +18,12 @@
 // grazes
 // 130.
 
+#include "shared/fields.h"
 #include "shared/query.h"
 
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
+layout(constant_id = 0) const bool WITH_INPUTS = false;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -51,12 +53,29 @@ layout(std430, binding = 6) writeonly buffer Normals
 {
     vec4 normals[]; // and J
 };
+layout(std430, binding = 7) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 8) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 9) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 10) readonly buffer InputWords
+{
+    float inputWords[];
+};
 layout(push_constant) uniform Push
 {
     swRayParams params;
 };
 
 shared float shares[8][THREADS];
+shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][SW_QUERY_POINTS]; // what inputs say
 shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -237,7 +256,7 @@ bool advanceMarch(Ray ray, Sum surface, inout March march)
 bool isNearEnough(Ray ray, March march, Search search)
 {
     return march.hasLooked && !march.isRefining &&
-           sqrt(search.bestSquare) < 0.02 * abs(march.side * gapOf(ray, march.at, search.best) - ray.radius);
+           sqrt(search.bestSquare) < 0.02 * abs(march.side * gapOf(ray, march.at, surfaceOf(search)) - ray.radius);
 }
 
 // The search of the next look begins with the particle that the last one found and takes the step from there that
@@ -279,7 +298,7 @@ void store(uint point, Ray ray, March march, Search search, uint lane)
     }
     else if (lane == 0)
     {
-        heights[point] = march.isHit ? vec2(search.best.value.y, sqrt(search.bestSquare)) : vec2(0.0);
+        heights[point] = march.isHit ? vec2(surfaceOf(search).value.y, sqrt(search.bestSquare)) : vec2(0.0);
     }
     else if (lane == 1)
     {
@@ -289,7 +308,7 @@ void store(uint point, Ray ray, March march, Search search, uint lane)
     }
     else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
     {
-        normals[point] = march.isHit ? normalOf(search.best) : vec4(0.0);
+        normals[point] = march.isHit ? normalOf(surfaceOf(search)) : vec4(0.0);
     }
 }
 
@@ -308,6 +327,14 @@ void main()
     }
     for (uint turn = 0;; turn ^= 1)
     {
+        if (WITH_INPUTS)
+        {
+            if (isMarching)
+            {
+                askSearched(search, lane);
+            }
+            barrier();
+        }
         if (isMarching)
         {
             share(addSearched(search, lane));
@@ -317,7 +344,7 @@ void main()
         if (isMarching && (!isSearching || isNearEnough(ray, march, search)))
         {
             float from = march.at;
-            isMarching = advanceMarch(ray, search.best, march);
+            isMarching = advanceMarch(ray, surfaceOf(search), march);
             if (isMarching)
             {
                 search = searchAgain(ray, march, from, search);

@@ -13,11 +13,13 @@
 // that it took 186 and 124 us. Slower were: no first guess, lanes that take another point as soon as theirs is done,
 // tiles in a storage buffer, all four weights along x in every lane, two tiles at a time, and workgroups of 64 and 128.
 
+#include "shared/fields.h"
 #include "shared/query.h"
 
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
 layout(constant_id = 0) const bool WITH_MOTION = false;
+layout(constant_id = 1) const bool WITH_INPUTS = false;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -55,12 +57,29 @@ layout(std430, binding = 8) writeonly buffer Accelerations
 {
     vec4 accelerations[]; // and 0
 };
+layout(std430, binding = 9) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 10) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 11) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 12) readonly buffer InputWords
+{
+    float inputWords[];
+};
 layout(push_constant) uniform Push
 {
     swQueryParams params;
 };
 
 shared float shares[8][THREADS];
+shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][SW_QUERY_POINTS]; // what inputs say
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -96,20 +115,51 @@ void addTileMotion(swQueryTile tile, ivec2 cell, vec2 rest, uint lane, vec4 cubi
     }
 }
 
+void addWaveMotion(swQueryWave wave, ivec2 cell, vec2 rest, inout Motion motion)
+{
+    vec2 rate = wave.rate * swingOf(wave, cell, rest);
+    motion.velocity += vec3(wave.dx * rate.x, rate.y, wave.dz * rate.x);
+    motion.acceleration += wave.rate * vec3(wave.dx * rate.y, -rate.x, wave.dz * rate.y);
+}
+
+const Motion NO_MOTION = Motion(vec3(0.0), vec3(0.0));
+
 Motion addMotion(ivec2 cell, vec2 rest, uint lane)
 {
     vec4 cubic = splineCubic(lane);
-    Motion motion = Motion(vec3(0.0), vec3(0.0));
+    Motion motion = NO_MOTION;
     for (uint i = 0; i < params.water.tileCount; ++i)
     {
         addTileMotion(tiles[i], cell, rest, lane, cubic, motion);
     }
     for (uint i = lane; i < params.water.waveCount; i += SW_QUERY_LANES)
     {
-        swQueryWave wave = waves[i];
-        vec2 rate = wave.rate * swingOf(wave, cell, rest);
-        motion.velocity += vec3(wave.dx * rate.x, rate.y, wave.dz * rate.x);
-        motion.acceleration += wave.rate * vec3(wave.dx * rate.y, -rate.x, wave.dz * rate.y);
+        addWaveMotion(waves[i], cell, rest, motion);
+    }
+    return motion;
+}
+
+// The same where inputs shape waves, which they do as at the rest place that was tried last. How a particle's place
+// changes makes no part of how it moves.
+Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
+{
+    vec4 cubic = splineCubic(lane);
+    Motion motion = NO_MOTION;
+    for (uint i = 0; i < params.water.tileCount; ++i)
+    {
+        Motion own = NO_MOTION;
+        addTileMotion(tiles[i], cell, rest, lane, cubic, own);
+        Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
+        motion.velocity += shape.weight * own.velocity;
+        motion.acceleration += shape.weight * own.acceleration;
+    }
+    for (uint i = lane; i < params.water.waveCount; i += SW_QUERY_LANES)
+    {
+        Motion own = NO_MOTION;
+        addWaveMotion(waves[i], cell, rest, own);
+        Shape shape = shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation);
+        motion.velocity += shape.weight * own.velocity;
+        motion.acceleration += shape.weight * own.acceleration;
     }
     return motion;
 }
@@ -121,7 +171,7 @@ void store(uint point, Search search, uint lane)
 {
     if (lane == 0)
     {
-        heights[point] = vec2(search.best.value.y, sqrt(search.bestSquare));
+        heights[point] = vec2(surfaceOf(search).value.y, sqrt(search.bestSquare));
     }
     else if (lane == 1 && (params.outputs & SW_QUERY_WANTS_SIDEWAYS) != 0)
     {
@@ -129,7 +179,7 @@ void store(uint point, Search search, uint lane)
     }
     else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
     {
-        normals[point] = normalOf(search.best);
+        normals[point] = normalOf(surfaceOf(search));
     }
 }
 
@@ -151,10 +201,24 @@ void storeBad(uint point, uint lane)
     }
 }
 
+Motion findMotion(ivec2 cell, vec2 rest, uint lane)
+{
+    if (WITH_INPUTS)
+    {
+        Shaper shaper = shaperAt(seaPlaceAt(cell, rest));
+        if (doesShape(shaper))
+        {
+            return addShapedMotion(shaper, cell, rest, lane);
+        }
+    }
+    return addMotion(cell, rest, lane);
+}
+
 // How the particle that was found moves. All threads of the workgroup call it together.
 void storeMotion(uint point, bool isBad, Search search, uint lane)
 {
-    Motion motion = addMotion(search.cell, search.place + search.bestOffset, lane);
+    vec2 rest = search.place + search.bestOffset;
+    Motion motion = findMotion(search.cell, rest, lane);
     shareVector(0, motion.velocity);
     shareVector(3, motion.acceleration);
     barrier();
@@ -186,6 +250,14 @@ void main()
     }
     for (uint turn = 0;; turn ^= 1)
     {
+        if (WITH_INPUTS)
+        {
+            if (isSearching)
+            {
+                askSearched(search, lane);
+            }
+            barrier();
+        }
         if (isSearching)
         {
             share(addSearched(search, lane));

@@ -17,9 +17,16 @@
 // SW_QUERY_LANES (4) lanes share a place. Each takes one column of a tile's window of 4 x 4 texels, so that the four
 // read 64 bytes side by side, and every fourth free wave. Sums meet once an evaluation, in shared memory.
 //
-// Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`, and
-// `shared float shares[8][]` with an element for each thread.
+// Where inputs shape waves (WITH_INPUTS), all waves are looked up at each evaluation, each with the weight that the
+// place at rest gives it, as swEvaluateShaped() does it in core/surface/evaluate_shaped.c. The level of still water is
+// that of the place asked for.
+//
+// Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
+// `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
+// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constant `bool WITH_INPUTS`.
 
+#include "lib/inputs.glsl"
+#include "lib/places.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 
@@ -173,6 +180,100 @@ void addWater(uint firstTile, uint tileCount, uint waveCount, ivec2 cell, vec2 r
     }
 }
 
+// ---- where inputs shape it ----
+
+SeaPlace seaPlaceAt(ivec2 cell, vec2 rest)
+{
+    return seaPlaceOf(cell + ivec2(params.sea.cellX, params.sea.cellZ), rest + vec2(params.sea.restX, params.sea.restZ));
+}
+
+// What is asked of inputs for a point, an element of `placeValues` each: values and slopes of the level at the place
+// that was asked for and at the place at rest, of the floor there, and of the weight of each wave system.
+#define ASKED_PLACE_LEVEL 0
+#define ASKED_LEVEL 1
+#define ASKED_FLOOR 2
+#define ASKED_SYSTEMS 3
+
+bool areSystemsWeighted(SeaPlace place)
+{
+    return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
+}
+
+// A lane's part of what is asked for a point of a cell, at a place in it and a rest place. Lanes meet before they read.
+void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
+{
+    SeaPlace atRest = seaPlaceAt(cell, rest);
+    uint count = areSystemsWeighted(atRest) ? ASKED_SYSTEMS + SW_LIMIT_SYSTEMS : ASKED_SYSTEMS;
+    for (uint i = lane; i < count; i += SW_QUERY_LANES)
+    {
+        uint field = i == ASKED_FLOOR ? SW_FIELD_OF_FLOOR : i < ASKED_FLOOR ? SW_FIELD_OF_LEVEL : SW_FIELD_OF_WAVES;
+        SeaPlace asked = i == ASKED_PLACE_LEVEL ? seaPlaceAt(cell, place) : atRest;
+        placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = firstOf(fieldAt(field, i - ASKED_SYSTEMS, asked));
+    }
+}
+
+vec3 askedOf(uint i)
+{
+    return placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES];
+}
+
+// What a place does to waves, from what was asked.
+struct Shaper
+{
+    Ground ground;
+    bool isWeighted; // inputs weigh systems
+};
+
+Shaper shaperAt(SeaPlace place)
+{
+    return Shaper(groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR)), areSystemsWeighted(place));
+}
+
+bool doesShape(Shaper shaper)
+{
+    return shaper.isWeighted || shaper.ground.depth < SW_NO_DEPTH;
+}
+
+Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)
+{
+    vec3 weight = shaper.isWeighted ? askedOf(ASKED_SYSTEMS + system) : vec3(1.0, 0.0, 0.0);
+    return attenuated(Shape(weight.x, weight.yz), shaper.ground, k, attenuation);
+}
+
+swAttenuation attenuationOf(swQueryTile tile)
+{
+    return swAttenuation(tile.strength, tile.perFreeDepth);
+}
+
+void addShaped(Shape shape, Sum own, inout Sum sum)
+{
+    sum.value += shape.weight * own.value;
+    sum.alongX += shape.weight * own.alongX + shape.slope.x * own.value;
+    sum.alongZ += shape.weight * own.alongZ + shape.slope.y * own.value.yz;
+}
+
+const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
+
+// addWater() of the first tiles and waves, shaped.
+void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
+{
+    vec4 cubic = splineCubic(lane);
+    for (uint i = 0; i < tileCount; ++i)
+    {
+        Sum own = NO_WATER;
+        addTile(tiles[i], cell, rest, lane, cubic, own);
+        addShaped(shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i])), own, sum);
+    }
+    for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
+    {
+        Sum own = NO_WATER;
+        addWave(waves[i], cell, rest, own);
+        addShaped(shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation), own, sum);
+    }
+}
+
+// ---- lanes together ----
+
 void shareVector(uint part, vec3 value)
 {
     shares[part][gl_LocalInvocationIndex] = value.x;
@@ -218,8 +319,6 @@ struct Search
     Sum best;
     Smooth part;
 };
-
-const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
 
 Search beginSearch(Place place)
 {
@@ -279,7 +378,18 @@ Sum addSearched(inout Search search, uint lane)
 {
     vec2 rest = search.place + search.offset;
     Sum sum = NO_WATER;
-    if (isGuess(search))
+    bool isFirst = isGuess(search);
+    if (WITH_INPUTS)
+    {
+        Shaper shaper = shaperAt(seaPlaceAt(search.cell, rest));
+        if (doesShape(shaper))
+        {
+            addShapedWater(shaper, isFirst ? params.water.longTileCount : params.water.tileCount,
+                           isFirst ? params.water.longWaveCount : params.water.waveCount, search.cell, rest, lane, sum);
+            return sum;
+        }
+    }
+    if (isFirst)
     {
         addWater(0, params.water.longTileCount, params.water.longWaveCount, search.cell, rest, lane, sum);
         return sum;
@@ -288,6 +398,12 @@ Sum addSearched(inout Search search, uint lane)
     sum = search.part.sum;
     addWater(search.part.tileCount, params.water.tileCount, params.water.waveCount, search.cell, rest, lane, sum);
     return sum;
+}
+
+// A lane's part of what inputs say for the tried offset.
+void askSearched(Search search, uint lane)
+{
+    askInputs(search.cell, search.place, search.place + search.offset, lane);
 }
 
 // Takes in the surface at the tried offset and chooses the next. False when done.
@@ -313,6 +429,18 @@ bool advance(inout Search search, Sum sum)
     vec2 bestResidual = search.bestOffset + search.best.value.xz;
     search.offset = search.bestOffset - search.reach * newtonStep(bestResidual, search.best);
     return search.bestSquare > params.water.toleranceSquare && search.iteration < params.water.maxIterations;
+}
+
+// What was found, as the surface stands on its level. Chain rule: the level is a function of where particles are,
+// derivatives are by where they rest.
+Sum surfaceOf(Search search)
+{
+    Sum sum = search.best;
+    vec3 level = WITH_INPUTS ? askedOf(ASKED_PLACE_LEVEL) : vec3(0.0);
+    sum.value.y += level.x;
+    sum.alongX.y += level.y * (1.0 + sum.alongX.x) + level.z * sum.alongX.z;
+    sum.alongZ.x += level.y * sum.alongX.z + level.z * (1.0 + sum.alongZ.y);
+    return sum;
 }
 
 // Normal and J of the surface, from a particle's derivatives. The underside of a fold is turned over.

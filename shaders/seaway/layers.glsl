@@ -25,9 +25,10 @@ layout(std430, set = SW_LAYERS_SET, binding = 0) readonly buffer swLayersBlock
     swLayersParams swLayers;
     swLayersSlice swLayerSlices[];
 };
-layout(set = SW_LAYERS_SET, binding = 1) uniform sampler2DArray swDisplacementLayer; // x, y, z, m
-layout(set = SW_LAYERS_SET, binding = 2) uniform sampler2DArray swDerivativesLayer;  // gx, gz, J
-layout(set = SW_LAYERS_SET, binding = 3) uniform sampler2DArray swFoamLayer;         // [0, 1]
+layout(set = SW_LAYERS_SET, binding = 1) uniform sampler2DArray swPlacesLayer; // depth, its slopes along x, z, level
+layout(set = SW_LAYERS_SET, binding = 2) uniform sampler2DArray swDisplacementLayer; // x, y, z, m
+layout(set = SW_LAYERS_SET, binding = 3) uniform sampler2DArray swDerivativesLayer;  // gx, gz, J
+layout(set = SW_LAYERS_SET, binding = 4) uniform sampler2DArray swFoamLayer;         // [0, 1]
 
 // Two slices at a place, and how much of each is shown; the rest is level water.
 struct swLayerPair
@@ -64,6 +65,10 @@ swLayerPair swFindLayers(vec2 rest)
 vec4 swReadSlice(sampler2DArray layer, int slice, vec2 rest)
 {
     swLayersSlice lattice = swLayerSlices[slice];
+    if (textureSize(layer, 0).x == 1) // an authored field that no input says anything of
+    {
+        return texelFetch(layer, ivec3(0, 0, slice), 0);
+    }
     ivec2 last = ivec2(int(swLayers.resolution) - 1);
     vec2 texel = clamp((rest - vec2(lattice.firstX, lattice.firstZ)) * lattice.perMetre, vec2(0.0), vec2(last));
     ivec2 low = min(ivec2(texel), last - 1);
@@ -101,6 +106,12 @@ vec4 swNormalAt(vec2 rest)
 float swFoamAt(vec2 rest)
 {
     return swReadLayer(swFoamLayer, swFindLayers(rest), rest, vec4(swLayers.foamAtRest)).x;
+}
+
+// Depth of still water where a particle rests, m; 1e30 where there is no floor.
+float swDepthAt(vec2 rest)
+{
+    return swReadLayer(swPlacesLayer, swFindLayers(rest), rest, vec4(1e30, 0.0, 0.0, 0.0)).x;
 }
 
 // Where the water rests that is at a place now. Six steps leave some millimetres on a rough sea; where waves fold, one

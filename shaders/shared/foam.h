@@ -78,6 +78,33 @@ SW_FORMULA float swFoamFold(float jacobian, float threshold, swFoamRest rest)
     return slope * spread * swFoamExcess(inside / spread);
 }
 
+// ---- foam of the shore ----
+
+// The gentlest slope of the depth from which a distance to the edge is told.
+#define SW_SHORE_LEAST_SLOPE 1e-4f
+
+// How far the water's edge is, m, from the depth of still water and its slopes along x and z: exact over an even slope,
+// so that a band of foam is as wide over a steep shore as over a flat one. On land it is 0.
+SW_FORMULA float swFindShoreDistance(float depth, float slopeX, float slopeZ)
+{
+    float steep = SW_FOAM_SQRT(slopeX * slopeX + slopeZ * slopeZ);
+    float slope = steep > SW_SHORE_LEAST_SLOPE ? steep : SW_SHORE_LEAST_SLOPE;
+    return depth > 0.0f ? depth / slope : 0.0f;
+}
+
+// Foam that is born there, per second: `rate` at the edge, none from `width` on, smooth at both ends.
+SW_FORMULA float swFindShoreBirth(float distance, float width, float rate)
+{
+    if (!(distance < width))
+    {
+        return 0.0f;
+    }
+    float t = 1.0f - distance / width;
+    return rate * t * t * (3.0f - 2.0f * t);
+}
+
+// ---- a step ----
+
 // The steady state under a constant birth rate = growth fold.
 SW_FORMULA float swFoamSteady(float birth, float fadeRate)
 {

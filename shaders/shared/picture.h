@@ -83,9 +83,14 @@ SW_PARAMS(swPictureParams)
 
     float cloudWayX; // 1 or -1: which way the clouds run there, see swMirrorClouds()
     float cloudWayZ;
+    sw_int anchorCellX; // of the sea, see shared/input.h, that the mesh's anchor is in
+    sw_int anchorCellZ;
+
+    float anchorRestX; // where in that cell, m
+    float anchorRestZ;
     float unused0, unused1;
 };
-SW_PARAMS_SIZE(swPictureParams, 320);
+SW_PARAMS_SIZE(swPictureParams, 336);
 SW_PARAMS_VEC3(swPictureParams, rayX);
 SW_PARAMS_VEC3(swPictureParams, rayY);
 SW_PARAMS_VEC3(swPictureParams, forward);

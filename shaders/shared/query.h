@@ -5,6 +5,7 @@
 // cell, is floating point. So an answer is as good 1,000 km away as at the origin.
 #ifndef SW_SHARED_QUERY_H
 #define SW_SHARED_QUERY_H
+#include "depth_share.h"
 #include "limits.h"
 #include "types.h"
 
@@ -48,15 +49,24 @@ SW_PARAMS(swQueryWater)
 };
 SW_PARAMS_SIZE(swQueryWater, 40);
 
+// Where the query's origin lies in the sea, see shared/input.h.
+SW_PARAMS(swQuerySea)
+{
+    sw_int cellX, cellZ;
+    float restX, restZ;
+};
+SW_PARAMS_SIZE(swQuerySea, 16);
+
 SW_PARAMS(swQueryParams)
 {
     swQuerySource source;
     swQueryWater water;
+    swQuerySea sea;
     sw_uint outputs;
     sw_uint velocityTexels; // from a tile's displacement to its velocity, in texels
     sw_uint accelerationTexels;
 };
-SW_PARAMS_SIZE(swQueryParams, 68);
+SW_PARAMS_SIZE(swQueryParams, 84);
 
 SW_PARAMS(swQueryPoint)
 {
@@ -80,9 +90,12 @@ SW_PARAMS(swQueryTile)
     float texelsPerMetre;
     sw_uint firstTexel;
     sw_uint resolutionBits; // log2 of the resolution
+    float waveNumber;       // in the middle of the tile's waves, rad/m
+    sw_uint system;
+    float strength, perFreeDepth; // of swAttenuation, which as a struct would lie elsewhere in a uniform block
     sw_uint unused0;
 };
-SW_PARAMS_SIZE(swQueryTile, 32);
+SW_PARAMS_SIZE(swQueryTile, 48);
 
 // A free wave as seen from the origin, see swFreeWave; the longest come first.
 SW_PARAMS(swQueryWave)
@@ -94,8 +107,11 @@ SW_PARAMS(swQueryWave)
     float turnsX, turnsZ; // turns a metre
     float rate;           // rad/s
     float depth;          // m
+    float waveNumber;     // rad/m
+    sw_uint system;
+    swAttenuation attenuation;
 };
-SW_PARAMS_SIZE(swQueryWave, 40);
+SW_PARAMS_SIZE(swQueryWave, 56);
 
 // ---- the water below ----
 
@@ -155,6 +171,7 @@ SW_PARAMS(swRayParams)
 {
     swQuerySource source;
     swQueryWater water;
+    swQuerySea sea;
     sw_uint outputs;
     float level;       // of the rays' own zero above sea level, m
     float reach;       // what no water is higher than, m
@@ -162,7 +179,7 @@ SW_PARAMS(swRayParams)
     float tolerance;   // m
     sw_uint mostLooks; // of a ray
 };
-SW_PARAMS_SIZE(swRayParams, 80);
+SW_PARAMS_SIZE(swRayParams, 96);
 
 // A ray, or a sphere along one. Begins as swQueryPoint does.
 SW_PARAMS(swQueryRay)

@@ -6,6 +6,7 @@
 // along either axis; columns repeat, so that it never wraps along x, and row indices are taken modulo N.
 #ifndef SW_SHARED_WAVES_H
 #define SW_SHARED_WAVES_H
+#include "depth_share.h"
 #include "limits.h"
 #include "types.h"
 
@@ -58,8 +59,10 @@ SW_PARAMS(swSliceTile)
     sw_uint firstJump;
     float texelsPerUnit; // 1 / step
     float waveNumber;    // in the middle of the tile's waves, rad/m
+    sw_uint system;
+    swAttenuation attenuation;
 };
-SW_PARAMS_SIZE(swSliceTile, 56);
+SW_PARAMS_SIZE(swSliceTile, 68);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -71,9 +74,11 @@ SW_PARAMS(swSliceWave)
     float dx, dz;     // chop k / |k|
     float kx, kz;     // rad/m
     float cosZ, sinZ; // of stepZ
-    float unused0, unused1;
+    float waveNumber; // rad/m
+    sw_uint system;
+    swAttenuation attenuation;
 };
-SW_PARAMS_SIZE(swSliceWave, 48);
+SW_PARAMS_SIZE(swSliceWave, 56);
 
 // The waves of a slice: tiles[first .. first + count) as cubics, windowCount tiles behind them texel by texel, and
 // waves[firstWave .. firstWave + waveCount).
@@ -86,11 +91,7 @@ SW_PARAMS(swSliceList)
     sw_uint waveCount;
     float texelsPerMetre;
     sw_uint groupRows; // rows of texels whose knots are laid out together
-    // Where waves differ from place to place: rows whose blocks are added in general, and the depth of the first texel,
-    // m, and its change from column to column and row to row.
-    sw_uint generalRows;
-    float depth, depthAlongX, depthAlongZ;
     sw_uint unused;
 };
-SW_PARAMS_SIZE(swSliceList, 48);
+SW_PARAMS_SIZE(swSliceList, 32);
 #endif

@@ -12,6 +12,7 @@
 #include "lib/water_floor.glsl"
 #include "lib/water_optics.glsl"
 #include "lib/water_reflection.glsl"
+#include "shared/fields.h"
 #include "surface/surface_debug.glsl"
 
 layout(std430, binding = 0) readonly buffer Picture
@@ -42,6 +43,24 @@ layout(std430, binding = 12) readonly buffer Waves
 };
 layout(binding = 13) uniform sampler2D opaqueColor;
 layout(binding = 14) uniform sampler2D opaqueDepth;
+layout(binding = 15) uniform sampler2DArray places; // depth of still water, its slopes, its level
+layout(std430, binding = 16) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 17) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 18) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 19) readonly buffer InputWords
+{
+    float inputWords[];
+};
+#include "lib/inputs.glsl"
 
 // 1 on a device that is a CPU, where every texture sample counts.
 layout(constant_id = 0) const uint isSoftware = 0;
@@ -49,6 +68,10 @@ layout(constant_id = 0) const uint isSoftware = 0;
 layout(constant_id = 1) const uint filtersByHand = 0;
 // 1 where the host's images show what stands in the water.
 layout(constant_id = 2) const uint isClear = 0;
+// 1 where inputs say how deep the water is, or how high it stands.
+layout(constant_id = 3) const uint hasPlaces = 0;
+// 1 where inputs colour the water or shade it.
+layout(constant_id = 4) const uint hasColors = 0;
 
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
@@ -85,11 +108,12 @@ struct Bottom
     float edge;    // 0 where the water has no depth
 };
 
-Bottom bottomAt(Water water, vec3 view, vec3 normal)
+// `depth` is that of still water where a floor is known, and what counts where the bent line is hidden on the screen.
+Bottom bottomAt(Water water, vec3 view, vec3 normal, float depth)
 {
     Lens lens = Lens(picture.clip[0], picture.clip[1], picture.clip[2], picture.clip[3], picture.forward, picture.rayX,
                      picture.rayY);
-    Sunken sunken = seenThrough(lens, opaqueColor, opaqueDepth, position, view, normal, water.index);
+    Sunken sunken = seenThrough(lens, opaqueColor, opaqueDepth, position, view, normal, water.index, depth);
     Bottom bottom = Bottom(Column(vec3(0.0), vec3(1.0)), vec3(0.0), vec3(0.0), 1.0);
     if (sunken.isThere)
     {
@@ -106,6 +130,48 @@ Bottom bottomAt(Water water, vec3 view, vec3 normal)
     return bottom;
 }
 
+// What inputs put on the water at a pixel.
+struct Paint
+{
+    vec4 albedo; // and how much of the pixel it covers
+    float light; // of the sun that arrives
+};
+
+const uint paintFields[2] = {SW_FIELD_OF_ALBEDO, SW_FIELD_OF_SHADOW};
+
+// At places along the longer axis of the pixel's footprint, so that a decal neither flickers nor is lost far away.
+Paint paintAt(vec2 rest, Footprint footprint)
+{
+    ivec2 anchorCell = ivec2(picture.anchorCellX, picture.anchorCellZ);
+    vec2 anchorRest = vec2(picture.anchorRestX, picture.anchorRestZ);
+    vec2 here = position.xz - vec2(picture.anchorX, picture.anchorZ);
+    float reach = 0.5 * footprint.longest;
+    vec2 span = abs(footprint.axis) * reach + abs(here - rest);
+    ivec2 low = seaPlaceOf(anchorCell, anchorRest + here - span).cell;
+    ivec2 high = seaPlaceOf(anchorCell, anchorRest + here + span).cell;
+    Paint paint = Paint(vec4(0.0), 1.0);
+    for (uint f = 0; f < 2; ++f)
+    {
+        if (!touchesInputs(paintFields[f], low, high))
+        {
+            continue;
+        }
+        float looks = clamp(ceil(footprint.longest / max(2.0 * footprint.shortest, 0.05)), 1.0, 8.0);
+        vec4 sum = vec4(0.0);
+        for (float i = 0.0; i < looks; ++i)
+        {
+            vec2 aside = footprint.axis * (footprint.longest * ((i + 0.5) / looks - 0.5));
+            vec4 value = fieldOnWater(paintFields[f], seaPlaceOf(anchorCell, anchorRest + here + aside),
+                                      seaPlaceOf(anchorCell, anchorRest + rest + aside));
+            sum += f == 0 ? vec4(value.rgb * value.a, value.a) : value;
+        }
+        sum /= looks;
+        paint.albedo = f == 0 ? vec4(sum.rgb / max(sum.a, 1e-4), clamp(sum.a, 0.0, 1.0)) : paint.albedo;
+        paint.light = f == 1 ? clamp(sum.x, 0.0, 1.0) : paint.light;
+    }
+    return paint;
+}
+
 void main()
 {
     SurfaceGrid grid = SurfaceGrid(picture.ringCount, picture.bandCount, picture.waveCount, picture.resolution,
@@ -117,6 +183,14 @@ void main()
     Footprint footprint = footprintAt(view, range, picture.pixel, facing);
     SlicePair pair = slicePairAt(grid, sliceLevelAt(grid, float(ring) + blend, footprint));
     Slopes slopes = slopesAt(grid, pair, place, rest, footprint, derivatives, detail, isSoftware != 0);
+    float depth = SW_NO_DEPTH;
+    if (hasPlaces != 0)
+    {
+        vec2 here = (position.xz - vec2(picture.anchorX, picture.anchorZ)) / picture.step;
+        Standing standing = standingAt(grid, float(ring) + blend, here, 0.5 * picture.step, places);
+        depth = standing.depth;
+        slopes.mean += standing.slope;
+    }
     float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest, filtersByHand != 0);
     if (picture.debugMode != 0)
     {
@@ -128,28 +202,39 @@ void main()
     Water water = Water(picture.absorption, picture.scattering, picture.index, picture.deviation);
     vec3 sun = picture.sun;
     vec3 normal = facetNormal(slopes.mean);
-    vec3 leaving = leavingWater(water, enteringWater(water, sun, light.sun.rgb, light.sky.rgb), amount);
+    vec3 sunlight = light.sun.rgb;
+    Paint paint = Paint(vec4(0.0), 1.0);
+    if (hasColors != 0)
+    {
+        paint = paintAt(rest, footprint);
+        sunlight *= paint.light;
+    }
+    vec3 leaving = leavingWater(water, enteringWater(water, sun, sunlight, light.sky.rgb), amount);
     Bottom bottom;
     if (isClear != 0)
     {
-        bottom = bottomAt(water, view, normal);
+        bottom = bottomAt(water, view, normal, depth);
         leaving *= bottom.column.water;
     }
     float reflectance;
     vec3 radiance = reflectedSky(skyMap, view, slopes, leaving, water.index, reflectance);
     float area = facingArea(view, slopes.mean, slopes.variance);
-    radiance += light.sun.rgb * sunGlitter(view, sun, slopes.mean, slopes.variance, area, water.index);
-    radiance += (1.0 - reflectance) * (leaving + throughCrest(water, view, normal, height, sun, light.sun.rgb, 1.0));
+    radiance += sunlight * sunGlitter(view, sun, slopes.mean, slopes.variance, area, water.index);
+    radiance += (1.0 - reflectance) * (leaving + throughCrest(water, view, normal, height, sun, sunlight, 1.0));
 
     FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), footprint, amount,
                                    picture.foamPhase, picture.foamSeed);
-    vec3 white = foamRadiance(picture.foamAlbedo, normal, sun, light.sun.rgb, light.sky.rgb);
+    vec3 white = foamRadiance(picture.foamAlbedo, normal, sun, sunlight, light.sky.rgb);
     radiance = mix(radiance, white, foam.cover * foam.thickness);
+    if (hasColors != 0)
+    {
+        radiance = mix(radiance, foamRadiance(paint.albedo.rgb, normal, sun, sunlight, light.sky.rgb), paint.albedo.a);
+    }
     radiance = behindAir(air, radiance, -view, sun, range * 1e-3, picture.cameraHeight * 1e-3);
     if (isClear != 0)
     {
         // The image has its own air in front of it.
-        float seen = (1.0 - reflectance) * (1.0 - foam.cover * foam.thickness);
+        float seen = (1.0 - reflectance) * (1.0 - foam.cover * foam.thickness) * (1.0 - paint.albedo.a);
         radiance += seen * bottom.column.bottom * bottom.radiance;
         radiance = mix(bottom.beside, radiance, bottom.edge);
     }

@@ -22,9 +22,10 @@
 // so are free waves, with their phases in integers: four texels at a time, each by turning the sine and cosine of the
 // one before on. Pipelines of views that have neither are compiled without (WITH_OTHERS).
 //
-// Where waves differ from place to place (WITH_PLACES), a block is added in one of two ways: far from all that shapes
-// waves as above; else in general, texel by texel, each tile and free wave with the weight that its place gives it. See
-// findShape().
+// Where waves differ from place to place (WITH_PLACES), the pass before says of each block how deep its shallowest
+// texel is and which wave systems have weights of their own there. Tiles whose waves do not feel that are added as
+// above, so that over a floor of 20 m only waves of more than 40 m are not. The others are added texel by texel, each
+// with the weight that its place gives it, and free waves too. See shapeOf().
 //
 // What decides is how many blocks run at once, and the length of the code. A compiler gives a thread as many registers
 // as shared memory leaves it, whatever would fit. Slower on an H100 than what is here (33.6 us): columns of eight
@@ -33,8 +34,8 @@
 // (30 KB of code), blocks of 64, 192 and 384 columns, and cubics and knots laid out one after the other in the same
 // memory.
 
+#include "shared/fields.h"
 #include "lib/turns.glsl"
-#include "shared/depth_share.h"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 #include "shared/waves.h"
@@ -61,6 +62,34 @@ layout(std430, binding = 5) readonly buffer Waves
 {
     swSliceWave waves[];
 };
+layout(binding = 6, rgba32f) uniform readonly image2DArray places; // depth, its slopes along x and z, level
+layout(std430, binding = 7) readonly buffer Blocks
+{
+    swFieldBlock blocks[];
+};
+layout(std430, binding = 8) readonly buffer FieldSlices
+{
+    swFieldSlice fieldSlices[];
+};
+layout(std430, binding = 9) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 10) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 11) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 12) readonly buffer InputWords
+{
+    float inputWords[];
+};
+
+#include "lib/inputs.glsl"
+#include "lib/places.glsl"
 
 // The slice's tiles that are added as cubics.
 shared swSliceTile blockTiles[SW_SLICE_TILES];
@@ -70,6 +99,28 @@ shared vec4 laidOut[3 * SW_SLICE_COLUMNS];
 shared float jumps[3 * SW_SLICE_JUMPS];
 // Bit b of a row: tile b has a knot between the row before and this one.
 shared uint knotTiles[SW_SLICE_HEIGHT];
+
+// ---- what shapes waves in this block ----
+
+swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0);
+
+// Whether waves of a system, of wave number k, are shaped anywhere in the block.
+bool isShaped(uint system, float k, swAttenuation attenuation)
+{
+    return WITH_PLACES && (!swIsDeepFor(attenuation, k, fieldBlock.leastDepth) ||
+                           (fieldBlock.systems >> (system & 31u) & 1u) != 0);
+}
+
+bool isShapedTile(uint b)
+{
+    return isShaped(blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
+}
+
+// Whether any waves are: the block's longest may feel its depth.
+bool isTouched()
+{
+    return fieldBlock.leastDepth < SW_NO_DEPTH || fieldBlock.systems != 0;
+}
 
 // Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's middle row, y and z the same; slopeX
 // to slopeZ are its slope along x.
@@ -217,7 +268,10 @@ void placeColumns(uint first, uint end, bool isFirst, uvec2 rows)
         {
             b += begin + i >= blockTiles[next].firstOfAll ? 1 : 0;
         }
-        placeColumn(blockTiles[b], begin + i - blockTiles[b].firstOfAll, isFirst, rows);
+        if (!isShapedTile(b))
+        {
+            placeColumn(blockTiles[b], begin + i - blockTiles[b].firstOfAll, isFirst, rows);
+        }
     }
 }
 
@@ -236,7 +290,8 @@ void prepareTiles(swSliceList list)
     for (uint i = thread; i < list.count * SW_SLICE_HEIGHT; i += SW_SLICE_WIDTH)
     {
         uint b = i / SW_SLICE_HEIGHT, row = i % SW_SLICE_HEIGHT;
-        if (row > 0 && floor(splineZ(blockTiles[b], row)) != floor(splineZ(blockTiles[b], row - 1)))
+        if (row > 0 && !isShapedTile(b) &&
+            floor(splineZ(blockTiles[b], row)) != floor(splineZ(blockTiles[b], row - 1)))
         {
             atomicOr(knotTiles[row], 1u << b);
         }
@@ -397,6 +452,10 @@ Run sumWaves(swSliceList list, uint column, uint row, bool isBack)
     for (uint i = 0; i < list.waveCount; ++i)
     {
         swSliceWave wave = waves[list.firstWave + i];
+        if (isShaped(wave.system, wave.waveNumber, wave.attenuation))
+        {
+            continue;
+        }
         vec2 turn = vec2(wave.cosZ, isBack ? -wave.sinZ : wave.sinZ);
         vec2 unit = swingOf(wave, column, row);
         addWave(run.a, wave, unit);
@@ -422,7 +481,11 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
 {
     for (uint k = list.count; k < list.count + list.windowCount; ++k)
     {
-        addWindow(texel, tiles[list.first + k], column, row);
+        swSliceTile tile = tiles[list.first + k];
+        if (!isShaped(tile.system, tile.waveNumber, tile.attenuation))
+        {
+            addWindow(texel, tile, column, row);
+        }
     }
     if (i < 2)
     {
@@ -436,20 +499,26 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
 
 // Places -------------------------------------------------------------------------------------------------------------
 
-// What a texel's place does to waves of wave number k: the weight that they keep there, and its gradient. The twin of
-// swFindShape() in core/surface/places.c, of depth alone: until the fields are layers of a view, a plane bottom.
-struct Shape
+// The texel of the authored fields.
+Ground groundOf(uint column, uint row)
 {
-    float weight;
-    vec2 slope;
-};
+    if (fieldBlock.leastDepth >= SW_NO_DEPTH) // perhaps there is no such layer
+    {
+        return NO_GROUND;
+    }
+    vec4 texel = imageLoad(places, ivec3(column, row, gl_WorkGroupID.z));
+    return Ground(texel.x, texel.yz, texel.w);
+}
 
-Shape findShape(swSliceList list, float k, uint column, uint row)
+// The weight of a system's waves where a texel rests.
+Shape weightOf(uint system, uint column, uint row)
 {
-    float z = float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
-    float depth = max(list.depth + list.depthAlongX * float(column) + list.depthAlongZ * z, 0.0);
-    swDepthShare found = swFindNaturalShare(k * depth);
-    return Shape(found.share, found.slope * k * list.texelsPerMetre * vec2(list.depthAlongX, list.depthAlongZ));
+    if ((fieldBlock.systems >> (system & 31u) & 1u) == 0)
+    {
+        return Shape(1.0, vec2(0.0));
+    }
+    vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
+    return Shape(weight.x, weight.yz);
 }
 
 // Adds waves of one shape.
@@ -460,33 +529,42 @@ void addShaped(inout Texel texel, Texel own, Shape shape)
     texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
 }
 
-// All waves of a texel, each as its place shapes it.
-Texel sumShaped(swSliceList list, uint column, uint row)
+// Adds the tiles and free waves of a texel that are shaped in this block. The twin of swEvaluateShaped() in
+// core/surface/evaluate_shaped.c.
+void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
 {
-    Texel texel = CALM;
-    for (uint i = 0; i < list.count + list.windowCount; ++i)
+    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + row;
+    Ground ground = groundOf(column, z);
+    uint system = ~0u; // that `weight` is of
+    Shape weight = Shape(1.0, vec2(0.0));
+    uint tileCount = list.count + list.windowCount;
+    for (uint i = 0; i < tileCount + list.waveCount; ++i)
     {
-        swSliceTile tile = tiles[list.first + i];
+        bool isTile = i < tileCount;
+        swSliceTile tile = tiles[list.first + min(i, tileCount - 1)];
+        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : i - tileCount)];
+        uint its = isTile ? tile.system : wave.system;
+        float k = isTile ? tile.waveNumber : wave.waveNumber;
+        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
+        if (!isShaped(its, k, attenuation))
+        {
+            continue;
+        }
+        if (its != system)
+        {
+            system = its;
+            weight = weightOf(system, column, z);
+        }
         Texel own = CALM;
-        addWindow(own, tile, column, row);
-        addShaped(texel, own, findShape(list, tile.waveNumber, column, row));
-    }
-    for (uint i = 0; i < list.waveCount; ++i)
-    {
-        swSliceWave wave = waves[list.firstWave + i];
-        Texel own = CALM;
-        addWave(own, wave, swingOf(wave, column, row));
-        addShaped(texel, own, findShape(list, length(vec2(wave.kx, wave.kz)), column, row));
-    }
-    return texel;
-}
-
-void makeGeneralBlock(swSliceList list, uint column)
-{
-    for (uint row = 0; row < SW_SLICE_HEIGHT; ++row)
-    {
-        storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z),
-                   sumShaped(list, column, row));
+        if (isTile)
+        {
+            addWindow(own, tile, column, row);
+        }
+        else
+        {
+            addWave(own, wave, swingOf(wave, column, row));
+        }
+        addShaped(texel, own, attenuated(weight, ground, k, attenuation));
     }
 }
 
@@ -494,10 +572,10 @@ void main()
 {
     uint column = gl_GlobalInvocationID.x;
     swSliceList list = lists[gl_WorkGroupID.z];
-    if (WITH_PLACES && gl_WorkGroupID.y * SW_SLICE_HEIGHT < list.generalRows)
+    if (WITH_PLACES)
     {
-        makeGeneralBlock(list, column);
-        return;
+        uint block = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+        fieldBlock = blocks[block];
     }
     prepareTiles(list);
     Cubic middle = FLAT;
@@ -514,7 +592,10 @@ void main()
             barrier();
             for (uint b = group == 0 ? first : end; b < end; ++b)
             {
-                addTile(middle, blockTiles[b], column);
+                if (!isShapedTile(b))
+                {
+                    addTile(middle, blockTiles[b], column);
+                }
             }
         }
         for (uint i = group; i < group + list.groupRows; ++i)
@@ -537,6 +618,10 @@ void main()
                     run = sumWaves(list, column, row, isBack);
                 }
                 addOthers(texel, list, column, row, run, i % 4);
+            }
+            if (WITH_PLACES && isTouched())
+            {
+                addAllShaped(texel, list, column, row);
             }
             storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z), texel);
         }

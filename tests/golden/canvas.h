@@ -28,6 +28,8 @@ typedef struct Shot
     const swWaveSystemDef* waves; // instead of a sea of that wind and swell; NULL for none
     swStageFloorFcn* floor;       // of land and sea floor; NULL for none
     void* floorContext;
+    const swInputDef* inputs; // of the world
+    int inputCount;
 } Shot;
 
 typedef struct Canvas Canvas;

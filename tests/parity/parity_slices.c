@@ -6,11 +6,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-
-#include "core/surface/evaluate.h"
-#include "core/surface/slices.h"
-#include "shared/depth_share.h"
 
 #define DISPLACEMENT_M 1e-3
 #define DERIVATIVE 4e-3 // half floats step by 1/1024 around 1, by 1/512 around 2
@@ -239,110 +234,6 @@ static void ViewsComeAndGo(void** state)
     FreeParity(&parity);
 }
 
-// Depth and its slope as swGpuBottom has them.
-static void FindBottom(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, float* values,
-                       float (*gradients)[2])
-{
-    const swGpuBottom* bottom = context;
-    (void)system;
-    (void)ticks;
-    for (int i = 0; i < count; ++i)
-    {
-        double depth =
-            (double)bottom->depth + points[i].x * (double)bottom->alongX + points[i].z * (double)bottom->alongZ;
-        values[i] = depth > 0.0 ? (float)depth : 0.0f;
-        gradients[i][0] = bottom->alongX;
-        gradients[i][1] = bottom->alongZ;
-    }
-}
-
-static float Attenuate(const void* context, const swWaveGroup* group, float depth, float* slope)
-{
-    (void)context;
-    swDepthShare found = swFindNaturalShare(group->k * depth);
-    *slope = found.slope * group->k;
-    return found.share;
-}
-
-// Displacement of some texels of a slice against the core's sum with that bottom.
-static double CompareShaped(Parity* parity, int slice)
-{
-    enum
-    {
-        STRIDE = 5
-    };
-    const swFrame* frame = swGetWorldFrame(parity->world);
-    const swSlice* place = &frame->views[0].stack.slices[slice];
-    const swPlaces places = {.context = &parity->gpuWorld->bottom, .depth = FindBottom, .attenuate = Attenuate};
-    swQueryDef def = swDefaultQueryDef();
-    swQuery query;
-    swBeginQuery(&query, frame, swGetWaveKernels(SW_ISA_BEST), &def, (swPosXZ){0.0, 0.0});
-    swTile tiles[SW_MAX_TILES];
-    query.tileCount = swSelectSliceTiles(frame, place->minWavelength, tiles);
-    query.tiles = tiles;
-    query.places = &places;
-    size_t side = (size_t)parity->resolution;
-    float* texels = malloc(side * side * 4 * sizeof(float));
-    assert_non_null(texels);
-    assert_int_equal(swGpuWorld_ReadLayer(parity->gpuWorld, parity->view, SW_LAYER_DISPLACEMENT, slice, texels),
-                     SW_SUCCESS);
-    double worst = 0.0;
-    for (size_t at = 0; at < side * side; at += STRIDE)
-    {
-        swPosXZ rest = {(double)(place->firstX + (int64_t)(at % side)) * place->texel,
-                        (double)(place->firstZ + (int64_t)(at / side)) * place->texel};
-        float displacement[1][4] = {{0.0f}};
-        const swEvaluation out = {.displacement = displacement};
-        swEvaluate(&query, 1, &rest, &out);
-        for (int c = 0; c < 3; ++c)
-        {
-            double error = fabs((double)displacement[0][c] - (double)texels[4 * at + (size_t)c]);
-            worst = error > worst ? error : worst;
-        }
-    }
-    free(texels);
-    return worst;
-}
-
-static void BlocksInGeneralAgreeWithCubics(void** state)
-{
-    Parity parity = MakeParity(state);
-    swWaveSystemDef sea = Gale();
-    AddParitySea(&parity, &sea);
-    sea.method = SW_WAVES_GERSTNER;
-    AddParitySea(&parity, &sea);
-    AddParityView(&parity, 4, 128, (swPos){-55.0, 8.0, 1e4});
-    parity.gpuWorld->bottom = (swGpuBottom){.depth = 1e9f, .share = 0.5f};
-    StepParity(&parity, 3.0);
-    CheckSlices(&parity, "half in general, in deep water");
-    parity.gpuWorld->bottom.share = 1.0f;
-    StepParity(&parity, 0.1);
-    CheckSlices(&parity, "all in general, in deep water");
-    FreeParity(&parity);
-}
-
-static void WavesOverABottomAgreeWithTheCore(void** state)
-{
-    Parity parity = MakeParity(state);
-    swWaveSystemDef sea = Breeze();
-    AddParitySea(&parity, &sea);
-    AddParityView(&parity, 3, 64, (swPos){20.0, 8.0, -30.0});
-    const swGpuBottom bottoms[] = {{.depth = 6.0f, .share = 1.0f},
-                                   {.depth = 3.0f, .alongX = 0.05f, .alongZ = -0.03f, .share = 1.0f}};
-    for (int i = 0; i < 2; ++i)
-    {
-        parity.gpuWorld->bottom = bottoms[i];
-        StepParity(&parity, 1.0);
-        for (int slice = 0; slice < 3; ++slice)
-        {
-            double worst = CompareShaped(&parity, slice);
-            printf("  %s, slice %d: max %.3g m\n", i == 0 ? "6 m deep" : "a beach", slice, worst);
-            assert_true(worst < DISPLACEMENT_M);
-        }
-    }
-    FreeParity(&parity);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -356,8 +247,6 @@ int main(void)
         cmocka_unit_test(WaterWithoutWavesIsFlat),
         cmocka_unit_test(SlicesFollowAMovingViewer),
         cmocka_unit_test(ViewsComeAndGo),
-        cmocka_unit_test(BlocksInGeneralAgreeWithCubics),
-        cmocka_unit_test(WavesOverABottomAgreeWithTheCore),
     };
     return cmocka_run_group_tests_name("slices: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

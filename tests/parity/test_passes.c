@@ -59,7 +59,7 @@ static void StagesWaitEachForItself(void** state)
 static void EveryPassReadsWhatWasMadeBefore(void** state)
 {
     (void)state;
-    swResources made = SW_MODES_BIT;
+    swResources made = SW_MODES_BIT | SW_INPUTS_BIT;
     for (int i = 0; i < SW_PASS_COUNT; ++i)
     {
         const swPass* pass = swGetPass((swPassId)i);
@@ -163,7 +163,7 @@ static void VariantsAreMadeOnce(void** state)
     Parity parity = MakeSea(state);
     const struct // as surface_query.comp has it
     {
-        uint32_t withMotion;
+        uint32_t withMotion, withInputs;
     } without = {0};
     swGpuQueryDef def = swDefaultGpuQueryDef();
     swGpuQuery* queries[2];

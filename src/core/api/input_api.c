@@ -54,7 +54,8 @@ swResult swCreateInput(swWorld* world, const swInputDef* def, swInputId* idOut)
     if (result == SW_SUCCESS)
     {
         swInputDef placed = placeInSea(world, def);
-        result = swAddInput(&world->inputs, &placed, &id);
+        result = swMakeViewFields(world);
+        result = result == SW_SUCCESS ? swAddInput(&world->inputs, &placed, &id) : result;
     }
     *idOut = (swInputId){id.index1, id.generation};
     return result;

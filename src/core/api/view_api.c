@@ -90,6 +90,11 @@ static const float* findLayer(const swView* view, int slice, swLayer layer)
     return texels != NULL ? texels + (size_t)slice * side * side * channels : NULL;
 }
 
+const float* swView_GetPlaces(const swView* view, int slice)
+{
+    return findLayer(view, slice, SW_LAYER_PLACES);
+}
+
 const float* swView_GetDisplacement(const swView* view, int slice)
 {
     return findLayer(view, slice, SW_LAYER_DISPLACEMENT);

@@ -164,12 +164,15 @@ typedef struct swLayerFrame
     int steps;    // to take now, 0 .. mostSteps
     float stepDt; // s
     bool isReset; // first step, or a jump in time: nothing has a past
+    // Of an authored field, set by its swPlan function: inputs say something of it. It has no texels otherwise, and is
+    // the same everywhere, see swLayerInfo::rest.
+    bool isAuthored;
     // For a reader that did not see every step: since it last looked, clock - then steps have passed, and there was a
     // reset if resetCount differs. It keeps the slices that it last saw, see core/lod/scroll.h.
     int64_t clock;
     uint32_t resetCount;
     uint32_t params[SW_MAX_SLICES][SW_LAYER_PARAM_WORDS]; // of each slice, written by the layer's swPlan function
-    const float* texels; // [slice][R][R][channels], NULL where the core does not make the layer
+    const float* texels; // [slice][R][R][channels], NULL where the core does not make the layer, or nothing is authored
 } swLayerFrame;
 
 // A stack of slices in this frame, of a view or of a zone, and its layers.

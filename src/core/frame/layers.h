@@ -50,6 +50,7 @@ typedef struct swLayerInfo
                        // once, and looks up the past by itself
     bool isSaved;
     float least, most; // what a saved texel may hold
+    float rest[4];     // of an authored field: what it is where nothing is authored
 } swLayerInfo;
 
 // Places in the table. Layers that the public API names have the same number there.
@@ -60,6 +61,7 @@ enum
 #undef SW_LAYER
     SW_LAYERS
 };
+static_assert((int)SW_LAYER_PLACES == (int)SW_LAYER_INDEX_PLACES, "one order");
 static_assert((int)SW_LAYER_DISPLACEMENT == (int)SW_LAYER_INDEX_DISPLACEMENT, "one order");
 static_assert((int)SW_LAYER_DERIVATIVES == (int)SW_LAYER_INDEX_DERIVATIVES, "one order");
 static_assert((int)SW_LAYER_FOAM == (int)SW_LAYER_INDEX_FOAM, "one order");

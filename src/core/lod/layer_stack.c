@@ -29,7 +29,8 @@ bool swMakeLayers(const swHost* host, swLayerStack* layers)
 {
     for (int i = 0; i < SW_LAYERS && layers->hasTexels; ++i)
     {
-        int images = !swHasLayer(layers, i) ? 0 : swGetLayerInfo(i)->hasPast ? 2 : 1;
+        bool isField = swGetLayerInfo(i)->kind == SW_LAYER_IS_FIELD;
+        int images = !swHasLayer(layers, i) || isField ? 0 : swGetLayerInfo(i)->hasPast ? 2 : 1;
         for (int k = 0; k < images; ++k)
         {
             layers->states[i].texels[k] = swAllocateZero(host, countFloats(layers, i) * sizeof(float));
@@ -55,10 +56,33 @@ void swFreeLayers(const swHost* host, swLayerStack* layers)
     }
 }
 
+bool swMakeFieldTexels(const swHost* host, swLayerStack* layers)
+{
+    bool isNew[SW_LAYERS] = {false};
+    bool isMade = true;
+    for (int i = 0; i < SW_LAYERS && layers->hasTexels && isMade; ++i)
+    {
+        swLayerState* state = &layers->states[i];
+        isNew[i] = swHasLayer(layers, i) && swGetLayerInfo(i)->kind == SW_LAYER_IS_FIELD && state->texels[0] == NULL;
+        state->texels[0] = isNew[i] ? swAllocateZero(host, countFloats(layers, i) * sizeof(float)) : state->texels[0];
+        isMade = !isNew[i] || state->texels[0] != NULL;
+    }
+    for (int i = 0; i < SW_LAYERS && !isMade; ++i)
+    {
+        if (isNew[i])
+        {
+            swFree(host, layers->states[i].texels[0], countFloats(layers, i) * sizeof(float));
+            layers->states[i].texels[0] = NULL;
+        }
+    }
+    return isMade;
+}
+
 const float* swGetLayerTexels(const swLayerStack* layers, int layer)
 {
     const swLayerState* state = &layers->states[layer];
-    return state->texels[state->current];
+    bool isThere = swGetLayerInfo(layer)->kind != SW_LAYER_IS_FIELD || state->isAuthored;
+    return isThere ? state->texels[state->current] : NULL;
 }
 
 // ---- a frame ----
@@ -184,6 +208,7 @@ void swStepLayers(swLayerStack* layers, int first, int count, swStepLayerFcn* st
     }
     for (int i = first; i < first + count; ++i)
     {
+        layers->states[i].isAuthored = frame->layers[i].isAuthored;
         frame->layers[i].texels = swGetLayerTexels(layers, i);
     }
 }

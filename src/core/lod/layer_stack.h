@@ -15,6 +15,7 @@ typedef struct swLayerState
 {
     float* texels[2];
     int current;
+    bool isAuthored; // of an authored field, in the last step
     swLayerClock clock;
 } swLayerState;
 
@@ -57,6 +58,9 @@ int swCountChannels(swTexelFormat format);
 // Texels need the host's memory; false if there is none, and then nothing is held.
 bool swMakeLayers(const swHost* host, swLayerStack* layers);
 void swFreeLayers(const swHost* host, swLayerStack* layers);
+// Texels of authored fields, which a view has no need of before there are inputs; nothing if it has them. False if there
+// is no memory, and then none is held that was not before.
+bool swMakeFieldTexels(const swHost* host, swLayerStack* layers);
 const float* swGetLayerTexels(const swLayerStack* layers, int layer); // the current ones, or NULL
 
 // Move the window to a viewpoint or a zone's centre, find where texels were, and decide the steps of a frame.

@@ -2,6 +2,7 @@
 target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/evaluate.c
     ${CMAKE_CURRENT_LIST_DIR}/evaluate_shaped.c
+    ${CMAKE_CURRENT_LIST_DIR}/field_layers.c
     ${CMAKE_CURRENT_LIST_DIR}/input_places.c
     ${CMAKE_CURRENT_LIST_DIR}/places.c
     ${CMAKE_CURRENT_LIST_DIR}/search.c

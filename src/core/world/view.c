@@ -10,6 +10,18 @@ swLayerStack swDescribeViewLayers(const swViewDef* def)
     return (swLayerStack){.stack = swMakeStack(def), .hasTexels = def->enableCpuLayers};
 }
 
+swResult swMakeViewFields(swWorld* world)
+{
+    for (int i = 0; i < world->viewCount; ++i)
+    {
+        if (!swMakeFieldTexels(&world->memory.host, &world->views[i]->layers))
+        {
+            return swFailMemory(&world->memory, "the authored layers of a view's slices");
+        }
+    }
+    return SW_SUCCESS;
+}
+
 swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
 {
     if (world->viewCount == SW_MAX_VIEWS)
@@ -25,7 +37,13 @@ swResult swAddView(swWorld* world, const swViewDef* def, swView** viewOut)
     view->def = *def;
     view->viewpoint = (swPos){0.0, world->def.seaLevel, 0.0};
     view->layers = swDescribeViewLayers(def);
-    if (!swMakeLayers(&world->memory.host, &view->layers))
+    bool isMade = swMakeLayers(&world->memory.host, &view->layers);
+    if (isMade && world->inputs.count > 0 && !swMakeFieldTexels(&world->memory.host, &view->layers))
+    {
+        swFreeLayers(&world->memory.host, &view->layers);
+        isMade = false;
+    }
+    if (!isMade)
     {
         swFree(&world->memory.host, view, sizeof *view);
         return swFailMemory(&world->memory, "the layers of a view's slices");

@@ -80,6 +80,8 @@ extern const swFields swViewFields;
 swResult swCheckViewDef(const swHost* host, const swViewDef* def, bool hasQueries);
 
 // view.c
+// Memory for the authored layers of all views, which they have once there are inputs.
+swResult swMakeViewFields(swWorld* world);
 swResult swAddView(swWorld* world, const swViewDef* def, swView** view);
 void swRemoveView(swView* view);
 swLayerStack swDescribeViewLayers(const swViewDef* def); // without texels yet

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gpu/pass/gpu_inputs.h"
 #include "shared/roughness.h"
 
 #define SW_TURN (2.0 * SW_PI)
@@ -111,6 +112,8 @@ static void setMesh(const swShot* shot, const swFrame* frame, const swViewFrame*
     p->seaY = (float)(frame->seaLevel - camera->y);
     p->anchorX = (float)(rings->anchorX - camera->x);
     p->anchorZ = (float)(rings->anchorZ - camera->z);
+    swSplitSeaPlace(rings->anchorX, &p->anchorCellX, &p->anchorRestX);
+    swSplitSeaPlace(rings->anchorZ, &p->anchorCellZ, &p->anchorRestZ);
     p->viewX = rings->viewX;
     p->viewZ = rings->viewZ;
     p->step = (float)rings->step;

@@ -222,7 +222,8 @@ static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view
 int swChooseSurface(const swPicture* picture)
 {
     bool isWire = picture->debug == SW_DEBUG_WIREFRAME && picture->renderer->gpuWorld->gpu->hasWireframe;
-    return (isWire ? SW_SURFACE_IS_WIRE : 0) | (picture->opaqueColor != VK_NULL_HANDLE ? SW_SURFACE_IS_CLEAR : 0);
+    return (isWire ? SW_SURFACE_IS_WIRE : 0) | (picture->opaqueColor != VK_NULL_HANDLE ? SW_SURFACE_IS_CLEAR : 0) |
+           (picture->hasPlaces ? SW_SURFACE_HAS_PLACES : 0) | (picture->hasColors ? SW_SURFACE_HAS_COLORS : 0);
 }
 
 // The pipeline of the shot's surface, which the first picture that needs it makes.
@@ -267,6 +268,9 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->debug = shot->debug;
     picture->opaqueColor = shot->opaqueColor;
     picture->opaqueDepth = shot->opaqueDepth;
+    picture->hasPlaces = view->stack.layers[SW_LAYER_PLACES].isAuthored;
+    picture->hasColors =
+        swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
     swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, swGetDetailImage(gpuWorld)->width,
                    &picture->frame);
     swResult result = swUploadPicture(gpu, &picture->frame);

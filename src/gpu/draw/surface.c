@@ -12,6 +12,8 @@ swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int
         .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
         .filtersByHand = gpu->filtersFloats ? 0 : 1,
         .isClear = (kind & SW_SURFACE_IS_CLEAR) != 0 ? 1 : 0,
+        .hasPlaces = (kind & SW_SURFACE_HAS_PLACES) != 0 ? 1 : 0,
+        .hasColors = (kind & SW_SURFACE_HAS_COLORS) != 0 ? 1 : 0,
     };
     bool isWire = (kind & SW_SURFACE_IS_WIRE) != 0;
     const swGraphicsDef draw = {
@@ -127,6 +129,8 @@ static swBinding bindOpaque(const swGpu* gpu, const swSurfaceSources* from, VkIm
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSurfaceSources* from,
                    const swSurface* surface, const swPictureFrame* picture)
 {
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(from->gpuWorld, inputs);
     const swSurfaceBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
         .slices = swBindUpload(&picture->slicesUpload),
@@ -144,6 +148,11 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .waves = swBindUpload(&picture->wavesUpload),
         .opaqueColor = bindOpaque(gpu, from, from->opaqueColor),
         .opaqueDepth = bindOpaque(gpu, from, from->opaqueDepth),
+        .places = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
+        .inputHead = inputs[0],
+        .inputRecords = inputs[1],
+        .inputNodes = inputs[2],
+        .inputWords = inputs[3],
     };
     swBeginPass(gpu, commands, "surface");
     swBindSurface(gpu, commands, pipeline, &bindings);

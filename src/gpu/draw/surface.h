@@ -30,7 +30,9 @@ typedef enum swSurfaceAbility
 {
     SW_SURFACE_IS_CLEAR = 1, // shows what stands in the water
     SW_SURFACE_IS_WIRE = 2,
-    SW_SURFACE_KIND_COUNT = 4
+    SW_SURFACE_HAS_PLACES = 4, // inputs say how deep the water is, or how high it stands
+    SW_SURFACE_HAS_COLORS = 8, // inputs colour the water or shade it
+    SW_SURFACE_KIND_COUNT = 16
 } swSurfaceAbility;
 
 // To the formats of colour and depth. `kind` is a sum of abilities.

@@ -77,6 +77,23 @@ swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* vi
     return result;
 }
 
+swResult swPrepareRestTexel(swGpu* gpu, swGpuView* view, int layer)
+{
+    const swLayerInfo* info = swGetLayerInfo(layer);
+    size_t channels = info->format == SW_TEXEL_R32F ? 1 : 4;
+    size_t count = (size_t)view->sliceCount * channels;
+    float floats[SW_MAX_SLICES * 4] = {0.0f};
+    uint16_t halves[SW_MAX_SLICES * 4] = {0};
+    for (size_t i = 0; i < count; ++i)
+    {
+        floats[i] = info->rest[i % channels];
+        halves[i] = halfOfFloat(floats[i]);
+    }
+    swUpload* upload = &view->layers[layer].upload;
+    return info->format == SW_TEXEL_RGBA16F ? swUploadData(gpu, halves, count * sizeof(uint16_t), upload)
+                                            : swUploadData(gpu, floats, count * sizeof(float), upload);
+}
+
 static void copyLayer(swGpu* gpu, VkCommandBuffer commands, const swUpload* from, const swImage* to)
 {
     const VkBufferImageCopy copy = {

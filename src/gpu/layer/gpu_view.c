@@ -23,25 +23,31 @@ swSamplerKind swChooseLayerSampler(const swGpu* gpu, int layer)
     return info->isLinear && canFilter ? SW_SAMPLER_LINEAR_CLAMP : SW_SAMPLER_NEAREST_CLAMP;
 }
 
+static swResult createImage(swGpu* gpu, const swGpuView* view, int layer, int side, swImage* image)
+{
+    const swLayerInfo* info = swGetLayerInfo(layer);
+    const swImageDef def = {
+        .format = formats[info->format],
+        .width = (uint32_t)side,
+        .height = (uint32_t)side,
+        .layers = (uint32_t)view->sliceCount,
+        .isArray = true,
+        .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+        .layout = VK_IMAGE_LAYOUT_GENERAL,
+        .name = info->name,
+    };
+    return swCreateImage(gpu, &def, image);
+}
+
 static swResult createImages(swGpu* gpu, swGpuView* view)
 {
     for (int i = 0; i < SW_LAYERS; ++i)
     {
         const swLayerInfo* info = swGetLayerInfo(i);
-        const swImageDef def = {
-            .format = formats[info->format],
-            .width = (uint32_t)view->resolution,
-            .height = (uint32_t)view->resolution,
-            .layers = (uint32_t)view->sliceCount,
-            .isArray = true,
-            .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-            .layout = VK_IMAGE_LAYOUT_GENERAL,
-            .name = info->name,
-        };
-        int count = !swIsLayerInView(i) ? 0 : info->hasPast ? 2 : 1;
+        int count = !swIsLayerInView(i) || info->kind == SW_LAYER_IS_FIELD ? 0 : info->hasPast ? 2 : 1;
         for (int k = 0; k < count; ++k)
         {
-            swResult result = swCreateImage(gpu, &def, &view->layers[i].images[k]);
+            swResult result = createImage(gpu, view, i, view->resolution, &view->layers[i].images[k]);
             if (result != SW_SUCCESS)
             {
                 return result;
@@ -49,6 +55,37 @@ static swResult createImages(swGpu* gpu, swGpuView* view)
         }
     }
     return SW_SUCCESS;
+}
+
+// An authored field has an image while inputs say something of it; one texel of what lies below all inputs otherwise.
+static swResult fitField(swGpu* gpu, swGpuView* view, int layer)
+{
+    swGpuLayer* field = &view->layers[layer];
+    int side = view->frame->stack.layers[layer].isAuthored ? view->resolution : 1;
+    if (field->images[0].width != (uint32_t)side)
+    {
+        swResult result = swMakeRoomToRetire(gpu);
+        swImage image = {0};
+        result = result == SW_SUCCESS ? createImage(gpu, view, layer, side, &image) : result;
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+        swRetireImage(gpu, &field->images[0]);
+        field->images[0] = image;
+    }
+    bool needsRest = side == 1 && !field->images[0].isInitialized;
+    return needsRest ? swPrepareRestTexel(gpu, view, layer) : SW_SUCCESS;
+}
+
+static swResult fitFields(swGpu* gpu, swGpuView* view)
+{
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_LAYERS && result == SW_SUCCESS; ++i)
+    {
+        result = swGetLayerInfo(i)->kind == SW_LAYER_IS_FIELD ? fitField(gpu, view, i) : SW_SUCCESS;
+    }
+    return result;
 }
 
 static void retireView(swGpu* gpu, swGpuView* view)
@@ -157,7 +194,8 @@ swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
             view->place = notePlace(frame, viewFrame);
             view->isCore = gpu->usesCoreLayers && viewFrame->stack.layers[SW_LAYER_DISPLACEMENT].texels != NULL;
             planView(view);
-            result = view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : SW_SUCCESS;
+            result = fitFields(gpu, view);
+            result = result == SW_SUCCESS && view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : result;
         }
     }
     return result;
@@ -172,9 +210,14 @@ static void beginImages(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
     }
     for (int i = 0; i < SW_LAYERS; ++i)
     {
-        for (int k = 0; k < 2 && view->layers[i].images[k].handle != VK_NULL_HANDLE; ++k)
+        swImage* images = view->layers[i].images;
+        if (images[0].width == 1 && !images[0].isInitialized)
         {
-            swInitializeImage(gpu, commands, &view->layers[i].images[k]);
+            swRecordImageUpload(gpu, commands, &view->layers[i].upload, &images[0]);
+        }
+        for (int k = 0; k < 2 && images[k].handle != VK_NULL_HANDLE; ++k)
+        {
+            swInitializeImage(gpu, commands, &images[k]);
         }
     }
 }

@@ -19,13 +19,14 @@ typedef struct swGpuLayerMark
 
 typedef struct swGpuLayer
 {
-    swImage images[2];                      // the second of layers with a past only, which are written in turns
+    // The second of layers with a past only, which are written in turns. Of a field that is not authored: one texel.
+    swImage images[2];
     swGpuLayerMark mark;                    // of the last recorded frame
     swGpuLayerMark earlier[SW_LAYER_MARKS]; // of those before, newest first
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     swLayerCatchUp due; // of layers with a past
-    swUpload upload;    // of what the core made
+    swUpload upload;    // of what the core made, or of a rest texel
 } swGpuLayer;
 
 // Layers of one view, as layers.inl lists them. Array layer = slice; texel centres are the lattice points, so point
@@ -80,6 +81,8 @@ void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSourc
 
 // Layers that the core has made: all that may fail, then the copies.
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view);
+// The texel of an authored field that nothing is said of.
+swResult swPrepareRestTexel(swGpu* gpu, swGpuView* view, int layer);
 void swCopyCoreLayers(swGpu* gpu, VkCommandBuffer commands, const swGpuView* view);
 
 // Whether views have the layer: simulated fields live in zones.

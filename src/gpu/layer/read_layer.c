@@ -86,10 +86,27 @@ static swResult readFloats(swGpu* gpu, const swImage* image, uint32_t layer, siz
     return result;
 }
 
+// Of a field that is not authored.
+static void fillRest(const swGpuView* view, int layer, float* texels)
+{
+    const swLayerInfo* info = swGetLayerInfo(layer);
+    size_t channels = info->format == SW_TEXEL_R32F ? 1 : 4;
+    size_t count = (size_t)view->resolution * (size_t)view->resolution * channels;
+    for (size_t i = 0; i < count; ++i)
+    {
+        texels[i] = info->rest[i % channels];
+    }
+}
+
 swResult swReadLayer(swGpu* gpu, const swGpuView* view, int layer, int slice, float* texels)
 {
     const swImage* image = swGetLayerImage(view, layer);
     swTexelFormat format = swGetLayerInfo(layer)->format;
+    if (image->width == 1)
+    {
+        fillRest(view, layer, texels);
+        return SW_SUCCESS;
+    }
     if (format == SW_TEXEL_RGBA16F)
     {
         return swReadHalves(gpu, image, (uint32_t)slice, 0, texels);

@@ -6,6 +6,7 @@
 // compute shaders of the same queue.
 
 #include "gpu/layer/gpu_view.h"
+#include "gpu/pass/gpu_inputs.h"
 #include "gpu/pass/gpu_tiles.h"
 
 typedef enum swPassId
@@ -24,17 +25,8 @@ typedef struct swPassRun
     bool isNeeded; // it has something to record in this frame
 } swPassRun;
 
-// A plane bottom under the waves of slices, for tests and benchmarks of what places will do: depths are to be layers of
-// a view. Depth at the sea's origin, m, and its change along x and z; which share of each slice's rows sees it.
-typedef struct swGpuBottom
-{
-    float depth, alongX, alongZ;
-    float share; // 0: none
-} swGpuBottom;
-
 struct swGpuWorld
 {
-    swGpuBottom bottom;
     swGpu* gpu;
     const swWorld* world;
 
@@ -44,6 +36,7 @@ struct swGpuWorld
     uint64_t discardedFrom; // frame index of the last discard
 
     swGpuTiles tiles;
+    swGpuInputs inputs;
     swGpuView views[SW_MAX_VIEWS];
     swGpuQuery* firstQuery; // see query_passes.h
     swPassRun passes[SW_PASS_COUNT];

@@ -7,8 +7,13 @@
 
 typedef struct State
 {
-    swPipeline pipeline;
+    swVariants pipelines; // without and with inputs
 } State;
+
+static swRayQueryConstants constantsOf(const swGpuWorld* gpuWorld)
+{
+    return (swRayQueryConstants){.withInputs = gpuWorld->inputs.isAuthored ? 1 : 0};
+}
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
 {
@@ -20,7 +25,8 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
 
 static swResult create(swGpuWorld* gpuWorld, void* state)
 {
-    return swCreateOnce(gpuWorld->gpu, &swRayQueryShader, &((State*)state)->pipeline);
+    swRayQueryConstants constants = constantsOf(gpuWorld);
+    return swCreateVariant(gpuWorld->gpu, &swRayQueryShader, &constants, &((State*)state)->pipelines);
 }
 
 static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, const State* state,
@@ -29,6 +35,8 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
     swGpu* gpu = gpuWorld->gpu;
     static_assert(sizeof(swRayParams) == SW_RAY_QUERY_PUSH_SIZE, "what ray_query.comp is given");
     swRayParams params = query->rays;
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(gpuWorld, inputs);
     const swRayQueryBindings bindings = {
         .tiles = swBindUpload(&query->tiles),
         .waves = swBindUpload(&query->waves),
@@ -37,8 +45,14 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
         .heights = swBindPlane(query, query->planes.heights),
         .hits = swBindPlane(query, query->planes.hits),
         .normals = swBindPlane(query, query->planes.normals),
+        .inputHead = inputs[0],
+        .inputRecords = inputs[1],
+        .inputNodes = inputs[2],
+        .inputWords = inputs[3],
     };
-    swBindRayQuery(gpu, commands, &state->pipeline, &bindings, &params);
+    swRayQueryConstants constants = constantsOf(gpuWorld);
+    const swPipeline* pipeline = swFindVariant(&state->pipelines, &swRayQueryShader, &constants);
+    swBindRayQuery(gpu, commands, pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
 }
 
@@ -55,13 +69,13 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
 
 static void destroy(swGpu* gpu, void* state)
 {
-    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+    swDestroyVariants(gpu, &((State*)state)->pipelines);
 }
 
 const swPass swPass_ray_query = {
     .name = "ray_query",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT,
+    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT,
     .writes = SW_OUTPUT_BIT(SW_PASS_RAY_QUERY),
     .upload = upload,
     .create = create,

@@ -43,6 +43,8 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .resolution = (uint32_t)tile->resolution,
         .texelsPerUnit = (float)(tile->side / (slice->texel * tile->resolution)),
         .waveNumber = swGetTileWaveNumber(tile),
+        .system = (uint32_t)tile->system,
+        .attenuation = tile->attenuation,
     };
     uint32_t baseX, baseZ;
     reduceOffset(slice->firstX, slice->texel, tile->shiftX, tile, &out.fractionX, &baseX);
@@ -139,16 +141,6 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
     list->windowCount += count - list->count;
 }
 
-// The bottom that shapes waves, as the slice's texels see it.
-static void placeBottom(const swGpuBottom* bottom, const swSlice* slice, int resolution, swSliceList* list)
-{
-    double x = (double)slice->firstX * slice->texel, z = (double)slice->firstZ * slice->texel;
-    list->generalRows = (uint32_t)(bottom->share * (float)resolution);
-    list->depth = (float)((double)bottom->depth + x * (double)bottom->alongX + z * (double)bottom->alongZ);
-    list->depthAlongX = (float)(slice->texel * (double)bottom->alongX);
-    list->depthAlongZ = (float)(slice->texel * (double)bottom->alongZ);
-}
-
 // Turns as a fraction of 2^32.
 static uint32_t toPhase(double turns)
 {
@@ -168,6 +160,9 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
         .dz = wave->dz,
         .kx = (float)(2.0 * SW_PI * wave->turnsX),
         .kz = (float)(2.0 * SW_PI * wave->turnsZ),
+        .waveNumber = 6.2831853f / wave->wavelength,
+        .system = (uint32_t)wave->system,
+        .attenuation = wave->attenuation,
     };
     swSinCosTurns(out.stepZ, &out.sinZ, &out.cosZ);
     return out;
@@ -197,7 +192,7 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
     }
     uint32_t tileCount = 0;
     uint32_t waveCount = 0;
-    view->constants = (swSlicesConstants){.withPlaces = gpuWorld->bottom.share > 0.0f ? 1 : 0};
+    view->constants = (swSlicesConstants){.withPlaces = gpuWorld->inputs.isAuthored ? 1 : 0};
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         const swSlice* slice = &stack->slices[i];
@@ -206,7 +201,6 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
         list->first = tileCount;
         list->firstWave = waveCount;
         list->texelsPerMetre = (float)(1.0 / slice->texel);
-        placeBottom(&gpuWorld->bottom, slice, stack->resolution, list);
         makeSliceTiles(gpuWorld, frame, slice, tiles, list);
         uint32_t all = list->count + list->windowCount;
         memcpy((swSliceTile*)view->tiles.data + tileCount, tiles, all * sizeof(swSliceTile));
@@ -258,6 +252,8 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
 {
     swGpu* gpu = gpuWorld->gpu;
     const State* s = state;
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(gpuWorld, inputs);
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
@@ -265,6 +261,8 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
         {
             continue;
         }
+        swBinding fields[2] = {swBindUpload(&s->views[i].lists), swBindUpload(&s->views[i].lists)};
+        swBindFieldPlaces(gpuWorld, i, &fields[0], &fields[1]);
         const swImage* displacement = swGetLayerImage(view, SW_LAYER_DISPLACEMENT);
         const swImage* derivatives = swGetLayerImage(view, SW_LAYER_DERIVATIVES);
         const swSlicesBindings bindings = {
@@ -274,6 +272,13 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
             .displacement = swBindImage(gpu, displacement, SW_SAMPLER_NEAREST_CLAMP),
             .derivatives = swBindImage(gpu, derivatives, SW_SAMPLER_NEAREST_CLAMP),
             .waves = swBindUpload(&s->views[i].waves),
+            .places = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
+            .fieldSlices = fields[0],
+            .blocks = fields[1],
+            .inputHead = inputs[0],
+            .inputRecords = inputs[1],
+            .inputNodes = inputs[2],
+            .inputWords = inputs[3],
         };
         uint32_t resolution = (uint32_t)view->resolution;
         swBindSlices(gpu, commands, swFindVariant(&s->pipelines, &swSlicesShader, &s->views[i].constants), &bindings);
@@ -290,7 +295,7 @@ static void destroy(swGpu* gpu, void* state)
 const swPass swPass_slices = {
     .name = "slices",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT,
+    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
     .writes = SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) | SW_LAYER_BIT(SW_LAYER_DERIVATIVES),
     .upload = upload,
     .create = create,

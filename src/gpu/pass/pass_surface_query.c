@@ -7,15 +7,16 @@
 
 typedef struct State
 {
-    swVariants pipelines; // without and with velocity or acceleration
+    swVariants pipelines; // without and with velocity or acceleration, and inputs
 } State;
 
 // Of a query of the water below, only the surface's heights are wanted here.
-static swSurfaceQueryConstants constantsOf(const swGpuQuery* query)
+static swSurfaceQueryConstants constantsOf(const swGpuWorld* gpuWorld, const swGpuQuery* query)
 {
     bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
     bool hasMotion = (query->def.outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
-    return (swSurfaceQueryConstants){.withMotion = isSurface && hasMotion ? 1 : 0};
+    return (swSurfaceQueryConstants){.withMotion = isSurface && hasMotion ? 1 : 0,
+                                     .withInputs = gpuWorld->inputs.isAuthored ? 1 : 0};
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
@@ -35,7 +36,7 @@ static swResult create(swGpuWorld* gpuWorld, void* state)
     {
         if (query->def.kind != SW_GPU_QUERY_KIND_RAYS)
         {
-            swSurfaceQueryConstants constants = constantsOf(query);
+            swSurfaceQueryConstants constants = constantsOf(gpuWorld, query);
             result = swCreateVariant(gpuWorld->gpu, &swSurfaceQueryShader, &constants, &s->pipelines);
         }
     }
@@ -48,6 +49,8 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
     swGpu* gpu = gpuWorld->gpu;
     static_assert(sizeof(swQueryParams) == SW_SURFACE_QUERY_PUSH_SIZE, "what surface_query.comp is given");
     swQueryParams params = query->params;
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(gpuWorld, inputs);
     const swSurfaceQueryBindings bindings = {
         .tiles = swBindUpload(&query->tiles),
         .waves = swBindUpload(&query->waves),
@@ -58,8 +61,12 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
         .normals = swBindPlane(query, query->planes.normals),
         .velocities = swBindPlane(query, query->planes.velocities),
         .accelerations = swBindPlane(query, query->planes.accelerations),
+        .inputHead = inputs[0],
+        .inputRecords = inputs[1],
+        .inputNodes = inputs[2],
+        .inputWords = inputs[3],
     };
-    swSurfaceQueryConstants constants = constantsOf(query);
+    swSurfaceQueryConstants constants = constantsOf(gpuWorld, query);
     const swPipeline* pipeline = swFindVariant(&state->pipelines, &swSurfaceQueryShader, &constants);
     swBindSurfaceQuery(gpu, commands, pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_QUERY_POINTS);
@@ -84,7 +91,7 @@ static void destroy(swGpu* gpu, void* state)
 const swPass swPass_surface_query = {
     .name = "surface_query",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT,
+    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT,
     .writes = SW_OUTPUT_BIT(SW_PASS_SURFACE_QUERY),
     .upload = upload,
     .create = create,

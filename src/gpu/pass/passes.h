@@ -14,9 +14,10 @@
 #define SW_LAYER_BIT(layer) ((swResources)1 << (layer))
 #define SW_OUTPUT_BIT(pass) ((swResources)1 << (32 + (pass)))
 #define SW_MODES_BIT ((swResources)1 << 31)
+#define SW_INPUTS_BIT ((swResources)1 << 30)
 #define SW_TEXELS_BIT SW_OUTPUT_BIT(SW_PASS_WAVES_COLUMNS) // or copied, where the core makes them
 #define SW_ALL_LAYERS_BITS (((swResources)1 << SW_LAYERS) - 1)
-static_assert(SW_LAYERS < 31 && SW_PASS_COUNT <= 32, "a bit for each");
+static_assert(SW_LAYERS < 30 && SW_PASS_COUNT <= 32, "a bit for each");
 
 // `state` is the pass's own struct. Functions that a pass does not need are NULL, but for record.
 struct swPass
@@ -82,4 +83,7 @@ swResult swCreateOnce(swGpu* gpu, const swShader* shader, swPipeline* pipeline);
 
 // What passes make beside layers, for those that read it.
 const swImage* swGetDetailImage(const swGpuWorld* gpuWorld);
+// Of the view with that index: swFieldSlice of each slice and swFieldBlock of each block of texels. Nothing where there
+// are no inputs.
+void swBindFieldPlaces(const swGpuWorld* gpuWorld, int view, swBinding* slices, swBinding* blocks);
 const swBuffer* swGetVolumeWaves(const swGpuWorld* gpuWorld);

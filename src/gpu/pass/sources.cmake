@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_gpu PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/gpu_inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/gpu_tiles.c
     ${CMAKE_CURRENT_LIST_DIR}/hazards.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_fields.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_ray_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
@@ -17,6 +19,7 @@ list(APPEND SW_SHADERS
     waves/waves_rows.comp
     waves/waves_columns.comp
     waves/detail.comp
+    input/fields.comp
     waves/slices.comp
     sim/foam.comp
     query/surface_query.comp

@@ -24,6 +24,10 @@ static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosX
         .texelsPerMetre = (float)(tile->resolution / tile->side),
         .firstTexel = firstTexel,
         .resolutionBits = 4u + (uint32_t)swTileSizeIndex(tile->resolution),
+        .waveNumber = swGetTileWaveNumber(tile),
+        .system = (uint32_t)tile->system,
+        .strength = tile->attenuation.strength,
+        .perFreeDepth = tile->attenuation.perFreeDepth,
     };
 }
 
@@ -41,6 +45,9 @@ static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ 
         .turnsZ = (float)wave->turnsZ,
         .rate = (float)((double)wave->frequency * (SW_TICKS_PER_SECOND * 2.0 * SW_PI * 0x1p-64)),
         .depth = fminf(wave->depth, DEEP),
+        .waveNumber = 6.2831853f / wave->wavelength,
+        .system = (uint32_t)wave->system,
+        .attenuation = wave->attenuation,
     };
 }
 
@@ -181,6 +188,9 @@ static void fillParams(swGpuQuery* query)
         .water.maxIterations = (uint32_t)query->def.maxIterations,
         .water.toleranceSquare = query->def.tolerance * query->def.tolerance,
     };
+    swPosXZ origin = originInSea(query);
+    swSplitSeaPlace(origin.x, &query->params.sea.cellX, &query->params.sea.restX);
+    swSplitSeaPlace(origin.z, &query->params.sea.cellZ, &query->params.sea.restZ);
     if (query->def.kind == SW_GPU_QUERY_KIND_SURFACE)
     {
         query->params.outputs = query->def.outputs;
@@ -275,6 +285,7 @@ static void fillRays(swGpuQuery* query, const swFrame* frame)
 {
     query->rays = (swRayParams){
         .water = query->params.water,
+        .sea = query->params.sea,
         .outputs = query->def.outputs,
         .level = (float)(query->level - frame->seaLevel),
         .tolerance = query->def.tolerance,

@@ -42,13 +42,15 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld)
     swDestroyGpuViews(gpu, gpuWorld->views);
     swDestroyPasses(gpuWorld);
     swDestroyGpuTiles(gpu, &gpuWorld->tiles);
+    swDestroyGpuInputs(gpu, &gpuWorld->inputs);
     swFree(&gpu->host, gpuWorld, sizeof(swGpuWorld));
 }
 
 size_t swGetGpuWorldMemory(const swGpuWorld* gpuWorld)
 {
     size_t bytes =
-        swGetGpuTileMemory(&gpuWorld->tiles) + swGetGpuViewMemory(gpuWorld->views) + swGetPassMemory(gpuWorld);
+        swGetGpuTileMemory(&gpuWorld->tiles) + swGetGpuInputMemory(&gpuWorld->inputs) +
+                   swGetGpuViewMemory(gpuWorld->views) + swGetPassMemory(gpuWorld);
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
         bytes += swGetQueryMemory(query);
@@ -83,6 +85,7 @@ static void showFrame(swGpu* gpu, VkCommandBuffer commands, bool toHost)
 static swResult prepareFrame(swGpuWorld* gpuWorld, const swFrame* frame)
 {
     swResult result = swPrepareGpuTiles(gpuWorld, frame);
+    result = result == SW_SUCCESS ? swPrepareGpuInputs(gpuWorld, frame) : result;
     result = result == SW_SUCCESS ? swPrepareGpuViews(gpuWorld->gpu, frame, gpuWorld->views) : result;
     result = result == SW_SUCCESS ? swUploadQueries(gpuWorld, frame) : result;
     return result == SW_SUCCESS ? swPreparePasses(gpuWorld, frame) : result;
@@ -93,9 +96,10 @@ static void recordCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazar
     swGpu* gpu = gpuWorld->gpu;
     const swGpuTiles* tiles = &gpuWorld->tiles;
     swCopyGpuTiles(gpu, commands, tiles);
+    swCopyGpuInputs(gpu, commands, &gpuWorld->inputs);
     bool hasLayers = swCopyGpuViews(gpu, commands, gpuWorld->views);
     swResources writes = (tiles->bringsModes ? SW_MODES_BIT : 0) | (tiles->isCore ? SW_TEXELS_BIT : 0) |
-                         (hasLayers ? SW_ALL_LAYERS_BITS : 0);
+                         (gpuWorld->inputs.isBrought ? SW_INPUTS_BIT : 0) | (hasLayers ? SW_ALL_LAYERS_BITS : 0);
     swOrderStep(gpu, commands, hazards, SW_STAGE_COPY, 0, writes);
 }
 
@@ -135,6 +139,7 @@ swResult swRecordFrame(swGpuWorld* gpuWorld, VkCommandBuffer commands, uint64_t 
     gpuWorld->frameIndex = frameIndex;
     gpuWorld->isRecorded = true;
     swCommitGpuTiles(&gpuWorld->tiles, frame);
+    swCommitGpuInputs(&gpuWorld->inputs, frame);
     swCommitGpuViews(frameIndex, gpuWorld->views);
     swCommitQueries(gpuWorld, frame);
     return SW_SUCCESS;
@@ -147,6 +152,7 @@ void swDiscardFrames(swGpuWorld* gpuWorld, uint64_t frameIndex)
     gpuWorld->discardedFrom = frameIndex;
     swDiscardGpuFrame(gpuWorld->gpu);
     swDiscardGpuTiles(&gpuWorld->tiles);
+    swDiscardGpuInputs(&gpuWorld->inputs);
     swDiscardGpuViews(gpuWorld->views, frameIndex);
     swDiscardPasses(gpuWorld, frameIndex);
     swDiscardQueries(gpuWorld, frameIndex);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Authored fields on the slices of a view: what the pass that makes them is told, and what it tells the pass that adds
+// up waves of each block of texels.
+#ifndef SW_SHARED_FIELDS_H
+#define SW_SHARED_FIELDS_H
+#include "input.h"
+#include "limits.h"
+#include "types.h"
+
+// Depth where there is no floor, m.
+#define SW_NO_DEPTH (-SW_NO_FLOOR)
+
+// What stands before the records of inputs.
+SW_PARAMS(swInputHead)
+{
+    swInputRange ranges[SW_FIELD_OF_COUNT];
+    sw_uint localSystems; // see swInputSet
+    sw_uint unused0, unused1, unused2;
+};
+SW_PARAMS_SIZE(swInputHead, 192);
+
+// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m.
+SW_PARAMS(swFieldSlice)
+{
+    sw_int cellX, cellZ;
+    float restX, restZ;
+    float texel; // m
+    float unused0, unused1, unused2;
+};
+SW_PARAMS_SIZE(swFieldSlice, 32);
+
+// A block of SW_SLICE_WIDTH x SW_SLICE_HEIGHT texels: what shapes waves there.
+SW_PARAMS(swFieldBlock)
+{
+    float leastDepth; // m, at least 0
+    sw_uint systems;  // bit of each wave system, modulo 32, that has a weight of its own there
+};
+SW_PARAMS_SIZE(swFieldBlock, 8);
+#endif
