@@ -63,7 +63,7 @@ swInputValue fieldAt(uint field, uint system, SeaPlace place)
     while (i != SW_NO_RECORD)
     {
         swInputRecord record = inputRecords[i];
-        if (field != SW_FIELD_OF_WAVES || record.system == system)
+        if (field != SW_FIELD_OF_WAVES || record.system == system || record.system == SW_ALL_SYSTEMS)
         {
             swInputSample s = swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x,
                                             place.rest.y, 0.0);

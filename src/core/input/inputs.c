@@ -293,6 +293,7 @@ swResult swAddInput(swInputs* inputs, const swInputDef* def, swId* id)
     input->isUsed = true;
     input->generation += 1;
     input->serial = ++inputs->serials;
+    input->flags = 0;
     adoptDef(input, def, data);
     *id = swGetInputId(inputs, input);
     insertInOrder(inputs, (uint32_t)id->index1 - 1);
@@ -377,6 +378,7 @@ static void addRecord(swInputs* inputs, uint32_t slot, int at, double time)
     inputs->functions[at] = def->function;
     inputs->contexts[at] = def->functionContext;
     swMakeInputRecord(def, input->data, inputs->seaLevel, time, &inputs->records[at], &inputs->boxes[at]);
+    inputs->records[at].flags |= input->flags;
 }
 
 static void makeSet(swInputs* inputs, double time)

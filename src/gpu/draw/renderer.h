@@ -42,6 +42,7 @@ struct swPicture
     float time, exposureEv;
     swDebugMode debug;
     VkImageView opaqueColor, opaqueDepth;
+    bool hasHoles;
     bool hasPlaces, hasColors; // of what inputs say, see swSurfaceAbility
 };
 
