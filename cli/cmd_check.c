@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "args.h"
-#include "sea_calm.h"
 #include "text.h"
 #include "verbs.h"
 
@@ -126,11 +125,20 @@ static void PrintProblemsJson(const ProblemList* list, swResult result)
     JsonCloseObject(&json);
 }
 
-static void Warn(ProblemList* list, const char* text)
+static void TakeRemarks(ProblemList* list, const swScene* scene, const swWorld* world)
 {
-    char message[5000];
-    snprintf(message, sizeof(message), "%s: %s", list->path, text);
-    TakeProblem(list, SW_LOG_WARNING, message);
+    static swSceneRemark remarks[MAX_PROBLEMS];
+    int count = swScene_Check(scene, world, MAX_PROBLEMS, remarks);
+    for (int i = 0; i < count && i < MAX_PROBLEMS; ++i)
+    {
+        char message[1024], line[16] = "";
+        if (remarks[i].line > 0)
+        {
+            snprintf(line, sizeof(line), ":%d", remarks[i].line);
+        }
+        snprintf(message, sizeof(message), "%s%s: %s [%s]", list->path, line, remarks[i].text, remarks[i].code);
+        TakeProblem(list, remarks[i].severity, message);
+    }
 }
 
 // Read the scene and make its world, which checks what single keys cannot show.
@@ -146,16 +154,9 @@ static swResult CheckScene(ProblemList* list)
     {
         result = swCreateSceneWorld(&host, scene, &world);
     }
-    if (result == SW_SUCCESS && scene->viewCount == 0)
+    if (result == SW_SUCCESS)
     {
-        Warn(list, "the scene has no views, so `seaway render` cannot draw it; add one under `views`. [no_views]");
-    }
-    if (result == SW_SUCCESS && !HasWaves(scene))
-    {
-        Warn(list, scene->wavesCount == 0
-                       ? "the scene has no waves, so its sea is flat; list some under `waves`. [no_energy]"
-                       : "no waves of the scene have energy, so its sea is flat; give one a height and a weight. "
-                         "[no_energy]");
+        TakeRemarks(list, scene, world);
     }
     if (result != SW_SUCCESS && list->errorCount == 0)
     {
@@ -174,7 +175,7 @@ int RunCheck(int argumentCount, char** arguments)
     const Verb verb = {.name = "check",
                        .synopsis = "SCENE [--json]",
                        .text = "Read a scene file, make its world, and print every problem with its line, what would\n"
-                               "be right, and its code; docs/scenes.md lists the codes. Exit code 1 if there is one,\n"
+                               "be right, and its code; docs/checks.md lists the codes. Exit code 1 if there is one,\n"
                                "be it a warning.",
                        .options = options,
                        .optionCount = 1,

@@ -24,6 +24,7 @@ typedef struct swSceneView
     float sunAzimuth;   ///< radians clockwise from north
     float sunElevation; ///< radians
     int item;           ///< which of the file's views it is, from 1 on; 0: the file has it not yet
+    int line;           ///< of the file, where it begins; 0: none
 } swSceneView;
 
 /// Twenty metres above the water, northward.
@@ -42,6 +43,7 @@ typedef struct swSceneWaves
     bool isReplay;           ///< the records play one after another
     swSeaReplayDef replay;   ///< how, if they do; but its waves are `def`
     int item;                ///< which of the file's wave systems it is, from 1 on; 0: the file has it not yet
+    int line;                ///< of the file, where it begins; 0: none
 } swSceneWaves;
 
 /// Rasters, and splines, that a scene can name, and inputs that it can have.
@@ -57,7 +59,20 @@ typedef struct swSceneRaster
     swRasterFileDef def; ///< how the file was read
     swRaster* raster;    ///< NULL until it is read
     int item;            ///< which of the file's rasters it is, from 1 on
+    int line;            ///< of the file, where it begins; 0: none
 } swSceneRaster;
+
+/// A spline that inputs of the scene name. The scene owns it.
+typedef struct swSceneSpline
+{
+    char name[64];
+    swSplineDef def; ///< its name is the scene's, its points are `points`
+    swSplinePoint* points;
+    int pointCount;
+    swSpline* spline; ///< NULL until it is made
+    int item;         ///< which of the file's splines it is, from 1 on
+    int line;         ///< of the file, where it begins; 0: none
+} swSceneSpline;
 
 /// An input of a scene. Its system is that of the scene's waves, see `waves`; what it names is the scene's.
 typedef struct swSceneInput
@@ -67,6 +82,7 @@ typedef struct swSceneInput
     swInputPoint* points; ///< def.points points here; NULL if there are none
     int pointCount;
     int item; ///< which of the file's inputs it is, from 1 on
+    int line; ///< of the file, where it begins; 0: none
 } swSceneInput;
 
 /// The text that a scene was read from.
@@ -89,6 +105,8 @@ typedef struct swScene
     swSceneView views[SW_MAX_SCENE_VIEWS];
     int rasterCount;
     swSceneRaster* rasters;
+    int splineCount;
+    swSceneSpline* splines;
     int inputCount;
     swSceneInput* inputs;
     swHost host;           ///< who gave the memory
@@ -164,6 +182,22 @@ SW_API const swSceneView* swScene_FindView(const swScene* scene, const char* nam
 
 /// The scene's sky as a view sees it: with the view's own sun if it has one. NULL view: the scene's.
 SW_API swSkyDef swScene_GetSky(const swScene* scene, const swSceneView* view);
+
+/// Something that a scene is rarely meant to be. docs/checks.md lists all.
+typedef struct swSceneRemark
+{
+    const char* code;    ///< stays the same when sentences change
+    swLogLevel severity; ///< SW_LOG_WARNING or SW_LOG_INFO
+    int line;            ///< of the file; 0: of the whole scene
+    char text[512];      ///< what is found, and what helps
+} swSceneRemark;
+
+/// Look for what a scene is rarely meant to be: no views, waves that are nowhere, inputs that say nothing, and the
+/// like.
+/// @param world that the scene was opened as, for what only a world can tell; may be NULL
+/// @param remarks room for `capacity`
+/// @return how many there are, also if there is room for fewer
+SW_API int swScene_Check(const swScene* scene, const swWorld* world, int capacity, swSceneRemark* remarks);
 
 /// The wave systems and inputs of a scene in a world, in the scene's order, and what drives waves that are replayed.
 typedef struct swSceneSea

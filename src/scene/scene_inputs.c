@@ -121,6 +121,7 @@ static swResult readRaster(swYaml* yaml, yaml_node_t* node, const Reader* reader
     swFillDef(swGetSceneRasterFields(), raster);
     raster->def = swDefaultRasterFileDef();
     raster->item = index + 1;
+    raster->line = (int)node->start_mark.line + 1;
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "a raster");
     swAddYamlFields(&mapping, swGetSceneRasterFields(), 0, "rasters");
@@ -143,6 +144,83 @@ static swResult readRasters(swYaml* yaml, yaml_node_t* node, const Reader* reade
     for (int i = 0; i < scene->rasterCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readRaster(yaml, swGetYamlItem(yaml, node, i), reader, i));
+    }
+    return result;
+}
+
+// ---- splines ----
+
+static swResult readSplinePoint(swYaml* yaml, yaml_node_t* node, swSplinePoint* point)
+{
+    *point = swDefaultSplinePoint(0.0, 0.0, 0.0);
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "a point of a spline");
+    swAddYamlFields(&mapping, swGetSplinePointFields(), 0, "spline_points");
+    return swReadYamlMapping(yaml, node, &mapping, point);
+}
+
+static swResult readSplinePoints(swYaml* yaml, yaml_node_t* node, swSceneSpline* spline)
+{
+    swResult result = allocateItems(yaml, node, "points", SW_MAX_SPLINE_POINTS, sizeof(swSplinePoint),
+                                    (void**)&spline->points, &spline->pointCount);
+    for (int i = 0; i < spline->pointCount && !swIsYamlOver(yaml, result); ++i)
+    {
+        result = swKeepFailure(result, readSplinePoint(yaml, swGetYamlItem(yaml, node, i), &spline->points[i]));
+    }
+    spline->def.points = spline->points;
+    spline->def.pointCount = spline->pointCount;
+    return result;
+}
+
+static swResult makeSpline(swYaml* yaml, const yaml_node_t* node, swSceneSpline* spline)
+{
+    spline->def.name = spline->name;
+    swResult result = swCreateSpline(yaml->host, &spline->def, &spline->spline);
+    return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
+               ? result
+               : swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE,
+                            "the spline '%s' cannot be made; the message before says why.", spline->name);
+}
+
+static swResult readSplineName(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
+{
+    swSceneSpline* spline = target;
+    return swReadYamlText(yaml, node, key->key, spline->name, sizeof(spline->name));
+}
+
+static swResult readSpline(swYaml* yaml, yaml_node_t* node, const Reader* reader, int index)
+{
+    swSceneSpline* spline = &reader->scene->splines[index];
+    spline->def = swDefaultSplineDef();
+    spline->item = index + 1;
+    spline->line = (int)node->start_mark.line + 1;
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "a spline");
+    swAddYamlKey(&mapping, "name", readSplineName);
+    swAddYamlFields(&mapping, swGetSplineFields(), offsetof(swSceneSpline, def), "splines");
+    swAddYamlKey(&mapping, "points", keepNode);
+    swResult result = swReadYamlMapping(yaml, node, &mapping, spline);
+    if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
+    {
+        return result;
+    }
+    result = swKeepFailure(
+        result, checkName(yaml, node, &mapping, "spline", reader->scene->splines, sizeof(swSceneSpline), index));
+    yaml_node_t* points = swGetYamlNode(&mapping, "points");
+    result = swKeepFailure(result, points != NULL ? readSplinePoints(yaml, points, spline)
+                                                  : swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
+                                                               "the spline has no points; give it two or more."));
+    return result == SW_SUCCESS ? makeSpline(yaml, node, spline) : result;
+}
+
+static swResult readSplines(swYaml* yaml, yaml_node_t* node, const Reader* reader)
+{
+    swScene* scene = reader->scene;
+    swResult result = allocateItems(yaml, node, "splines", SW_MAX_SCENE_RESOURCES, sizeof(swSceneSpline),
+                                    (void**)&scene->splines, &scene->splineCount);
+    for (int i = 0; i < scene->splineCount && !swIsYamlOver(yaml, result); ++i)
+    {
+        result = swKeepFailure(result, readSpline(yaml, swGetYamlItem(yaml, node, i), reader, i));
     }
     return result;
 }
@@ -356,6 +434,9 @@ static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene
     swResult result =
         findResource(yaml, keys, "raster", scene->rasters, sizeof(swSceneRaster), scene->rasterCount, &index);
     keys->input->def.raster = index >= 0 ? scene->rasters[index].raster : NULL;
+    result = swKeepFailure(
+        result, findResource(yaml, keys, "spline", scene->splines, sizeof(swSceneSpline), scene->splineCount, &index));
+    keys->input->def.spline = index >= 0 ? scene->splines[index].spline : NULL;
     return result;
 }
 
@@ -366,6 +447,7 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const Reader* reader,
     input->def = swDefaultInputDef();
     input->waves = -1;
     input->item = index + 1;
+    input->line = (int)node->start_mark.line + 1;
     swBeginYamlMapping(&keys.mapping, "an input");
     swAddYamlKey(&keys.mapping, "value", keepNode);
     swAddYamlFields(&keys.mapping, swGetInputFields(), 0, "inputs");
@@ -416,7 +498,7 @@ swResult swReadSceneInputs(swYaml* yaml, const swYamlMapping* mapping, const cha
     {
         const char* key;
         swResult (*read)(swYaml*, yaml_node_t*, const Reader*);
-    } lists[] = {{"rasters", readRasters}, {"inputs", readInputs}};
+    } lists[] = {{"rasters", readRasters}, {"splines", readSplines}, {"inputs", readInputs}};
     for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]); ++i)
     {
         yaml_node_t* node = swGetYamlNode(mapping, lists[i].key);
@@ -439,10 +521,18 @@ void swFreeSceneInputs(swScene* scene)
     {
         swDestroyRaster(scene->rasters[i].raster);
     }
+    for (int i = 0; i < scene->splineCount; ++i)
+    {
+        swSceneSpline* spline = &scene->splines[i];
+        swDestroySpline(spline->spline);
+        swFree(&scene->host, spline->points, (size_t)spline->pointCount * sizeof(swSplinePoint));
+    }
     swFree(&scene->host, scene->inputs, (size_t)scene->inputCount * sizeof(swSceneInput));
+    swFree(&scene->host, scene->splines, (size_t)scene->splineCount * sizeof(swSceneSpline));
     swFree(&scene->host, scene->rasters, (size_t)scene->rasterCount * sizeof(swSceneRaster));
-    scene->inputCount = scene->rasterCount = 0;
+    scene->inputCount = scene->rasterCount = scene->splineCount = 0;
     scene->inputs = NULL;
+    scene->splines = NULL;
     scene->rasters = NULL;
 }
 

@@ -88,6 +88,7 @@ static swResult readWaves(swYaml* yaml, yaml_node_t* node, const swYamlKey* key,
         // Counted first, so that what a failed one has read is freed.
         scene->wavesCount = i + 1;
         scene->waves[i].item = i + 1;
+        scene->waves[i].line = (int)swGetYamlItem(yaml, node, i)->start_mark.line + 1;
         result = swKeepFailure(result, swReadSceneWaves(yaml, swGetYamlItem(yaml, node, i), reader->folder,
                                                         reader->opensNone, &scene->waves[i], &scene->source->waves[i]));
     }
@@ -128,6 +129,7 @@ static swResult readSceneView(swYaml* yaml, yaml_node_t* node, swScene* scene, i
     swSceneView* view = &scene->views[index];
     *view = swDefaultSceneView();
     view->item = index + 1;
+    view->line = (int)node->start_mark.line + 1;
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "views");
     swAddYamlFields(&mapping, swGetSceneViewFields(), 0, "views");

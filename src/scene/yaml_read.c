@@ -14,7 +14,7 @@
 #include "scene/exact_number.h"
 
 static const char* const mistakeCodes[] = {
-#define SW_MISTAKE(name, code) code,
+#define SW_MISTAKE(name, code, meaning, remedy) code,
 #include "scene/mistakes.inl"
 #undef SW_MISTAKE
 };

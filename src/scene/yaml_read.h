@@ -15,7 +15,7 @@
 
 typedef enum swMistake
 {
-#define SW_MISTAKE(name, code) SW_MISTAKE_##name,
+#define SW_MISTAKE(name, code, meaning, remedy) SW_MISTAKE_##name,
 #include "scene/mistakes.inl"
 #undef SW_MISTAKE
 } swMistake;

@@ -38,7 +38,7 @@ for flat in 'waves: []' 'waves: [{components: [{wavelength_m: 60, amplitude_m: 0
     'waves: [{spectrum: jonswap, wind_speed_mps: 2, fetch_m: 1000, min_wavelength_m: 2000, max_wavelength_m: 4000}]'; do
     printf '%s\n%s\n' "$flat" "$views" >flat.yaml
     run 1 check flat.yaml
-    out 'flat; .*\[no_energy\]$'
+    out 'flat; .*\[flat\]$'
     out '^flat.yaml: usable, 0 errors, 1 warning$'
     run 0 stats flat.yaml
     out '^Hs  *0.000  *0.000'

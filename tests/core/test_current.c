@@ -252,8 +252,10 @@ static void PathsAreSavedAndRewound(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(TheSeaIsThatOfStillWaterCarried), cmocka_unit_test(FrequenciesShiftByDoppler),
-        cmocka_unit_test(ChangesDoNotJump),                cmocka_unit_test(SystemsThatShareWavesPart),
+        cmocka_unit_test(TheSeaIsThatOfStillWaterCarried),
+        cmocka_unit_test(FrequenciesShiftByDoppler),
+        cmocka_unit_test(ChangesDoNotJump),
+        cmocka_unit_test(SystemsThatShareWavesPart),
         cmocka_unit_test(PathsAreSavedAndRewound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -68,6 +68,24 @@ static void InputsOfASceneAreInItsSea(void** state)
     remove("floor.asc");
 }
 
+static void ASplineOfASceneIsNamedByItsInputs(void** state)
+{
+    (void)state;
+    static const char text[] = "inputs:\n"
+                               "  - {field: level, shape: spline, spline: river, blend: replace}\n"
+                               "splines:\n"
+                               "  - name: river\n"
+                               "    width_m: 10\n"
+                               "    points: [{x_m: 0, y_m: 4}, {x_m: 100, y_m: 2, width: 2}]\n";
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    assert_non_null(scene->inputs[0].def.spline);
+    assert_ptr_equal(scene->inputs[0].def.spline, scene->splines[0].spline);
+    assert_float_equal(swSpline_GetInfo(scene->splines[0].spline).length, 100.0, 1e-3);
+    assert_float_equal(scene->splines[0].points[1].width, 2.0f, 0.0f);
+    swDestroyScene(scene);
+}
+
 static void AWaveSystemIsNamedByItsNumber(void** state)
 {
     (void)state;
@@ -132,6 +150,12 @@ static void EveryMistakeHasItsLineAndCode(void** state)
         {"inputs:\n  - field: level\n    shape: polygon\n    points: [[1, 2, 3], [1, 2], [0, 3]]\n", 4, "wrong_form"},
         {"inputs:\n  - field: level\n    shape: polygon\n    points: [[0, 0], [1, 2], {x: 3}]\n", 4, "unknown_key"},
         {"inputs:\n  - 3\n", 2, "wrong_form"},
+        {"splines:\n  - {name: a}\n", 2, "missing_key"},
+        {"splines:\n  - {points: [{x_m: 1}, {x_m: 9}]}\n", 2, "missing_key"},
+        {"splines:\n  - {name: a, points: [{x_m: 1}]}\n", 2, "out_of_range"},
+        {"splines:\n  - name: a\n    points: [{x_m: 1}, {x_m: 9, heat: 3}]\n", 3, "unknown_key"},
+        {"splines:\n  - {name: a, points: [{x_m: 1}, {x_m: 9}]}\n  - {name: a, points: [{x_m: 1}, {x_m: 9}]}\n", 3,
+         "repeated"},
         {"rasters:\n  - {file: a.asc}\n", 2, "missing_key"},
         {"rasters:\n  - {name: a}\n", 2, "missing_key"},
         {"rasters:\n  - name: a\n    file: none.asc\n", 3, "bad_file"},
@@ -155,9 +179,8 @@ static void EveryMistakeHasItsLineAndCode(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(InputsOfASceneAreInItsSea),
-        cmocka_unit_test(AWaveSystemIsNamedByItsNumber),
-        cmocka_unit_test(WritingLeavesInputsAsTheyStand),
+        cmocka_unit_test(InputsOfASceneAreInItsSea),     cmocka_unit_test(ASplineOfASceneIsNamedByItsInputs),
+        cmocka_unit_test(AWaveSystemIsNamedByItsNumber), cmocka_unit_test(WritingLeavesInputsAsTheyStand),
         cmocka_unit_test(EveryMistakeHasItsLineAndCode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -20,7 +20,7 @@ static const swField pointFields[] = {
 };
 #undef SW_DEF
 
-const swFields swSplinePointFields = SW_PART_FIELDS(swSplinePoint, "points", "point of a spline", pointFields);
+const swFields swSplinePointFields = SW_PART_FIELDS(swSplinePoint, "spline_points", "point of a spline", pointFields);
 
 static const char* const offsetWords[] = {"centre", "left", "right", NULL};
 static const char* const offsetNames[] = {"both sides", "left of the line", "right of the line", NULL};
@@ -28,7 +28,7 @@ static const char* const offsetNames[] = {"both sides", "left of the line", "rig
 #define SW_DEF swSplineDef
 static const swField splineFields[] = {
     SW_GIVEN(name, .label = "name"),
-    SW_LIST(points, pointCount, SW_MAX_SPLINE_POINTS, &swSplinePointFields, .key = "points", .label = "points"),
+    SW_LIST(points, pointCount, SW_MAX_SPLINE_POINTS, &swSplinePointFields, .key = NULL, .label = "points"),
     SW_SWITCH(isClosed, 0.0, .key = "closed", .label = "closed", .tip = "The last point leads on to the first"),
     SW_CHOICE(offset, offsetWords, offsetNames, SW_SPLINE_CENTRE, .key = "offset", .label = "ribbon"),
     SW_NUMBER(width, "m", SW_WITHIN(0.01, 1e4), 20.0, .key = "width_m", .label = "width", SW_LOG_KNOB(1.0, 1000.0)),
@@ -39,7 +39,7 @@ static const swField splineFields[] = {
 };
 #undef SW_DEF
 
-const swFields swSplineFields = SW_FIELDS(swSplineDef, NULL, "spline", splineFields, -1);
+const swFields swSplineFields = SW_FIELDS(swSplineDef, "splines", "spline", splineFields, -1);
 
 const swFields* swGetSplinePointFields(void)
 {

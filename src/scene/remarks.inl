@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What a scene that can be read is rarely meant to be: SW_REMARK(NAME, code, severity, what is found, what helps).
+// swScene_Check() finds them in this order; scripts/make_check_docs writes docs/checks.md from this list; each has a
+// scene in tests/core/test_scene_check.c.
+SW_REMARK(NO_VIEWS, "no_views", WARNING, "the scene has no views, so it cannot be drawn", "add one under views")
+SW_REMARK(FLAT, "flat", WARNING, "no waves of the scene have energy, so its sea is flat",
+          "list some under waves, with a height and a weight")
+SW_REMARK(NO_REGION, "no_region", WARNING, "a local wave system is weighed by no input, so its waves are nowhere",
+          "add an input with the field waves, or let the system be everywhere")
+SW_REMARK(OTHER_WIND, "other_wind", WARNING, "waves are of another wind than the scene's",
+          "let them take the wind, or give both the same speed")
+SW_REMARK(FOAM_FILTER, "foam_filter", WARNING,
+          "foam counts only waves longer than any of the scene's, so there are no whitecaps",
+          "lower the foam's min_wavelength_m")
+SW_REMARK(COARSE_VIEW, "coarse_view", WARNING, "slices have so few texels that their borders show",
+          "give the view's resolution 128 or more")
+SW_REMARK(VIEW_IN_FLOOR, "view_in_floor", WARNING, "a view lies under the sea floor", "move it up")
+SW_REMARK(DISABLED_INPUT, "disabled_input", INFO, "an input is disabled", "enable it, or remove it")
+SW_REMARK(EMPTY_INPUT, "empty_input", WARNING, "an input says nothing: its weight is 0, or it adds 0",
+          "give it a weight and a value, or remove it")
+SW_REMARK(TILTED_INPUT, "tilted_input", WARNING,
+          "an input is tilted, but its shape is flat, so that only the yaw counts",
+          "give it a shape with a height, or set pitch and roll to 0")
+SW_REMARK(COVERED_INPUT, "covered_input", WARNING,
+          "an input that replaces everything everywhere comes after this one, which is therefore never seen",
+          "change their order, or remove it")
+SW_REMARK(FAST_FLOW, "fast_flow", WARNING, "an input gives a current of more than 10 m/s, faster than any at sea",
+          "give its value in m/s")
+SW_REMARK(SMALL_RASTER, "small_raster", WARNING, "a raster has fewer than four cells along a side",
+          "give it more cells, or use a rectangle")
+SW_REMARK(UNKNOWN_RASTER, "unknown_raster", WARNING, "no cell of a raster is known", "look whether it was cropped away")
+SW_REMARK(UNUSED_RASTER, "unused_raster", INFO, "no input names a raster", "name it, or remove it")
+SW_REMARK(UNUSED_SPLINE, "unused_spline", INFO, "no input names a spline", "name it, or remove it")
+SW_REMARK(NARROW_BEND, "narrow_bend", WARNING, "a spline's narrowest bend is narrower than half of its ribbon",
+          "move its points apart, or make it narrower")

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// What a scene that can be read is rarely meant to be.
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/base/field.h"
+#include "core/base/misuse.h"
+#include "seaway/scene.h"
+
+typedef enum Remark
+{
+#define SW_REMARK(name, code, severity, found, remedy) REMARK_##name,
+#include "scene/remarks.inl"
+#undef SW_REMARK
+    REMARK_COUNT
+} Remark;
+
+static const struct
+{
+    const char* code;
+    swLogLevel severity;
+    const char* found;
+    const char* remedy;
+} texts[REMARK_COUNT] = {
+#define SW_REMARK(name, code, severity, found, remedy) {code, SW_LOG_##severity, found, remedy},
+#include "scene/remarks.inl"
+#undef SW_REMARK
+};
+
+#define LEAST_HEIGHT 1e-6f // m; waves lower than that are none
+#define FAST 10.0f         // m/s
+#define FEW_CELLS 4
+#define FEW_TEXELS 128
+#define OTHER_WIND 0.25 // relative difference
+
+typedef struct Checker
+{
+    const swScene* scene;
+    const swWorld* world;
+    int capacity, count;
+    swSceneRemark* remarks;
+} Checker;
+
+// `what` names the thing, such as "input 3 'lake'"; empty for the whole scene.
+static void tell(Checker* checker, Remark remark, int line, const char* what)
+{
+    if (checker->count < checker->capacity)
+    {
+        swSceneRemark* out = &checker->remarks[checker->count];
+        *out = (swSceneRemark){.code = texts[remark].code, .severity = texts[remark].severity, .line = line};
+        snprintf(out->text, sizeof(out->text), "%s%s%s; %s.", what, what[0] != '\0' ? ": " : "", texts[remark].found,
+                 texts[remark].remedy);
+    }
+    checker->count += 1;
+}
+
+static void tellOf(Checker* checker, Remark remark, int line, const char* kind, int index, const char* name)
+{
+    char what[128];
+    bool isNamed = name != NULL && name[0] != '\0';
+    snprintf(what, sizeof(what), "%s %d%s%.63s%s", kind, index + 1, isNamed ? " '" : "", isNamed ? name : "",
+             isNamed ? "'" : "");
+    tell(checker, remark, line, what);
+}
+
+// ---- waves ----
+
+// Angular frequency of a wavelength, rad/s.
+static float findFrequency(float wavelength, const swScene* scene, const swWaveSystemDef* def)
+{
+    double k = 2.0 * (double)SW_PI / (double)wavelength;
+    return (float)sqrt((double)scene->world.gravity * k * tanh(k * (double)def->spectrum.depth));
+}
+
+static swSeaState getState(const swScene* scene, const swWaveSystemDef* def)
+{
+    float low = findFrequency(def->maxWavelength, scene, def), high = findFrequency(def->minWavelength, scene, def);
+    swSeaState state = {0};
+    bool isFound = def->weight > 0.0f && swSpectrum_GetSeaState(&def->spectrum, low, high, &state) == SW_SUCCESS;
+    return isFound ? state : (swSeaState){0};
+}
+
+static bool hasEnergy(const swScene* scene, const swWaveSystemDef* def)
+{
+    float largest = 0.0f;
+    for (int i = 0; i < def->componentCount; ++i)
+    {
+        largest = fmaxf(largest, def->components[i].amplitude);
+    }
+    largest = def->componentCount > 0 ? largest : getState(scene, def).significantHeight;
+    return def->weight * largest > LEAST_HEIGHT;
+}
+
+static void checkEnergy(Checker* checker)
+{
+    const swScene* scene = checker->scene;
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        if (hasEnergy(scene, &scene->waves[i].def))
+        {
+            return;
+        }
+    }
+    tell(checker, REMARK_FLAT, 0, "");
+}
+
+static void checkRegions(Checker* checker)
+{
+    const swScene* scene = checker->scene;
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        bool isWeighed = !scene->waves[i].def.isLocal;
+        for (int j = 0; j < scene->inputCount; ++j)
+        {
+            isWeighed = isWeighed || scene->inputs[j].waves == i;
+        }
+        if (!isWeighed)
+        {
+            tellOf(checker, REMARK_NO_REGION, scene->waves[i].line, "waves", i, NULL);
+        }
+    }
+}
+
+static void checkWinds(Checker* checker)
+{
+    const swScene* scene = checker->scene;
+    double wind = (double)scene->world.wind.speed;
+    for (int i = 0; i < scene->wavesCount && wind > 0.0; ++i)
+    {
+        const swWaveSystemDef* def = &scene->waves[i].def;
+        double own = (double)def->spectrum.windSpeed;
+        bool isNamed = def->spectrum.hasWind && !def->takesWind && def->componentCount == 0;
+        if (isNamed && fabs(own - wind) > OTHER_WIND * wind)
+        {
+            tellOf(checker, REMARK_OTHER_WIND, scene->waves[i].line, "waves", i, NULL);
+        }
+    }
+}
+
+static void checkFoam(Checker* checker)
+{
+    const swScene* scene = checker->scene;
+    float longest = 0.0f;
+    for (int i = 0; i < scene->wavesCount; ++i)
+    {
+        longest = fmaxf(longest, scene->waves[i].def.maxWavelength);
+    }
+    if (scene->wavesCount > 0 && scene->world.foam.minWavelength >= longest)
+    {
+        tell(checker, REMARK_FOAM_FILTER, 0, "");
+    }
+}
+
+// ---- views ----
+
+static void checkViews(Checker* checker)
+{
+    const swScene* scene = checker->scene;
+    if (scene->viewCount == 0)
+    {
+        tell(checker, REMARK_NO_VIEWS, 0, "");
+    }
+    if (scene->view.resolution < FEW_TEXELS)
+    {
+        tell(checker, REMARK_COARSE_VIEW, 0, "");
+    }
+    for (int i = 0; i < scene->viewCount && checker->world != NULL; ++i)
+    {
+        const swPosXZ place = {scene->views[i].position.x, scene->views[i].position.z};
+        float floors = -INFINITY;
+        const swFieldSamples samples = {.floor = &floors};
+        swMoment_QueryFields(swWorld_GetMoment(checker->world), 1, &place, &samples);
+        if (scene->views[i].position.y + swWorld_GetSeaLevel(checker->world) < (double)floors)
+        {
+            tellOf(checker, REMARK_VIEW_IN_FLOOR, scene->views[i].line, "view", i, scene->views[i].name);
+        }
+    }
+}
+
+// ---- inputs ----
+
+static bool hasHeight(swInputShape shape)
+{
+    return shape == SW_SHAPE_BOX || shape == SW_SHAPE_ELLIPSOID || shape == SW_SHAPE_CYLINDER ||
+           shape == SW_SHAPE_CAPSULE || shape == SW_SHAPE_HULL;
+}
+
+static bool bringsValues(swInputShape shape)
+{
+    return shape == SW_SHAPE_RASTER || shape == SW_SHAPE_SPLINE || shape == SW_SHAPE_MESH ||
+           shape == SW_SHAPE_FUNCTION || shape == SW_SHAPE_POLYLINE || shape == SW_SHAPE_PARTICLES;
+}
+
+static bool saysNothing(const swInputDef* def)
+{
+    bool isZero = def->value[0] == 0.0f && def->value[1] == 0.0f && def->value[2] == 0.0f && def->value[3] == 0.0f;
+    return def->weight <= 0.0f || (def->blend == SW_BLEND_ADD && isZero && !bringsValues(def->shape));
+}
+
+// An input after this one that leaves nothing of what is below it.
+static bool isCovered(const swScene* scene, int index)
+{
+    const swSceneInput* own = &scene->inputs[index];
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        const swInputDef* def = &scene->inputs[i].def;
+        bool isAfter = def->order > own->def.order || (def->order == own->def.order && i > index);
+        bool isSame = def->field == own->def.field && scene->inputs[i].waves == own->waves;
+        bool isAll = def->isEnabled && def->shape == SW_SHAPE_EVERYWHERE &&
+                     (def->blend == SW_BLEND_REPLACE || (def->blend == SW_BLEND_ALPHA && def->weight >= 1.0f));
+        if (isAfter && isSame && isAll && def->field != SW_INPUT_ALBEDO)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void checkInput(Checker* checker, int index)
+{
+    const swSceneInput* input = &checker->scene->inputs[index];
+    const swInputDef* def = &input->def;
+    float speed = hypotf(def->value[0], def->value[1]);
+    const struct
+    {
+        bool isFound;
+        Remark remark;
+    } found[] = {
+        {!def->isEnabled, REMARK_DISABLED_INPUT},
+        {def->isEnabled && saysNothing(def), REMARK_EMPTY_INPUT},
+        {!hasHeight(def->shape) && (def->rotation.pitch != 0.0f || def->rotation.roll != 0.0f), REMARK_TILTED_INPUT},
+        {isCovered(checker->scene, index), REMARK_COVERED_INPUT},
+        {def->field == SW_INPUT_FLOW && speed > FAST, REMARK_FAST_FLOW},
+    };
+    for (size_t i = 0; i < sizeof(found) / sizeof(found[0]); ++i)
+    {
+        if (found[i].isFound)
+        {
+            tellOf(checker, found[i].remark, input->line, "input", index, def->name);
+        }
+    }
+}
+
+static void checkRaster(Checker* checker, int index)
+{
+    const swScene* scene = checker->scene;
+    const swSceneRaster* raster = &scene->rasters[index];
+    bool isUsed = false;
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        isUsed = isUsed || (raster->raster != NULL && scene->inputs[i].def.raster == raster->raster);
+    }
+    if (raster->raster == NULL)
+    {
+        return;
+    }
+    swRasterInfo info = swRaster_GetInfo(raster->raster);
+    if (info.width < FEW_CELLS || info.height < FEW_CELLS)
+    {
+        tellOf(checker, REMARK_SMALL_RASTER, raster->line, "raster", index, raster->name);
+    }
+    if (!(info.least <= info.most))
+    {
+        tellOf(checker, REMARK_UNKNOWN_RASTER, raster->line, "raster", index, raster->name);
+    }
+    if (!isUsed)
+    {
+        tellOf(checker, REMARK_UNUSED_RASTER, raster->line, "raster", index, raster->name);
+    }
+}
+
+static void checkSpline(Checker* checker, int index)
+{
+    const swScene* scene = checker->scene;
+    const swSceneSpline* spline = &scene->splines[index];
+    bool isUsed = false;
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        isUsed = isUsed || scene->inputs[i].def.spline == spline->spline;
+    }
+    if (!isUsed)
+    {
+        tellOf(checker, REMARK_UNUSED_SPLINE, spline->line, "spline", index, spline->name);
+    }
+    float half = spline->def.offset == SW_SPLINE_CENTRE ? 0.5f * spline->def.width : spline->def.width;
+    if (swSpline_GetInfo(spline->spline).leastRadius < half)
+    {
+        tellOf(checker, REMARK_NARROW_BEND, spline->line, "spline", index, spline->name);
+    }
+}
+
+int swScene_Check(const swScene* scene, const swWorld* world, int capacity, swSceneRemark* remarks)
+{
+    SW_REQUIRE(scene != NULL && capacity >= 0 && (remarks != NULL || capacity == 0), 0,
+               scene != NULL ? &scene->host : NULL, "swScene_Check() needs a scene and room for remarks");
+    Checker checker = {scene, world, capacity, 0, remarks};
+    checkViews(&checker);
+    checkEnergy(&checker);
+    checkRegions(&checker);
+    checkWinds(&checker);
+    checkFoam(&checker);
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        checkInput(&checker, i);
+    }
+    for (int i = 0; i < scene->rasterCount; ++i)
+    {
+        checkRaster(&checker, i);
+    }
+    for (int i = 0; i < scene->splineCount; ++i)
+    {
+        checkSpline(&checker, i);
+    }
+    return checker.count;
+}
