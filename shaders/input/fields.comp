@@ -57,7 +57,8 @@ uint findSystems(ivec2 low, ivec2 high)
     uint record = findInput(SW_FIELD_OF_WAVES, low, high, 0);
     while (record != SW_NO_RECORD)
     {
-        found |= 1u << (inputRecords[record].system & 31u);
+        uint system = inputRecords[record].system;
+        found |= system == SW_ALL_SYSTEMS ? SW_ALL_SYSTEMS : 1u << (system & 31u);
         record = findInput(SW_FIELD_OF_WAVES, low, high, record + 1);
     }
     return found;
@@ -101,8 +102,7 @@ void main()
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
-        uint block =
-            (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+        uint block = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
         blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems);
     }
 }

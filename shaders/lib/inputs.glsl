@@ -35,8 +35,8 @@ uint findInput(uint field, ivec2 low, ivec2 high, uint from)
     for (uint i = range.firstNode; i < end;)
     {
         swInputNode node = inputNodes[i];
-        bool isMet = node.lastRecord >= from && node.firstRecord < found && node.minX <= high.x &&
-                     node.maxX >= low.x && node.minZ <= high.y && node.maxZ >= low.y;
+        bool isMet = node.lastRecord >= from && node.firstRecord < found && node.minX <= high.x && node.maxX >= low.x &&
+                     node.minZ <= high.y && node.maxZ >= low.y;
         found = isMet && node.record != SW_NO_RECORD ? node.record : found;
         i = isMet ? i + 1 : node.skip;
     }
@@ -53,8 +53,8 @@ bool isLocalSystem(uint system)
     return system < 32u && (inputHead.localSystems >> system & 1u) != 0;
 }
 
-// A field at a place, the twin of swFindInputValues(); of SW_FIELD_OF_WAVES only inputs of a system count. Compilers write out all shapes wherever this
-// is called: call it in one place, in a loop over what is asked.
+// A field at a place, the twin of swFindInputValues(); of SW_FIELD_OF_WAVES only inputs of a system count. Compilers
+// write out all shapes wherever this is called: call it in one place, in a loop over what is asked.
 swInputValue fieldAt(uint field, uint system, SeaPlace place)
 {
     swInputValue value = swGetFieldBelow(field);
@@ -63,10 +63,10 @@ swInputValue fieldAt(uint field, uint system, SeaPlace place)
     while (i != SW_NO_RECORD)
     {
         swInputRecord record = inputRecords[i];
-        if (field != SW_FIELD_OF_WAVES || record.system == system || record.system == SW_ALL_SYSTEMS)
+        if (field != SW_FIELD_OF_WAVES || record.system == SW_ALL_SYSTEMS || record.system == system)
         {
-            swInputSample s = swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x,
-                                            place.rest.y, 0.0);
+            swInputSample s =
+                swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y, 0.0);
             value = swBlendInput(record, value, s);
         }
         i = findInput(field, place.cell, place.cell, i + 1);

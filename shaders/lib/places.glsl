@@ -47,7 +47,6 @@ struct Shape
 Shape attenuated(Shape shape, Ground ground, float k, swAttenuation attenuation)
 {
     swDepthShare found = swFindDepthShare(attenuation, k, ground.depth);
-    return Shape(shape.weight * found.share,
-                 shape.slope * found.share + shape.weight * found.slope * ground.slope);
+    return Shape(shape.weight * found.share, shape.slope * found.share + shape.weight * found.slope * ground.slope);
 }
 #endif

@@ -23,7 +23,8 @@
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
 // `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
-// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constant `bool WITH_INPUTS`.
+// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constant `bool
+// WITH_INPUTS`.
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
@@ -184,7 +185,8 @@ void addWater(uint firstTile, uint tileCount, uint waveCount, ivec2 cell, vec2 r
 
 SeaPlace seaPlaceAt(ivec2 cell, vec2 rest)
 {
-    return seaPlaceOf(cell + ivec2(params.sea.cellX, params.sea.cellZ), rest + vec2(params.sea.restX, params.sea.restZ));
+    return seaPlaceOf(cell + ivec2(params.sea.cellX, params.sea.cellZ),
+                      rest + vec2(params.sea.restX, params.sea.restZ));
 }
 
 // What is asked of inputs for a point, an element of `placeValues` each: values and slopes of the level at the place

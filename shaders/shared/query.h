@@ -107,7 +107,7 @@ SW_PARAMS(swQueryWave)
     float turnsX, turnsZ; // turns a metre
     float rate;           // rad/s
     float depth;          // m
-    float waveNumber;     // rad/m
+    float waveNumber;     // of its octave, rad/m
     sw_uint system;
     swAttenuation attenuation;
 };

@@ -74,7 +74,7 @@ SW_PARAMS(swSliceWave)
     float dx, dz;     // chop k / |k|
     float kx, kz;     // rad/m
     float cosZ, sinZ; // of stepZ
-    float waveNumber; // rad/m
+    float waveNumber; // of its octave, rad/m
     sw_uint system;
     swAttenuation attenuation;
 };

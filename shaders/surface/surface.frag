@@ -68,6 +68,8 @@ layout(std430, binding = 23) readonly buffer Looks
 {
     swPictureLook looks[];
 };
+layout(binding = 20) uniform sampler2DArray wakeFoamLayer;
+layout(binding = 21) uniform sampler2DArray shoreFoamLayer;
 #include "lib/holes.glsl"
 #include "lib/inputs.glsl"
 
@@ -79,6 +81,8 @@ layout(constant_id = 1) const uint filtersByHand = 0;
 layout(constant_id = 2) const uint isClear = 0;
 // 1 where inputs say how deep the water is, or how high it stands.
 layout(constant_id = 3) const uint hasPlaces = 0;
+// 1 where inputs or shores make foam.
+layout(constant_id = 5) const uint hasMadeFoam = 0;
 // 1 where inputs colour the water or shade it.
 layout(constant_id = 4) const uint hasColors = 0;
 // 1 where inputs cut the water away.
@@ -250,6 +254,13 @@ void main()
         slopes.mean += hasBodies == 0 ? standing.slope : isFlat ? vec2(0.0) : levelBetweenBodies(pixelPlace()).yz;
     }
     float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest, filtersByHand != 0);
+    if (hasMadeFoam != 0)
+    {
+        bool byHand = filtersByHand != 0;
+        float wake = foamAmountAt(grid, pair, place, wakeFoamLayer, 0.0, byHand);
+        float shore = foamAmountAt(grid, pair, place, shoreFoamLayer, 0.0, byHand);
+        amount = 1.0 - (1.0 - amount) * (1.0 - wake) * (1.0 - shore);
+    }
     if (picture.debugMode != 0)
     {
         float deviations = height / max(picture.deviation, 0.01);

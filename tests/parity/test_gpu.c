@@ -162,6 +162,10 @@ static void PassTimesHaveTheNamesOfThePasses(void** state)
     swWaveSystemDef sea = swDefaultWaveSystemDef();
     AddParitySea(&parity, &sea);
     AddParityView(&parity, 2, 64, (swPos){0.0, 2.0, 0.0});
+    swInputDef seabed = swDefaultInputDef();
+    seabed.value[0] = -8.0f;
+    swInputId id;
+    assert_int_equal(swCreateInput(parity.world, &seabed, &id), SW_SUCCESS);
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     swGpuQuery* query = NULL; // the passes are there with the first query
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);

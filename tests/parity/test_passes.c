@@ -119,6 +119,25 @@ static void AFrameHasFiveBarriers(void** state)
     FreeParity(&parity);
 }
 
+// Fields are made beside the waves, so slices wait for both at once; and where nothing changes nothing is brought.
+static void AuthoredFieldsCostNoBarrier(void** state)
+{
+    Parity parity = MakeSea(state);
+    swInputDef seabed = swDefaultInputDef();
+    seabed.value[0] = -8.0f;
+    swInputId id;
+    assert_int_equal(swCreateInput(parity.world, &seabed, &id), SW_SUCCESS);
+    assert_false(parity.gpuWorld->passes[SW_PASS_FIELDS].isNeeded);
+    StepParity(&parity, 1.0 / 30.0);
+    assert_true(parity.gpuWorld->inputs.isBrought);
+    int count = CountFrameBarriers(&parity);
+    assert_true(parity.gpuWorld->passes[SW_PASS_FIELDS].isNeeded);
+    assert_false(parity.gpuWorld->inputs.isBrought);
+    printf("  %d barriers with authored fields\n", count);
+    assert_int_equal(count, 5);
+    FreeParity(&parity);
+}
+
 // The copy to the host waits once more; that the host may read is part of the last. It was eight.
 static void AQueryCostsOneBarrierMore(void** state)
 {
@@ -184,11 +203,17 @@ static void VariantsAreMadeOnce(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(AStepWaitsForWhatItReads),        cmocka_unit_test(AStepWaitsForWhoReadsWhatItWrites),
-        cmocka_unit_test(AStepMayGoOnFromItsOwnPast),      cmocka_unit_test(StagesWaitEachForItself),
-        cmocka_unit_test(EveryPassReadsWhatWasMadeBefore), cmocka_unit_test(AFrameHasFiveBarriers),
-        cmocka_unit_test(AQueryCostsOneBarrierMore),       cmocka_unit_test(APassWithNothingToDoRecordsNothing),
-        cmocka_unit_test(APassOwnsOnlyWhatItNeeds),        cmocka_unit_test(VariantsAreMadeOnce),
+        cmocka_unit_test(AStepWaitsForWhatItReads),
+        cmocka_unit_test(AStepWaitsForWhoReadsWhatItWrites),
+        cmocka_unit_test(AStepMayGoOnFromItsOwnPast),
+        cmocka_unit_test(StagesWaitEachForItself),
+        cmocka_unit_test(EveryPassReadsWhatWasMadeBefore),
+        cmocka_unit_test(AFrameHasFiveBarriers),
+        cmocka_unit_test(AuthoredFieldsCostNoBarrier),
+        cmocka_unit_test(AQueryCostsOneBarrierMore),
+        cmocka_unit_test(APassWithNothingToDoRecordsNothing),
+        cmocka_unit_test(APassOwnsOnlyWhatItNeeds),
+        cmocka_unit_test(VariantsAreMadeOnce),
     };
     return cmocka_run_group_tests_name("passes", tests, OpenParityGpu, CloseParityGpu);
 }

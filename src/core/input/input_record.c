@@ -186,6 +186,19 @@ static swCellBox findBox(const swInputRecord* record, swPosXZ origin)
     return fits ? box : (swCellBox){INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
 }
 
+// What the record's words hold now: a raster's values are its own.
+static sw_uint countShownWords(const swInputData* data)
+{
+    if (data == NULL)
+    {
+        return 0u;
+    }
+    const swRaster* raster = data->raster;
+    return raster != NULL
+               ? (sw_uint)raster->width * (sw_uint)raster->height * (sw_uint)raster->channels * (sw_uint)raster->frames
+               : (sw_uint)data->wordCount[data->shown];
+}
+
 void swMakeInputRecord(const swInputDef* def, const swInputData* data, double seaLevel, double time,
                        swInputRecord* record, swCellBox* box)
 {
@@ -199,7 +212,7 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         .blend = (sw_uint)def->blend,
         .flags = def->followsWaves ? SW_INPUT_FOLLOWS_WAVES : 0u,
         .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : SW_ALL_SYSTEMS,
-        .wordCount = data != NULL ? (sw_uint)data->wordCount[data->shown] : 0u,
+        .wordCount = countShownWords(data),
         .gain = def->gain,
     };
     // Heights of floors count from sea level, so that they are as good wherever that is.

@@ -13,5 +13,10 @@
 void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
                        swInputValue* values);
 
+// The first number of a field of the water's own: inputs that follow the waves count where the water rests, the others
+// where it is.
+void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
+                       float* values);
+
 // Whether any input of the fields in `mask` may say something within `reach` metres of a point.
 bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach);

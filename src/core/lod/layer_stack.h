@@ -58,8 +58,8 @@ int swCountChannels(swTexelFormat format);
 // Texels need the host's memory; false if there is none, and then nothing is held.
 bool swMakeLayers(const swHost* host, swLayerStack* layers);
 void swFreeLayers(const swHost* host, swLayerStack* layers);
-// Texels of authored fields, which a view has no need of before there are inputs; nothing if it has them. False if there
-// is no memory, and then none is held that was not before.
+// Texels of authored fields, which a view has no need of before there are inputs; nothing if it has them. False if
+// there is no memory, and then none is held that was not before.
 bool swMakeFieldTexels(const swHost* host, swLayerStack* layers);
 const float* swGetLayerTexels(const swLayerStack* layers, int layer); // the current ones, or NULL
 

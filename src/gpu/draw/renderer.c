@@ -225,7 +225,8 @@ int swChooseSurface(const swPicture* picture)
     return (isWire ? SW_SURFACE_IS_WIRE : 0) | (picture->opaqueColor != VK_NULL_HANDLE ? SW_SURFACE_IS_CLEAR : 0) |
            (picture->hasPlaces ? SW_SURFACE_HAS_PLACES : 0) | (picture->hasColors ? SW_SURFACE_HAS_COLORS : 0) |
            (picture->hasHoles ? SW_SURFACE_HAS_HOLES : 0) |
-           (picture->frame.params.bodyCount > 0 ? SW_SURFACE_HAS_BODIES : 0);
+           (picture->frame.params.bodyCount > 0 ? SW_SURFACE_HAS_BODIES : 0) |
+           (picture->hasMadeFoam ? SW_SURFACE_HAS_MADE_FOAM : 0);
 }
 
 // The pipeline of the shot's surface, which the first picture that needs it makes.
@@ -287,6 +288,8 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->opaqueColor = shot->opaqueColor;
     picture->opaqueDepth = shot->opaqueDepth;
     picture->hasPlaces = view->stack.layers[SW_LAYER_PLACES].isAuthored;
+    picture->hasMadeFoam = view->stack.layers[SW_LAYER_WAKE_FOAM].isAuthored ||
+                           view->stack.layers[SW_LAYER_SHORE_FOAM].isAuthored;
     picture->hasColors =
         swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
     picture->hasHoles = swHasInputs(frame->inputs, SW_INPUT_CLIP);

@@ -13,6 +13,7 @@ swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int
         .filtersByHand = gpu->filtersFloats ? 0 : 1,
         .isClear = (kind & SW_SURFACE_IS_CLEAR) != 0 ? 1 : 0,
         .hasPlaces = (kind & SW_SURFACE_HAS_PLACES) != 0 ? 1 : 0,
+        .hasMadeFoam = (kind & SW_SURFACE_HAS_MADE_FOAM) != 0 ? 1 : 0,
         .hasColors = (kind & SW_SURFACE_HAS_COLORS) != 0 ? 1 : 0,
         .hasHoles = (kind & SW_SURFACE_HAS_HOLES) != 0 ? 1 : 0,
         .hasBodies = (kind & SW_SURFACE_HAS_BODIES) != 0 ? 1 : 0,
@@ -139,6 +140,11 @@ static swBinding bindOpaque(const swGpu* gpu, const swSurfaceSources* from, VkIm
                : swBindImage(gpu, &from->foam->image, SW_SAMPLER_NEAREST_CLAMP);
 }
 
+static swBinding bindFoam(const swGpu* gpu, const swSurfaceSources* from, int layer)
+{
+    return swBindImage(gpu, swGetLayerImage(from->view, layer), swChooseLayerSampler(gpu, layer));
+}
+
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSurfaceSources* from,
                    const swSurface* surface, const swPictureFrame* picture)
 {
@@ -152,8 +158,7 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .bands = swBindUpload(&picture->bandsUpload),
         .light = swBindBuffer(&from->sky->light),
         .derivatives = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
-        .foamLayer =
-            swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FOAM), swChooseLayerSampler(gpu, SW_LAYER_FOAM)),
+        .foamLayer = bindFoam(gpu, from, SW_LAYER_FOAM),
         .detail = swBindImage(gpu, swGetDetailImage(from->gpuWorld), SW_SAMPLER_LINEAR_REPEAT),
         .skyMap = swBindImage(gpu, &from->sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         .air = swBindImage(gpu, &from->sky->air, SW_SAMPLER_LINEAR_CLAMP),
@@ -162,6 +167,8 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .opaqueColor = bindOpaque(gpu, from, from->opaqueColor),
         .opaqueDepth = bindOpaque(gpu, from, from->opaqueDepth),
         .places = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
+        .wakeFoamLayer = bindFoam(gpu, from, SW_LAYER_WAKE_FOAM),
+        .shoreFoamLayer = bindFoam(gpu, from, SW_LAYER_SHORE_FOAM),
         .inputHead = inputs[0],
         .inputRecords = inputs[1],
         .inputNodes = inputs[2],

@@ -160,7 +160,7 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
         .dz = wave->dz,
         .kx = (float)(2.0 * SW_PI * wave->turnsX),
         .kz = (float)(2.0 * SW_PI * wave->turnsZ),
-        .waveNumber = 6.2831853f / wave->wavelength,
+        .waveNumber = swGetOctaveWaveNumber(wave->wavelength),
         .system = (uint32_t)wave->system,
         .attenuation = wave->attenuation,
     };

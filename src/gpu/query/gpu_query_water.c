@@ -45,7 +45,7 @@ static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ 
         .turnsZ = (float)wave->turnsZ,
         .rate = (float)((double)wave->frequency * (SW_TICKS_PER_SECOND * 2.0 * SW_PI * 0x1p-64)),
         .depth = fminf(wave->depth, DEEP),
-        .waveNumber = 6.2831853f / wave->wavelength,
+        .waveNumber = swGetOctaveWaveNumber(wave->wavelength),
         .system = (uint32_t)wave->system,
         .attenuation = wave->attenuation,
     };

@@ -48,8 +48,7 @@ void swFreeGpuWorld(swGpuWorld* gpuWorld)
 
 size_t swGetGpuWorldMemory(const swGpuWorld* gpuWorld)
 {
-    size_t bytes =
-        swGetGpuTileMemory(&gpuWorld->tiles) + swGetGpuInputMemory(&gpuWorld->inputs) +
+    size_t bytes = swGetGpuTileMemory(&gpuWorld->tiles) + swGetGpuInputMemory(&gpuWorld->inputs) +
                    swGetGpuViewMemory(gpuWorld->views) + swGetPassMemory(gpuWorld);
     for (const swGpuQuery* query = gpuWorld->firstQuery; query != NULL; query = query->next)
     {
