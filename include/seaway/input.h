@@ -195,8 +195,20 @@ typedef struct swInputDef
     /// Radius of the edges of boxes and cylinders, which it takes from their size, m. Range [0, 1e6]. Default 0.
     float rounding;
 
-    /// Of SW_SHAPE_SPLINE. Held as a raster is. Default NULL.
+    /// Of SW_SHAPE_SPLINE. Held as a raster is. The spline lies where it says itself, moved and turned by this; heights
+    /// of its points count from position.y. Default NULL.
     const swSpline* spline;
+
+    /// Of SW_INPUT_WAVES along a spline: the waves turn with the line. They are looked up by metres to its side and
+    /// along it, so that their length is exact on the line and changes beside it as a bend asks for; towards the centre
+    /// of a bend, and where a line comes near itself, they fade. Blend SW_BLEND_ALPHA takes the system's other waves
+    /// away to the same share, SW_BLEND_ADD leaves them. Default false: the spline says how much of the waves there is.
+    bool alongSpline;
+
+    /// With alongSpline: where waves of the direction 0 go, radians from the way across the line from right to left,
+    /// towards the way along it: 0 onto a shore that is on the left, pi/2 along the line. The direction of the system's
+    /// spectrum adds to it. Range [-1000, 1000]. Default 0.
+    float heading;
 
     /// Of SW_SHAPE_POLYGON (3 or more), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
     const swInputPoint* points;

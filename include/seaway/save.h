@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "input.h"
 #include "view.h"
 #include "world.h"
 
@@ -8,13 +9,38 @@
 /// The whole state of a world as bytes: to save, to send to a player who joins late, to go back to. A world that is
 /// made of them goes on with the same bits, on any machine, also in the middle of changes.
 
-/// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, views with
-/// their slices and foam. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
+/// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, inputs
+/// with their points, views with their slices and foam. Of rasters, hulls, splines and functions it holds hashes. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
 /// @param data room for `*size` bytes; NULL to ask for the size
 /// @param size in: bytes of room; out: bytes needed
 /// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing
 /// useful is written then
 SW_API swResult swWorld_Save(const swWorld* world, void* data, size_t* size);
+
+/// What inputs use that a saved world does not hold.
+typedef enum swResourceKind
+{
+    SW_RESOURCE_RASTER,
+    SW_RESOURCE_HULL,
+    SW_RESOURCE_SPLINE,
+    SW_RESOURCE_FUNCTION,
+    SW_RESOURCE_KIND_COUNT
+} swResourceKind;
+
+/// Where a host puts what was asked for: the member that the kind names.
+typedef struct swResource
+{
+    const swRaster* raster;
+    const swHull* hull;
+    const swSpline* spline;
+    swInputFunctionFcn function;
+    void* functionContext;
+} swResource;
+
+/// Give what has a hash (of a raster, a hull or a spline, see their infos) or a fingerprint (of a function). `name` is the input's.
+/// @return false if there is no such thing
+typedef bool (*swFindResourceFcn)(void* context, swResourceKind kind, uint64_t hash, const char* name,
+                                  swResource* resource);
 
 /// Must be initialized with swDefaultRestoreDef().
 typedef struct swRestoreDef
@@ -26,6 +52,11 @@ typedef struct swRestoreDef
     /// What would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
     size_t memoryBudget;
 
+    /// Asked for the rasters, hulls, splines and functions of inputs. Default NULL: there are none, and a world that uses one is
+    /// refused with a sentence that names it.
+    swFindResourceFcn findResource;
+    void* resourceContext;
+
     /// Set by swDefaultRestoreDef().
     int internalValue;
 } swRestoreDef;
@@ -35,7 +66,8 @@ SW_API swRestoreDef swDefaultRestoreDef(void);
 /// Make a world of saved bytes. Wave systems have the handles that they had; views are found by swWorld_GetView().
 /// Damaged bytes, those of another version, and those that ask for more memory than they may, are refused with a
 /// sentence in the log; nothing is left behind.
-/// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (the budget), SW_ERROR_UNSUPPORTED
+/// @return SW_ERROR_FORMAT, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (the budget), SW_ERROR_UNSUPPORTED (the instruction set,
+/// or a resource that was not given)
 SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const swRestoreDef* def,
                                swWorld** world);
 
@@ -46,7 +78,8 @@ SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size
 /// The world must still have all waves of that state, and the same views: it goes back over weights, fades, jumps in
 /// time, and over systems that were made; not over a step after a system was destroyed, given other waves or another
 /// current, nor over the end of such a change. That is refused with a sentence in the log; make another world by
-/// swRestoreWorld() then. A refusal changes nothing.
+/// swRestoreWorld() then. A refusal changes nothing. Likewise of inputs: it goes back over
+/// those that were made, moved or given other points, not over those that were destroyed or given another raster.
 /// @return SW_ERROR_FORMAT, SW_ERROR_UNSUPPORTED if the world has other waves, views or another def
 SW_API swResult swWorld_Rewind(swWorld* world, const void* data, size_t size);
 

@@ -48,10 +48,11 @@
 
 // Bits of swInputRecord::flags.
 #define SW_INPUT_FOLLOWS_WAVES 1u
-#define SW_INPUT_TURNS_VALUES 2u // values x and z (of flow and wind x and y) lie along the record's own axes
-#define SW_INPUT_IS_BOUNDLESS 4u // it counts everywhere, also where cells do not fit 32 bits
-#define SW_INPUT_IS_OF_BODY 16u  // it is a part of a body of water
-#define SW_INPUT_CHANGES 8u      // its value, gain or place is another in each step
+#define SW_INPUT_TURNS_VALUES 2u  // values x and z (of flow and wind x and y) lie along the record's own axes
+#define SW_INPUT_IS_BOUNDLESS 4u  // it counts everywhere, also where cells do not fit 32 bits
+#define SW_INPUT_ALONG_SPLINE 16u // waves turn with the spline, see shape_spline.h
+#define SW_INPUT_IS_OF_BODY 32u   // it is a part of a body of water
+#define SW_INPUT_CHANGES 8u       // its value, gain or place is another in each step
 
 SW_PARAMS(swInputRecord)
 {

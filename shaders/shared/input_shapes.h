@@ -7,6 +7,7 @@
 #include "shape_plain.h"
 #include "shape_polygon.h"
 #include "shape_raster.h"
+#include "shape_spline.h"
 
 // At a place in own coordinates, before the record's weight.
 SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_vec3 own)
@@ -26,6 +27,10 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     if (record.shape == SW_FORM_RASTER)
     {
         return swSampleRasterInput(words, record, own.x, own.z);
+    }
+    if (record.shape == SW_FORM_SPLINE)
+    {
+        return swSampleSpline(words, record, own.x, own.z);
     }
     return swBeginInputSample(record);
 }

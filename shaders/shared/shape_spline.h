@@ -528,7 +528,7 @@ SW_FORMULA swInputSample swFinishRibbon(swInputRecord record, swRibbonMix mix)
     {
         cover = mix.mostCover;
     }
-    swInputChannel share = swScaleChannel(swMultiplyChannels(cover, mix.weight), record.weight);
+    swInputChannel share = swMultiplyChannels(cover, mix.weight);
     s.share = share.value;
     s.shareX = share.alongX;
     s.shareZ = share.alongZ;
@@ -547,44 +547,6 @@ SW_FORMULA swInputSample swFinishRibbon(swInputRecord record, swRibbonMix mix)
     return s;
 }
 
-SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, float x, float z)
-{
-    swSegmentList list = swListSegments(words, x, z);
-    swRibbonMix mix = swBeginRibbonMix();
-    bool isThere = false;
-    for (sw_uint i = list.first; i < list.end; ++i)
-    {
-        sw_uint knot = swGetKnot(words, i);
-        swFootPlace place = swBracketFoot(words, knot, x, z);
-        if (place.from > place.to)
-        {
-            continue;
-        }
-        swFoot foot = swFindFoot(words, knot, x, z, place);
-        swRibbon ribbon = swCoverRibbon(words, foot, record.feather);
-        swRibbonMix one = swReadRibbon(words, record, foot, ribbon);
-        if (isThere)
-        {
-            one = swMixRibbons(mix, one);
-        }
-        mix = one;
-        isThere = true;
-    }
-    if (!isThere)
-    {
-        swInputSample nothing = swBeginInputSample(record);
-        nothing.share = 0.0f;
-        return nothing;
-    }
-    if (SW_WORD(words, SW_RIBBON_IS_CLOSED) == 0.0f)
-    {
-        sw_uint first = SW_UINT(SW_WORD(words, SW_RIBBON_KNOTS));
-        mix = swMixEnd(words, mix, first, x, z);
-        mix = swMixEnd(words, mix, first + SW_UINT(SW_WORD(words, SW_RIBBON_SEGMENTS)) * SW_KNOT_WORDS, x, z);
-    }
-    return swFinishRibbon(record, mix);
-}
-
 // ---- waves along a spline ----
 
 // Waves are looked up in coordinates of the ribbon's own: metres to the left and metres along, turned by a heading, 0
@@ -592,12 +554,12 @@ SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, fl
 //
 // The heading's cosine and sine are rounded to 1 / SW_HEADING_PARTS, so that cells times them are exact floats: a
 // source is as good at the end of a long line as at its start.
-#define SW_HEADING_PARTS 4096.0f
+#define SW_HEADING_PARTS 16384.0f
 #define SW_LEAST_STRETCH 0.15f // nearer to the centre of a bend there are no waves
 #define SW_FULL_STRETCH 0.5f
 #define SW_CLEAR_FOOT 0.5f // a second foot is no matter if it counts so much less
 
-// The foot whose waves count at a place, and how much, without the record's value.
+// The foot whose waves count at a place, and how much, without the record's weight and value.
 SW_PARAMS(swRibbonWaves)
 {
     swFoot foot;
@@ -641,7 +603,6 @@ SW_FORMULA swRibbonWaves swFindRibbonWaves(SW_WORDS words, swInputRecord record,
         swInputChannel clear = swSubtractChannels(swKeepChannel(1.0f), swDivideChannels(second, most));
         best.share = swMultiplyChannels(best.share, swRiseChannel(clear, 0.0f, SW_CLEAR_FOOT));
         best.share = swMultiplyChannels(best.share, swReadAlong(words, best.foot, SW_SPAN_WEIGHT));
-        best.share = swScaleChannel(best.share, record.weight);
     }
     return best;
 }
@@ -710,5 +671,66 @@ SW_FORMULA swInputChannel swCrossSeam(SW_WORDS words, swFoot foot, bool isNext)
         return swDivideChannels(other, root);
     }
     return swDivideChannels(one, root);
+}
+
+// What a spline's records say of waves that run along it, as of any other.
+SW_FORMULA swInputSample swSampleRibbonWaves(SW_WORDS words, swInputRecord record, float x, float z)
+{
+    swInputSample s = swBeginInputSample(record);
+    swInputChannel share = swFindRibbonWaves(words, record, x, z).share;
+    s.value.x = s.value.x + record.gain;
+    s.share = share.value;
+    s.shareX = share.alongX;
+    s.shareZ = share.alongZ;
+    return s;
+}
+
+// ---- what an input says ----
+
+SW_FORMULA swInputSample swSampleRibbon(SW_WORDS words, swInputRecord record, float x, float z)
+{
+    swSegmentList list = swListSegments(words, x, z);
+    swRibbonMix mix = swBeginRibbonMix();
+    bool isThere = false;
+    for (sw_uint i = list.first; i < list.end; ++i)
+    {
+        sw_uint knot = swGetKnot(words, i);
+        swFootPlace place = swBracketFoot(words, knot, x, z);
+        if (place.from > place.to)
+        {
+            continue;
+        }
+        swFoot foot = swFindFoot(words, knot, x, z, place);
+        swRibbon ribbon = swCoverRibbon(words, foot, record.feather);
+        swRibbonMix one = swReadRibbon(words, record, foot, ribbon);
+        if (isThere)
+        {
+            one = swMixRibbons(mix, one);
+        }
+        mix = one;
+        isThere = true;
+    }
+    if (!isThere)
+    {
+        swInputSample nothing = swBeginInputSample(record);
+        nothing.share = 0.0f;
+        return nothing;
+    }
+    if (SW_WORD(words, SW_RIBBON_IS_CLOSED) == 0.0f)
+    {
+        sw_uint first = SW_UINT(SW_WORD(words, SW_RIBBON_KNOTS));
+        mix = swMixEnd(words, mix, first, x, z);
+        mix = swMixEnd(words, mix, first + SW_UINT(SW_WORD(words, SW_RIBBON_SEGMENTS)) * SW_KNOT_WORDS, x, z);
+    }
+    return swFinishRibbon(record, mix);
+}
+
+SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, float x, float z)
+{
+    if ((record.flags & SW_INPUT_ALONG_SPLINE) != 0u)
+    {
+        return swSampleRibbonWaves(words, record, x, z);
+    }
+    return swSampleRibbon(words, record, x, z);
 }
 #endif

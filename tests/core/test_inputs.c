@@ -183,7 +183,7 @@ static void DerivativesAreThoseOfTheValues(void** state)
         def.value[0] = def.shape == SW_SHAPE_RASTER ? 0.0f : -12.0f;
         Add(world, &def);
         swWorld_Step(world, 0.0);
-        CheckGradients(&world->inputs.set, (int)field, 0.0, 0.0, 90.0, 0.02f);
+        CheckGradients(&world->inputs.arrays.set, (int)field, 0.0, 0.0, 90.0, 0.02f);
         swDestroyWorld(world);
     }
     swDestroyRaster(raster);
@@ -312,7 +312,7 @@ static void TheIndexFindsWhatALoopFinds(void** state)
         Add(world, &def);
     }
     swWorld_Step(world, 0.0);
-    const swInputSet* set = &world->inputs.set;
+    const swInputSet* set = &world->inputs.arrays.set;
     int found = 0;
     for (int i = 0; i < 2000; ++i)
     {
@@ -516,6 +516,162 @@ static void SequencesOfRastersPlayAndLoop(void** state)
     swDestroyWorld(world);
 }
 
+// One of each shape, among waves.
+static void FillWorld(swWorld* world)
+{
+    swWaveSystemId waves = AddWaves(world, false);
+    const float frames[2 * 9] = {-1.0f, -3.0f, -2.0f, -4.0f, -5.0f, -3.0f, -2.0f, -9.0f, -1.0f,
+                                 -2.0f, -1.0f, -2.0f, -7.0f, -4.0f, -1.0f, -5.0f, -2.0f, -3.0f};
+    swHost host = MakeHost();
+    swRasterDef rasterDef = swDefaultRasterDef();
+    rasterDef.width = rasterDef.height = 3;
+    rasterDef.spacingX = rasterDef.spacingZ = 20.0;
+    rasterDef.frames = 2;
+    rasterDef.values = frames;
+    swRaster* raster = NULL;
+    assert_int_equal(swCreateRaster(&host, &rasterDef, &raster), SW_SUCCESS);
+    swInputDef floor = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_RASTER, 0.0f);
+    floor.raster = raster;
+    floor.framesPerSecond = 0.7f;
+    Add(world, &floor);
+    swDestroyRaster(raster);
+    swInputDef lake = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 3.0f);
+    lake.feather = 30.0f;
+    Add(world, &lake);
+    swInputDef calm = MakeInput(SW_INPUT_WAVES, SW_SHAPE_RECTANGLE, 0.2f);
+    calm.system = waves;
+    calm.position.x = -40.0;
+    calm.feather = 10.0f;
+    Add(world, &calm);
+}
+
+static void MomentsHoldTheInputsOfTheirTime(void** state)
+{
+    (void)state;
+    static swPosXZ points[POINTS];
+    static float heights[POINTS], held[POINTS], mapped[POINTS];
+    static swVec3 normals[POINTS];
+    swWorld* world = MakeEmptyWorld();
+    FillWorld(world); // no step yet
+    swMomentDef def = swDefaultMomentDef();
+    def.time = 2.3;
+    swMoment *moment = NULL, *map = NULL;
+    assert_int_equal(swCreateMoment(world, &def, &moment), SW_SUCCESS);
+    size_t size;
+    const void* memory = swMoment_GetMemory(moment, &size);
+    assert_true(size <= swWorld_GetMomentSize(world));
+    void* copy = aligned_alloc(64, (size + 63) / 64 * 64);
+    memcpy(copy, memory, size);
+    swWorld_StepTo(world, 2.3);
+    ScatterPoints(points, POINTS, 20.0, 20.0, 150.0);
+    QueryHeights(world, points, heights, normals);
+    swDestroyWorld(world);
+    swHost host = MakeHost();
+    assert_int_equal(swMapMoment(&host, copy, size, &map), SW_SUCCESS);
+    swQueryDef queryDef = swDefaultQueryDef();
+    swMoment_QuerySurface(moment, &queryDef, POINTS, points, &(swSurfaceSamples){.height = held}, NULL);
+    swMoment_QuerySurface(map, &queryDef, POINTS, points, &(swSurfaceSamples){.height = mapped}, NULL);
+    assert_memory_equal(heights, held, sizeof heights);
+    assert_memory_equal(heights, mapped, sizeof heights);
+    swDestroyMoment(moment);
+    swDestroyMoment(map);
+    free(copy);
+}
+
+// ---- saving ----
+
+static const swRaster* s_raster; // that the host still has
+
+static bool FindResource(void* context, swResourceKind kind, uint64_t hash, const char* name, swResource* resource)
+{
+    (void)context;
+    (void)name;
+    resource->raster = s_raster;
+    return kind == SW_RESOURCE_RASTER && s_raster != NULL && swRaster_GetInfo(s_raster).hash == hash;
+}
+
+static size_t Save(const swWorld* world, void* bytes, size_t room)
+{
+    size_t size = room;
+    assert_int_equal(swWorld_Save(world, bytes, &size), SW_SUCCESS);
+    return size;
+}
+
+static void SavedWorldsNameTheirRasters(void** state)
+{
+    (void)state;
+    static uint8_t bytes[1 << 20], again[1 << 20];
+    static swPosXZ points[POINTS];
+    static float heights[POINTS], restoredHeights[POINTS];
+    static swVec3 normals[POINTS];
+    swWorld* world = MakeEmptyWorld();
+    FillWorld(world);
+    swInputId last = swWorld_GetInput(world, 2);
+    swWorld_Step(world, 1.3);
+    ScatterPoints(points, POINTS, 20.0, 20.0, 150.0);
+    QueryHeights(world, points, heights, normals);
+    size_t size = Save(world, bytes, sizeof bytes);
+    s_raster = swInput_Get(world, swWorld_GetInput(world, 0)).raster;
+
+    swHost host = MakeHost();
+    swRestoreDef def = swDefaultRestoreDef();
+    swWorld* restored = NULL;
+    assert_int_equal(swRestoreWorld(&host, bytes, size, &def, &restored), SW_ERROR_UNSUPPORTED);
+    assert_null(restored);
+    assert_non_null(strstr(s_messages, "raster with the hash"));
+    def.findResource = FindResource;
+    assert_int_equal(swRestoreWorld(&host, bytes, size, &def, &restored), SW_SUCCESS);
+    assert_true(swWorld_GetDigest(restored) == swWorld_GetDigest(world));
+    assert_true(swInput_IsValid(restored, last));
+    QueryHeights(restored, points, restoredHeights, normals);
+    assert_memory_equal(heights, restoredHeights, sizeof heights);
+    assert_int_equal(Save(restored, again, sizeof again), size);
+    assert_memory_equal(bytes, again, size);
+
+    // Each input has a part in the digest.
+    uint64_t digest = swWorld_GetDigest(restored);
+    for (int i = 0; i < swWorld_GetInputCount(restored); ++i)
+    {
+        swInputId id = swWorld_GetInput(restored, i);
+        swInput_SetWeight(restored, id, 0.75f);
+        assert_true(swWorld_GetDigest(restored) != digest);
+        swInput_SetWeight(restored, id, 1.0f);
+        assert_true(swWorld_GetDigest(restored) == digest);
+    }
+    swDestroyWorld(restored);
+    swDestroyWorld(world);
+}
+
+static void AWorldGoesBackOverWhatMovedAndWasMade(void** state)
+{
+    (void)state;
+    static uint8_t bytes[1 << 20];
+    swWorld* world = MakeEmptyWorld();
+    FillWorld(world);
+    swWorld_Step(world, 1.0);
+    size_t size = Save(world, bytes, sizeof bytes);
+    uint64_t digest = swWorld_GetDigest(world);
+    swInputId lake = swWorld_GetInput(world, 1);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 3.0f, 0.0f);
+    swInput_Move(world, lake, (swPos){500.0, 0.0, 0.0}, (swAngles){1.0f, 0.0f, 0.0f});
+    swInput_SetWeight(world, lake, 0.5f);
+    swInputDef more = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_EVERYWHERE, 9.0f);
+    swInputId made = Add(world, &more);
+    swWorld_Step(world, 1.0);
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 9.0f, 0.0f);
+    assert_int_equal(swWorld_Rewind(world, bytes, size), SW_SUCCESS);
+    assert_false(swInput_IsValid(world, made));
+    assert_float_equal(LevelAt(world, 0.0, 0.0), 3.0f, 0.0f);
+    assert_true(swWorld_GetDigest(world) == digest);
+    // Not over what was destroyed; then nothing changes.
+    swDestroyInput(world, lake);
+    swWorld_Step(world, 1.0);
+    digest = swWorld_GetDigest(world);
+    assert_int_equal(swWorld_Rewind(world, bytes, size), SW_ERROR_UNSUPPORTED);
+    assert_true(swWorld_GetDigest(world) == digest);
+    swDestroyWorld(world);
+}
+
 static void AWarmStepAllocatesNothing(void** state)
 {
     (void)state;
@@ -638,14 +794,25 @@ static void WhatCannotBeIsRefusedInASentence(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ShapesCoverWhatTheySay),        cmocka_unit_test(DerivativesAreThoseOfTheValues),
-        cmocka_unit_test(AFloorFadesIntoDeepWater),      cmocka_unit_test(InputsJoinInTheirOrder),
-        cmocka_unit_test(RastersKeepTheirBitsFarOutToo), cmocka_unit_test(UnknownCellsAreNotCovered),
-        cmocka_unit_test(TheIndexFindsWhatALoopFinds),   cmocka_unit_test(WaterThatNoInputTouchesKeepsItsBits),
-        cmocka_unit_test(LevelsLiftTheWaterAndTiltIt),   cmocka_unit_test(WavesEndWhereAnInputTakesTheirWeight),
-        cmocka_unit_test(WavesDieOutOverAFloor),         cmocka_unit_test(InputsStayWhereTheyAreWhenTheOriginMoves),
-        cmocka_unit_test(SequencesOfRastersPlayAndLoop), cmocka_unit_test(AWarmStepAllocatesNothing),
-        cmocka_unit_test(EveryAllocationMayFail),        cmocka_unit_test(WhatCannotBeIsRefusedInASentence),
+        cmocka_unit_test(ShapesCoverWhatTheySay),
+        cmocka_unit_test(DerivativesAreThoseOfTheValues),
+        cmocka_unit_test(AFloorFadesIntoDeepWater),
+        cmocka_unit_test(InputsJoinInTheirOrder),
+        cmocka_unit_test(RastersKeepTheirBitsFarOutToo),
+        cmocka_unit_test(UnknownCellsAreNotCovered),
+        cmocka_unit_test(TheIndexFindsWhatALoopFinds),
+        cmocka_unit_test(WaterThatNoInputTouchesKeepsItsBits),
+        cmocka_unit_test(LevelsLiftTheWaterAndTiltIt),
+        cmocka_unit_test(WavesEndWhereAnInputTakesTheirWeight),
+        cmocka_unit_test(WavesDieOutOverAFloor),
+        cmocka_unit_test(InputsStayWhereTheyAreWhenTheOriginMoves),
+        cmocka_unit_test(SequencesOfRastersPlayAndLoop),
+        cmocka_unit_test(MomentsHoldTheInputsOfTheirTime),
+        cmocka_unit_test(SavedWorldsNameTheirRasters),
+        cmocka_unit_test(AWorldGoesBackOverWhatMovedAndWasMade),
+        cmocka_unit_test(AWarmStepAllocatesNothing),
+        cmocka_unit_test(EveryAllocationMayFail),
+        cmocka_unit_test(WhatCannotBeIsRefusedInASentence),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -590,10 +590,10 @@ static void NoMemoryLeavesNothingBehind(void** state)
     assert_int_equal(failures, 5);
     assert_int_equal((size_t)atomic_load(&memory.bytes), swSpline_GetInfo(spline).memory);
     // Who holds it keeps it alive.
-    swHoldSpline(spline);
+    swRetainSpline(spline);
     swDestroySpline(spline);
     assert_true(swSpline_GetInfo(spline).length > 500.0);
-    swDropSpline(spline);
+    swReleaseSpline(spline);
     assert_int_equal(atomic_load(&memory.bytes), 0);
     swDestroySpline(NULL);
 }

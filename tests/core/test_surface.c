@@ -103,14 +103,17 @@ static void FindLevel(const void* context, int system, int64_t ticks, int count,
 }
 
 // Coordinates that bend, and by up to 0.3 rad turned axes.
-static bool FindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points, swWarp* warps)
+static int FindWarps(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
+                     swWarp (*warps)[SW_PLACE_BLOCK])
 {
     (void)context, (void)system, (void)ticks;
     for (int i = 0; i < count; ++i)
     {
         double x = points[i].x, z = points[i].z, angle = 0.3 * sin(0.03 * x - 0.02 * z);
         double swing = 0.3 * cos(0.03 * x - 0.02 * z);
-        warps[i] = (swWarp){
+        warps[0][i] = (swWarp){
+            .weight = (float)(0.7 + 0.2 * sin(0.06 * x)),
+            .alongX = (float)(0.012 * cos(0.06 * x)),
             .source = {x + 1.5 * sin(0.05 * z), z + 0.8 * cos(0.07 * x)},
             .gradients = {0.0f, (float)(0.075 * cos(0.05 * z)), (float)(-0.056 * sin(0.07 * x)), 0.0f},
             .cosine = (float)cos(angle),
@@ -119,7 +122,7 @@ static bool FindWarp(const void* context, int system, int64_t ticks, int count, 
             .turnZ = (float)(-0.02 * swing),
         };
     }
-    return true;
+    return 1;
 }
 
 // Falls below 12 m, and is then no more than a wave's k times it.
@@ -225,7 +228,7 @@ static void GroupsOfShapedPointsChangeNoBit(void** state)
     ScatterPoints(whole.points, POINTS, 0.0, 0.0, 400.0);
     memcpy(parts.points, whole.points, sizeof whole.points);
     const swPlaces all = {
-        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warp = FindWarp, .attenuate = Attenuate};
+        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warps = FindWarps, .attenuate = Attenuate};
     Evaluate(&sea, &all, 0, POINTS, &whole);
     for (int first = 0, size = 1; first < POINTS; first += size, size = size % 37 + 1)
     {
@@ -392,10 +395,10 @@ static void GradientsOfPlacesEnterThoseOfTheSurface(void** state)
     OpenSea(&sea, 8.0f, true);
     const swPlaces weight = {.weight = FindLee};
     const swPlaces depth = {.depth = FindDepth, .attenuate = Attenuate};
-    const swPlaces warp = {.warp = FindWarp};
+    const swPlaces warp = {.warps = FindWarps};
     const swPlaces level = {.level = FindLevel};
     const swPlaces all = {
-        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warp = FindWarp, .attenuate = Attenuate};
+        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warps = FindWarps, .attenuate = Attenuate};
     CheckGradients(&sea, &weight);
     CheckGradients(&sea, &depth);
     CheckGradients(&sea, &warp);
@@ -413,7 +416,7 @@ static void OtherTimesAreShapedAlike(void** state)
     ScatterPoints(now.points, POINTS, 0.0, 0.0, 200.0);
     memcpy(summed.points, now.points, sizeof now.points);
     const swPlaces all = {
-        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warp = FindWarp, .attenuate = Attenuate};
+        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warps = FindWarps, .attenuate = Attenuate};
     Evaluate(&sea, &all, 0, POINTS, &now);
     sea.query.isNow = false; // the same time, wave by wave
     Evaluate(&sea, &all, 0, POINTS, &summed);
@@ -441,7 +444,7 @@ static void QueriesFindTheShapedSurface(void** state)
     sea.def.tolerance = 5e-6f;
     ScatterPoints(points, POINTS, 0.0, 0.0, 200.0);
     const swPlaces all = {
-        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warp = FindWarp, .attenuate = Attenuate};
+        .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warps = FindWarps, .attenuate = Attenuate};
     sea.query.places = &all;
     swQueryStats stats;
     const swSurfaceSamples samples = {

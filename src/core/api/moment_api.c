@@ -18,12 +18,13 @@ swMomentDef swDefaultMomentDef(void)
 size_t swWorld_GetMomentSize(const swWorld* world)
 {
     SW_REQUIRE(world != NULL, 0, NULL, "swWorld_GetMomentSize() needs a world");
-    return swFindMomentSize(&world->waves);
+    return swFindMomentSize(&world->waves, &world->inputs);
 }
 
 static swMomentSource getSource(const swWorld* world)
 {
-    return (swMomentSource){&world->host, &world->waves, &world->frame, world->origin};
+    return (swMomentSource){&world->host,  &world->waves, &world->inputs,
+                            &world->frame, world->origin, swFindLocalSystems(world)};
 }
 
 swResult swCreateMoment(const swWorld* world, const swMomentDef* def, swMoment** moment)

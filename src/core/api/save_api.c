@@ -9,7 +9,7 @@
 #include "seaway/save.h"
 
 #define SAVE_MARK 0x5741534159415753u // "SWAYASAW"
-#define SAVE_VERSION 6u
+#define SAVE_VERSION 7u
 #define HASH_SIZE 8
 
 static uint64_t hashBytes(const uint8_t* data, size_t size)
@@ -42,7 +42,7 @@ static swResult writeWorld(swWorld* world, swStream* stream)
     uint32_t version = SAVE_VERSION;
     swWorldDef def = world->def;
     streamHead(stream, &mark, &version, &def);
-    swResult result = swStreamState(world, stream);
+    swResult result = swStreamState(world, stream, NULL);
     if (result != SW_SUCCESS || stream->isBroken)
     {
         return swFail(&world->host, SW_ERROR_LIMIT,
@@ -120,6 +120,8 @@ static const swField restoreFields[] = {
     SW_CHOICE(isa, swIsaWords, swIsaWords, SW_ISA_BEST, .key = NULL, .label = "instruction set", .use = SW_USE_HERE),
     SW_BYTES(memoryBudget, SW_WITHIN(1.0, (double)SIZE_MAX), 1073741824.0, .key = NULL, .label = "most memory",
              .use = SW_USE_HERE),
+    SW_GIVEN(findResource, .key = NULL, .label = "finds resources"),
+    SW_GIVEN(resourceContext, .key = NULL, .label = "its context"),
 };
 #undef SW_DEF
 
@@ -138,8 +140,9 @@ swRestoreDef swDefaultRestoreDef(void)
 }
 
 // Everything after the head into a world that has its def. All that is made counts against the budget.
-static swResult readState(swWorld* world, swStream* stream, size_t memoryBudget)
+static swResult readState(swWorld* world, swStream* stream, const swRestoreDef* def)
 {
+    size_t memoryBudget = def->memoryBudget;
     world->memory.budget = memoryBudget;
     swResult result = SW_SUCCESS;
     if (world->memory.held > memoryBudget)
@@ -147,7 +150,7 @@ static swResult readState(swWorld* world, swStream* stream, size_t memoryBudget)
         world->memory.isOverBudget = true;
         result = swFailMemory(&world->memory, "the world itself");
     }
-    result = result == SW_SUCCESS ? swStreamState(world, stream) : result;
+    result = result == SW_SUCCESS ? swStreamState(world, stream, def) : result;
     world->memory.budget = 0;
     if (result == SW_SUCCESS && stream->at != stream->size)
     {
@@ -189,7 +192,7 @@ swResult swRestoreWorld(const swHost* host, const void* data, size_t size, const
     {
         return result;
     }
-    result = readState(world, &stream, restoreDef->memoryBudget);
+    result = readState(world, &stream, restoreDef);
     if (result != SW_SUCCESS)
     {
         swDestroyWorld(world);

@@ -140,7 +140,7 @@ swWaterBodyId swWorld_FindWaterBody(const swWorld* world, double x, double z)
         return (swWaterBodyId){0};
     }
     swInputValue value;
-    swFindInputValues(&world->inputs.set, SW_INPUT_BODY, -1, 1, &point, &value);
+    swFindInputValues(&world->inputs.arrays.set, SW_INPUT_BODY, -1, 1, &point, &value);
     return swWorld_GetNumberedWaterBody(world, (int)value.value.x);
 }
 

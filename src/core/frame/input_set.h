@@ -18,8 +18,10 @@ typedef struct swInputSet
     const swInputFunctionFcn* functions; // [recordCount], NULL of other shapes; or NULL altogether
     void* const* contexts;               // likewise
     swInputRange ranges[SW_INPUT_FIELD_COUNT];
-    float lowestLevel, highestLevel; // of still water above sea level, m: no place has more or less
-    double time;                     // s, of values that change with time
+    float lowestLevel, highestLevel;      // of still water above sea level, m: no place has more or less
+    float weightReach, displacementReach; // no weight of waves is larger, nor a displacement by inputs, m
+    double time;                          // s, of values that change with time
+    uint32_t ribbonSystems;               // bit of each wave system's slot of which some waves run along splines
     uint32_t localSystems; // bit of each wave system's slot whose waves have no weight where no input gives them one
 } swInputSet;
 

@@ -6,6 +6,7 @@
 
 #include "core/input/polygon.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 #include "shared/input.h"
 
 static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "displacement", "clip",
@@ -31,7 +32,7 @@ static const char* const blendNames[] = {"added", "mixed", "multiplied", "the le
 
 #define SW_DEF swInputDef
 static const swField inputFields[] = {
-    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_TEXT(name, .key = "name", .label = "name", .use = SW_USE_STATE),
     SW_CHOICE(field, fieldWords, fieldNames, SW_INPUT_FLOOR, .key = "field", .label = "says"),
     SW_CHOICE(shape, shapeWords, shapeNames, SW_SHAPE_EVERYWHERE, .key = "shape", .label = "shape"),
     SW_CHOICE(blend, blendWords, blendNames, SW_BLEND_ALPHA, .key = "blend", .label = "joins",
@@ -70,6 +71,11 @@ static const swField inputFields[] = {
     SW_NUMBER(rounding, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "rounding_m", .label = "rounded by", SW_KNOB(0.0, 10.0),
               .kinds = SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_CYLINDER)),
     SW_GIVEN(spline, .key = NULL, .label = "spline"),
+    SW_SWITCH(alongSpline, false, .key = "along_spline", .label = "along the spline", .tip = "Waves turn with the line",
+              .kinds = SW_KIND(SW_SHAPE_SPLINE)),
+    SW_NUMBER(heading, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "heading_deg", .label = "heading",
+              .tip = "0 goes across the line from right to left, 90 along it", .form = SW_FORM_DEGREES,
+              SW_KNOB(-180.0, 180.0), .kinds = SW_KIND(SW_SHAPE_SPLINE)),
     SW_GIVEN(points, .key = NULL, .label = "points"),
     SW_GIVEN(pointCount, .key = NULL, .label = "number of points"),
     SW_NUMBER(pointCapacity, "", SW_WITHIN(0.0, SW_MAX_INPUT_POINTS), 0.0, .key = NULL, .label = "room for points",
@@ -110,7 +116,7 @@ const char* swGetInputShapeWord(int shape)
 static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
                                     SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
                                     SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
-                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL);
+                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -210,6 +216,35 @@ static swResult checkRaster(const swHost* host, const swInputDef* def)
     return SW_SUCCESS;
 }
 
+static swResult checkSpline(const swHost* host, const swInputDef* def)
+{
+    if (def->spline == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no spline");
+    }
+    if (def->field == SW_INPUT_FLOW)
+    {
+        float most = swGetFastestSplineFlow(def->spline) * fabsf(def->gain);
+        if (!(most <= SW_MAX_INPUT_SPEED))
+        {
+            return swFail(host, SW_ERROR_INVALID,
+                          "the input '%s' says flow of up to %g m/s by its spline '%s'; at most %g is taken", def->name,
+                          (double)most, def->spline->name, (double)SW_MAX_INPUT_SPEED);
+        }
+    }
+    bool turns = def->alongSpline && def->field == SW_INPUT_WAVES;
+    if (def->alongSpline && !turns)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def, "turns with its spline, which only waves can");
+    }
+    if (turns && def->blend != SW_BLEND_ALPHA && def->blend != SW_BLEND_ADD)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "turns waves with its spline; they join by SW_BLEND_ALPHA or SW_BLEND_ADD");
+    }
+    return SW_SUCCESS;
+}
+
 swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 {
     swResult result = swCheckDef(host, &swInputFields, def);
@@ -243,6 +278,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
     {
         result = checkRaster(host, def);
+    }
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_SPLINE)
+    {
+        result = checkSpline(host, def);
     }
     return result == SW_SUCCESS ? swCheckInputPoints(host, def, def->pointCount, def->points) : result;
 }

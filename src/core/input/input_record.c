@@ -5,7 +5,10 @@
 
 #include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 #include "core/math/scalar.h"
+#include "shared/shape_hull.h"
+#include "shared/shape_spline.h"
 
 bool swFindCell(double place, int32_t* cell, float* rest)
 {
@@ -60,6 +63,28 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
 }
 
+// A spline's own axes begin in its middle. Heights of its points count from where the input is.
+static swPosXZ placeSpline(const swInputDef* def, const swSpline* spline, swInputRecord* record)
+{
+    record->middleX = (float)(0.5 * (spline->leastX + spline->mostX));
+    record->middleZ = (float)(0.5 * (spline->leastZ + spline->mostZ));
+    record->halfX = (float)(0.5 * (spline->mostX - spline->leastX));
+    record->halfZ = (float)(0.5 * (spline->mostZ - spline->leastZ));
+    if (def->field == SW_INPUT_FLOOR || def->field == SW_INPUT_LEVEL)
+    {
+        record->value.x += def->field == SW_INPUT_FLOOR ? (float)def->position.y : record->size.w;
+    }
+    if (def->field == SW_INPUT_WAVES && def->alongSpline)
+    {
+        record->flags |= SW_INPUT_ALONG_SPLINE;
+        record->part0 = (float)floor(swCos((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+        record->part1 = (float)floor(swSin((double)def->heading) * (double)SW_HEADING_PARTS + 0.5) / SW_HEADING_PARTS;
+    }
+    double cosine = (double)record->cosine, sine = (double)record->sine;
+    return (swPosXZ){cosine * spline->originX - sine * spline->originZ,
+                     sine * spline->originX + cosine * spline->originZ};
+}
+
 // Of a polygon, see shared/shape_polygon.h.
 static void placePolygon(const float* words, int count, swInputRecord* record)
 {
@@ -98,7 +123,6 @@ static void placeHull(const swInputDef* def, const swHull* hull, swInputRecord* 
     record->extra0 = (sw_uint)hull->grid.countX;
     record->extra1 = (sw_uint)hull->grid.countY;
     record->extra2 = (sw_uint)hull->grid.countZ;
-    record->wordCount = (sw_uint)hull->wordCount;
     record->size.x = def->scale.x;
     record->size.y = def->scale.y;
     record->size.z = def->scale.z;
@@ -129,9 +153,15 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
+    case SW_SHAPE_SPLINE:
+        return placeSpline(def, data->spline, record);
     case SW_SHAPE_POLYGON:
-        placePolygon(data->words[data->shown], data->pointCount, record);
+    {
+        int count;
+        const float* words = swGetInputWords(data, &count);
+        placePolygon(words, count / 2, record);
         break;
+    }
     case SW_SHAPE_BOX:
     case SW_SHAPE_ELLIPSOID:
     case SW_SHAPE_CYLINDER:
@@ -212,7 +242,6 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         .blend = (sw_uint)def->blend,
         .flags = def->followsWaves ? SW_INPUT_FOLLOWS_WAVES : 0u,
         .system = def->system.index1 > 0 ? (sw_uint)def->system.index1 - 1u : SW_ALL_SYSTEMS,
-        .wordCount = countShownWords(data),
         .gain = def->gain,
     };
     // Heights of floors count from sea level, so that they are as good wherever that is.
@@ -234,6 +263,105 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         *box = findBox(record, origin);
     }
     swSetInputTime(def, time, record);
+}
+
+const float* swGetInputWords(const swInputData* data, int* count)
+{
+    *count = 0;
+    if (data == NULL)
+    {
+        return NULL;
+    }
+    if (data->raster != NULL)
+    {
+        const swRaster* raster = data->raster;
+        *count = raster->width * raster->height * raster->channels * raster->frames;
+        return raster->values;
+    }
+    if (data->spline != NULL)
+    {
+        *count = (int)data->spline->wordCount;
+        return data->spline->words;
+    }
+    if (data->hull != NULL)
+    {
+        *count = (int)data->hull->wordCount;
+        return data->hull->words;
+    }
+    int which = data->isNew ? 1 - data->shown : data->shown;
+    *count = data->wordCount[which];
+    return *count > 0 ? data->words[which] : NULL;
+}
+
+static bool isRasterGood(const swInputRecord* record)
+{
+    uint64_t cells = (uint64_t)record->extra0 * record->extra1;
+    bool isSized = record->extra0 >= 1 && record->extra0 <= SW_MAX_RASTER_SIDE && record->extra1 >= 1 &&
+                   record->extra1 <= SW_MAX_RASTER_SIDE && record->extra2 >= swCountInputNumbers(record->field) &&
+                   record->extra2 <= 4 && record->part0 > 0.0f && record->part1 > 0.0f;
+    uint64_t frame = cells * record->extra2;
+    return isSized && record->extra3 + frame <= record->wordCount && record->extra4 + frame <= record->wordCount;
+}
+
+static bool isHullGood(const swInputRecord* record)
+{
+    uint64_t x = record->extra0, y = record->extra1, z = record->extra2;
+    bool isSized = x >= 2 && y >= 2 && z >= 2 && x <= 4096 && y <= 4096 && z <= 4096;
+    return isSized && x * y * z + SW_HULL_HEAD <= record->wordCount;
+}
+
+bool swIsInputRecordGood(const swInputRecord* record)
+{
+    if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
+        record->wordCount > SW_MAX_RASTER_VALUES)
+    {
+        return false;
+    }
+    switch (record->shape)
+    {
+    case SW_SHAPE_EVERYWHERE:
+    case SW_SHAPE_CIRCLE:
+    case SW_SHAPE_RECTANGLE:
+    case SW_SHAPE_BOX:
+    case SW_SHAPE_ELLIPSOID:
+    case SW_SHAPE_CYLINDER:
+    case SW_SHAPE_CAPSULE:
+        return true;
+    case SW_SHAPE_POLYGON:
+        return record->extra0 >= 3 && record->extra0 <= SW_MAX_INPUT_POINTS && 2 * record->extra0 <= record->wordCount;
+    case SW_SHAPE_HULL:
+        return isHullGood(record);
+    case SW_SHAPE_RASTER:
+        return isRasterGood(record);
+    default:
+        return false;
+    }
+}
+
+// Of what the host computes nothing is known.
+#define LARGEST_VALUE 1e6f
+
+void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most)
+{
+    float low = 0.0f, high = 0.0f;
+    bool isUnknown = def->shape == SW_SHAPE_FUNCTION || def->shape == SW_SHAPE_SPLINE || def->shape == SW_SHAPE_MESH;
+    if (def->shape == SW_SHAPE_RASTER && def->raster->least <= def->raster->most)
+    {
+        low = def->raster->least;
+        high = def->raster->most;
+    }
+    for (int i = 0; def->shape != SW_SHAPE_POLYGON && data != NULL && i < data->pointCount; ++i)
+    {
+        for (int k = 0; k < 4; ++k)
+        {
+            low = fminf(low, data->points[i].value[k]);
+            high = fmaxf(high, data->points[i].value[k]);
+        }
+    }
+    bool isScaled = def->shape == SW_SHAPE_RASTER;
+    float a = isScaled ? def->gain * low : low, b = isScaled ? def->gain * high : high;
+    *least = isUnknown ? -LARGEST_VALUE : fminf(a, b);
+    *most = isUnknown ? LARGEST_VALUE : fmaxf(a, b);
 }
 
 // ---- time ----

@@ -12,6 +12,7 @@ typedef struct swInputData
     struct swInputData* next; // of those that wait to be freed
     size_t size;              // bytes of this block
     const swRaster* raster;   // held
+    const swSpline* spline;   // held
     const swHull* hull;       // held
     int pointCount, pointCapacity;
     swInputPoint* points; // as they were given
@@ -20,7 +21,7 @@ typedef struct swInputData
     float* words[2];
     int wordCount[2], wordCapacity;
     int shown;
-    bool isNew; // words[1 - shown] are to be shown with the next step
+    bool isNew; // words[1 - shown] count, and are shown with the next step
 } swInputData;
 
 // Words that a def's data take at most.
@@ -32,6 +33,16 @@ int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint*
 // The record of an input whose def has its place in the sea, and the cells that it covers.
 void swMakeInputRecord(const swInputDef* def, const swInputData* data, double seaLevel, double time,
                        swInputRecord* record, swCellBox* box);
+
+// The data that counts from now on, as swInputSet::words has it; NULL, and a count of 0, if there is none.
+const float* swGetInputWords(const swInputData* data, int* count);
+
+// Whether a record that comes from elsewhere names no word that it does not have, and nothing that is unknown. Functions
+// are of one process.
+bool swIsInputRecordGood(const swInputRecord* record);
+
+// Between which numbers the values lie that the shape brings of its own; 0 and 0 of a shape that brings none.
+void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most);
 
 // What changes with time alone: false if nothing of the def does.
 bool swDoesInputChange(const swInputDef* def);

@@ -6,11 +6,13 @@
 
 #include "core/input/hull.h"
 #include "core/input/raster.h"
+#include "core/input/spline.h"
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel)
 {
     *inputs = (swInputs){.memory = memory, .systemIds = systemIds, .seaLevel = seaLevel};
-    inputs->set.version = inputs->set.wordsVersion = 1;
+    inputs->arrays.set.version = inputs->arrays.set.wordsVersion = 1;
+    inputs->arrays.set.weightReach = 1.0f;
 }
 
 // ---- data ----
@@ -20,6 +22,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseSpline(data->spline);
         swReleaseHull(data->hull);
         swFree(host, data, data->size);
     }
@@ -36,7 +39,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL && def->spline == NULL)
     {
         return NULL;
     }
@@ -53,6 +56,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->spline = def->spline;
+    swRetainSpline(data->spline);
     data->hull = def->hull;
     swRetainHull(data->hull);
     data->pointCapacity = room;
@@ -99,80 +104,27 @@ static void freeDead(swInputs* inputs)
     }
 }
 
-// ---- room ----
-
-typedef struct Room
-{
-    void** place;
-    size_t itemSize; // bytes an input
-} Room;
-
-#define ROOMS 9
-
-static void listRooms(swInputs* inputs, Room rooms[ROOMS])
-{
-    const Room all[ROOMS] = {
-        {(void**)&inputs->order, sizeof *inputs->order},
-        {(void**)&inputs->sources, sizeof *inputs->sources},
-        {(void**)&inputs->records, sizeof *inputs->records},
-        {(void**)&inputs->words, sizeof *inputs->words},
-        {(void**)&inputs->functions, sizeof *inputs->functions},
-        {(void**)&inputs->contexts, sizeof *inputs->contexts},
-        {(void**)&inputs->boxes, sizeof *inputs->boxes},
-        {(void**)&inputs->items, 2 * sizeof *inputs->items},
-        {(void**)&inputs->nodes, SW_INDEX_NODES(1) * sizeof *inputs->nodes},
-    };
-    memcpy(rooms, all, sizeof all);
-}
-
-static void showArrays(swInputs* inputs)
-{
-    inputs->scratch = inputs->items + inputs->capacity;
-    inputs->set.records = inputs->records;
-    inputs->set.nodes = inputs->nodes;
-    inputs->set.words = inputs->words;
-    inputs->set.functions = inputs->functions;
-    inputs->set.contexts = inputs->contexts;
-}
-
 static bool reserve(swInputs* inputs, int count)
 {
-    if (count <= inputs->capacity)
-    {
-        return true;
-    }
     const swHost* host = &inputs->memory->host;
-    int capacity = inputs->capacity > 0 ? 2 * inputs->capacity : 16;
-    Room rooms[ROOMS];
-    void* made[ROOMS] = {NULL};
-    bool isFine = true;
-    listRooms(inputs, rooms);
-    for (int i = 0; i < ROOMS && isFine; ++i)
+    if (count > inputs->orderCapacity)
     {
-        made[i] = swAllocateZero(host, (size_t)capacity * rooms[i].itemSize);
-        isFine = made[i] != NULL;
-    }
-    for (int i = 0; i < ROOMS; ++i)
-    {
-        size_t size = (size_t)inputs->capacity * rooms[i].itemSize;
-        if (!isFine)
+        int capacity = inputs->orderCapacity > 0 ? 2 * inputs->orderCapacity : 16;
+        uint32_t* order = swAllocateZero(host, (size_t)capacity * sizeof *order);
+        if (order == NULL)
         {
-            swFree(host, made[i], (size_t)capacity * rooms[i].itemSize);
-            continue;
+            return false;
         }
+        size_t size = (size_t)inputs->orderCapacity * sizeof *order;
         if (size > 0)
         {
-            memcpy(made[i], *rooms[i].place, size);
+            memcpy(order, inputs->order, size);
         }
-        swFree(host, *rooms[i].place, size);
-        *rooms[i].place = made[i];
+        swFree(host, inputs->order, size);
+        inputs->order = order;
+        inputs->orderCapacity = capacity;
     }
-    if (isFine)
-    {
-        inputs->capacity = capacity;
-        showArrays(inputs);
-    }
-    return isFine;
+    return swReserveInputArrays(host, &inputs->arrays, count);
 }
 
 void swEndInputs(swInputs* inputs)
@@ -187,12 +139,8 @@ void swEndInputs(swInputs* inputs)
         }
     }
     freeDead(inputs);
-    Room rooms[ROOMS];
-    listRooms(inputs, rooms);
-    for (int i = 0; i < ROOMS; ++i)
-    {
-        swFree(host, *rooms[i].place, (size_t)inputs->capacity * rooms[i].itemSize);
-    }
+    swFreeInputArrays(host, &inputs->arrays);
+    swFree(host, inputs->order, (size_t)inputs->orderCapacity * sizeof *inputs->order);
     swFreeItems(host, &inputs->slots, sizeof(swInput));
 }
 
@@ -327,17 +275,87 @@ void swRemoveInput(swInputs* inputs, swInput* input)
     inputs->isChanged = true;
 }
 
-void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points)
+// Words of the points that are there.
+static void writeWords(swInputs* inputs, swInput* input, int count)
 {
     swInputData* data = input->data;
-    if (count > 0)
-    {
-        memcpy(data->points, points, (size_t)count * sizeof *points);
-    }
-    data->pointCount = input->def.pointCount = count;
     int next = 1 - data->shown;
+    data->pointCount = input->def.pointCount = count;
+    input->def.points = count > 0 ? data->points : NULL;
     data->wordCount[next] = swWriteInputWords(&input->def, count, data->points, data->words[next]);
     data->isNew = true;
+    inputs->isChanged = true;
+}
+
+void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points)
+{
+    if (count > 0)
+    {
+        memmove(input->data->points, points, (size_t)count * sizeof *points);
+    }
+    if (input->data != NULL)
+    {
+        writeWords(inputs, input, count);
+    }
+}
+
+// ---- saved inputs ----
+
+swResult swRestoreFreeSlot(swInputs* inputs, int slot, uint32_t generation)
+{
+    swInput* input = (size_t)slot < inputs->slots.count
+                         ? getSlot(inputs, (size_t)slot)
+                         : swAppendItems(&inputs->memory->host, &inputs->slots, 1, sizeof(swInput));
+    if (input == NULL)
+    {
+        return swFailMemory(inputs->memory, "an input");
+    }
+    *input = (swInput){.generation = generation};
+    return SW_SUCCESS;
+}
+
+swResult swRestoreInput(swInputs* inputs, const swInputDef* def, int slot, uint32_t generation, uint64_t serial)
+{
+    swResult result = swRestoreFreeSlot(inputs, slot, generation);
+    bool isFine = result == SW_SUCCESS && reserve(inputs, inputs->count + 1);
+    swInputData* data = isFine ? makeData(&inputs->memory->host, def, &isFine) : NULL;
+    if (!isFine)
+    {
+        return result != SW_SUCCESS ? result : swFailMemory(inputs->memory, "an input");
+    }
+    swInput* input = getSlot(inputs, (size_t)slot);
+    input->isUsed = true;
+    input->serial = serial;
+    adoptDef(input, def, data);
+    insertInOrder(inputs, (uint32_t)slot);
+    inputs->isChanged = true;
+    return SW_SUCCESS;
+}
+
+void swRewindInput(swInputs* inputs, swInput* input, const swInputDef* def, uint64_t serial)
+{
+    uint32_t slot = (uint32_t)swGetInputId(inputs, input).index1 - 1;
+    removeFromOrder(inputs, slot);
+    swInputDef rewound = *def;
+    rewound.raster = input->def.raster;
+    rewound.hull = input->def.hull;
+    rewound.mesh = input->def.mesh;
+    rewound.spline = input->def.spline;
+    rewound.function = input->def.function;
+    rewound.functionContext = input->def.functionContext;
+    rewound.functionFingerprint = input->def.functionFingerprint;
+    input->serial = serial;
+    swInputData* data = input->data;
+    if (data != NULL)
+    {
+        data->pointCount = def->pointCount;
+    }
+    adoptDef(input, &rewound, data);
+    insertInOrder(inputs, slot);
+    if (data != NULL)
+    {
+        writeWords(inputs, input, def->pointCount);
+    }
     inputs->isChanged = true;
 }
 
@@ -351,144 +369,94 @@ static bool counts(const swInputs* inputs, const swInput* input)
            (def->field != SW_INPUT_WAVES || system.index1 == 0 || swIsIdValid(inputs->systemIds, system));
 }
 
-static const float* showWords(swInputData* data)
+// Words that were made since the last step are shown from now on.
+static void showWords(swInputs* inputs)
 {
-    if (data == NULL)
+    swInput* slots = inputs->slots.data;
+    for (size_t i = 0; i < inputs->slots.count; ++i)
     {
-        return NULL;
+        swInputData* data = slots[i].data;
+        if (data != NULL && data->isNew)
+        {
+            data->shown = 1 - data->shown;
+            data->isNew = false;
+        }
     }
-    if (data->isNew)
-    {
-        data->shown = 1 - data->shown;
-        data->isNew = false;
-    }
-    if (data->raster != NULL)
-    {
-        return data->raster->values;
-    }
-    return data->hull != NULL ? data->hull->words : data->words[data->shown];
 }
 
-static void addRecord(swInputs* inputs, uint32_t slot, int at, double time)
+static void addRecord(const swInputs* inputs, uint32_t slot, double time, swInputArrays* arrays)
 {
-    swInput* input = getSlot(inputs, slot);
+    const swInput* input = getSlot(inputs, slot);
     const swInputDef* def = &input->def;
-    inputs->sources[at] = slot;
-    inputs->words[at] = showWords(input->data);
-    inputs->functions[at] = def->function;
-    inputs->contexts[at] = def->functionContext;
-    swMakeInputRecord(def, input->data, inputs->seaLevel, time, &inputs->records[at], &inputs->boxes[at]);
-    inputs->records[at].flags |= input->flags;
+    int at = arrays->set.recordCount++;
+    swInputRecord* record = &arrays->records[at];
+    swMakeInputRecord(def, input->data, inputs->seaLevel, time, record, &arrays->boxes[at]);
+    record->flags |= input->flags;
+    int count = 0;
+    arrays->words[at] = swGetInputWords(input->data, &count);
+    record->wordCount = (sw_uint)count;
+    arrays->sources[at] = slot;
+    arrays->functions[at] = def->function;
+    arrays->contexts[at] = def->functionContext;
+    swFindInputRange(def, input->data, &arrays->least[at], &arrays->most[at]);
+    swInputRange* range = &arrays->set.ranges[def->field];
+    range->firstRecord = range->recordCount == 0 ? (uint32_t)at : range->firstRecord;
+    range->recordCount += 1;
 }
 
-static void makeSet(swInputs* inputs, double time)
+void swFillInputArrays(const swInputs* inputs, double time, uint32_t localSystems, swInputArrays* arrays)
 {
-    swInputSet* set = &inputs->set;
+    swInputSet* set = &arrays->set;
     memset(set->ranges, 0, sizeof set->ranges);
     set->recordCount = 0;
     for (int i = 0; i < inputs->count; ++i)
     {
-        const swInput* input = swGetInputAt(inputs, i);
-        if (!counts(inputs, input))
+        if (counts(inputs, swGetInputAt(inputs, i)))
         {
-            continue;
+            addRecord(inputs, inputs->order[i], time, arrays);
         }
-        addRecord(inputs, inputs->order[i], set->recordCount, time);
-        swInputRange* range = &set->ranges[input->def.field];
-        range->firstRecord = range->recordCount == 0 ? (uint32_t)set->recordCount : range->firstRecord;
-        range->recordCount += 1;
-        set->recordCount += 1;
     }
-    set->nodeCount = swBuildInputIndex(set, inputs->boxes, inputs->items, inputs->scratch, inputs->nodes);
+    set->nodeCount = swBuildInputIndex(set, arrays->boxes, arrays->items, arrays->scratch, arrays->nodes);
     set->version += 1;
     set->wordsVersion += 1;
+    set->time = time;
+    set->localSystems = localSystems;
+    swFindSetReaches(arrays);
 }
 
 // Records that change with time alone.
 static void moveTime(swInputs* inputs, double time)
 {
+    swInputArrays* arrays = &inputs->arrays;
     bool hasChanged = false;
-    for (int i = 0; i < inputs->set.recordCount; ++i)
+    for (int i = 0; i < arrays->set.recordCount; ++i)
     {
-        const swInputDef* def = &getSlot(inputs, inputs->sources[i])->def;
+        const swInputDef* def = &getSlot(inputs, arrays->sources[i])->def;
         if (swDoesInputChange(def))
         {
-            swSetInputTime(def, time, &inputs->records[i]);
+            swSetInputTime(def, time, &arrays->records[i]);
             hasChanged = true;
         }
     }
-    inputs->set.version += hasChanged ? 1 : 0;
-}
-
-// What a record may say of a field of one number. Shapes whose values are not known here may say anything.
-static void findRange(const swInputDef* def, const swInputRecord* record, float* low, float* high)
-{
-    float value = record->value.x;
-    *low = *high = value;
-    if (def->shape == SW_SHAPE_RASTER)
+    if (hasChanged)
     {
-        float a = def->gain * def->raster->least, b = def->gain * def->raster->most;
-        *low = a == a ? value + fminf(a, b) : value;
-        *high = b == b ? value + fmaxf(a, b) : value;
+        arrays->set.version += 1;
+        swFindSetReaches(arrays);
     }
-    else if (def->shape == SW_SHAPE_POLYLINE || def->shape == SW_SHAPE_PARTICLES)
-    {
-        for (int i = 0; i < def->pointCount; ++i)
-        {
-            *low = fminf(*low, value + def->points[i].value[0]);
-            *high = fmaxf(*high, value + def->points[i].value[0]);
-        }
-    }
-    else if (def->shape == SW_SHAPE_SPLINE || def->shape == SW_SHAPE_MESH || def->shape == SW_SHAPE_FUNCTION)
-    {
-        *low = -1e6f;
-        *high = 1e6f;
-    }
-}
-
-// Between which heights still water stands, whatever is above or below another.
-static void findLevels(swInputs* inputs)
-{
-    float low = 0.0f, high = 0.0f;
-    swInputRange range = inputs->set.ranges[SW_INPUT_LEVEL];
-    for (uint32_t i = range.firstRecord; i < range.firstRecord + range.recordCount; ++i)
-    {
-        const swInputDef* def = &getSlot(inputs, inputs->sources[i])->def;
-        float least, most;
-        findRange(def, &inputs->records[i], &least, &most);
-        if (def->blend == SW_BLEND_ADD)
-        {
-            low += fminf(0.0f, def->weight * least);
-            high += fmaxf(0.0f, def->weight * most);
-            continue;
-        }
-        if (def->blend == SW_BLEND_MULTIPLY)
-        {
-            float factor = fmaxf(1.0f, fmaxf(fabsf(least), fabsf(most)));
-            float reach = factor * fmaxf(fabsf(low), fabsf(high));
-            least = -reach;
-            most = reach;
-        }
-        low = fminf(low, least);
-        high = fmaxf(high, most);
-    }
-    inputs->set.lowestLevel = low;
-    inputs->set.highestLevel = high;
+    arrays->set.time = time;
 }
 
 void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
 {
-    if (inputs->isChanged)
+    if (inputs->isChanged || localSystems != inputs->arrays.set.localSystems)
     {
-        makeSet(inputs, time);
+        showWords(inputs);
+        swFillInputArrays(inputs, time, localSystems, &inputs->arrays);
         freeDead(inputs);
         inputs->isChanged = false;
     }
-    else if (time != inputs->set.time)
+    else if (time != inputs->arrays.set.time)
     {
         moveTime(inputs, time);
     }
-    findLevels(inputs);
-    inputs->set.time = time;
-    inputs->set.localSystems = localSystems;
 }

@@ -7,6 +7,7 @@
 #include "core/base/array.h"
 #include "core/base/id_pool.h"
 #include "core/base/memory.h"
+#include "core/input/input_arrays.h"
 #include "core/input/input_record.h"
 
 typedef struct swInput
@@ -30,19 +31,9 @@ typedef struct swInputs
     bool isChanged;    // records are to be made anew
     swInputData* dead; // freed with the next step
 
-    int capacity;    // of what follows, in inputs
-    uint32_t* order; // [capacity] slots by field, order and serial
-
-    uint32_t* sources; // [capacity] slots of the records
-    swInputRecord* records;
-    const float** words;
-    swInputFunctionFcn* functions;
-    void** contexts;
-    swCellBox* boxes;
-    swIndexItem* items;
-    swIndexItem* scratch;
-    swInputNode* nodes;
-    swInputSet set;
+    uint32_t* order; // [orderCapacity] slots by field, order and serial
+    int orderCapacity;
+    swInputArrays arrays; // as the last step made them
 } swInputs;
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel);
@@ -58,7 +49,17 @@ swInput* swFindInput(const swInputs* inputs, swId id);
 swId swGetInputId(const swInputs* inputs, const swInput* input);
 swInput* swGetInputAt(const swInputs* inputs, int index); // in the order in which they join
 
+// For saved worlds: an input in a slot of its own, which is the next one; a slot that is free; an input that is as it
+// was, with the data that it has and points that were written there.
+swResult swRestoreInput(swInputs* inputs, const swInputDef* def, int slot, uint32_t generation, uint64_t serial);
+swResult swRestoreFreeSlot(swInputs* inputs, int slot, uint32_t generation);
+void swRewindInput(swInputs* inputs, swInput* input, const swInputDef* def, uint64_t serial);
+
 void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points);
 
-// Make the set of a time. `localSystems` as swInputSet has it. Allocates nothing.
+// Make the set of a time, with what was ordered since the last step, in arrays that have room for all inputs.
+// `localSystems` as swInputSet has it.
+void swFillInputArrays(const swInputs* inputs, double time, uint32_t localSystems, swInputArrays* arrays);
+
+// The world's own set, anew where something changed. Allocates nothing.
 void swStepInputs(swInputs* inputs, double time, uint32_t localSystems);

@@ -31,26 +31,42 @@ static swInputSample sampleRecord(const swInputSet* set, uint32_t at, const Plac
     return swSampleInput(set->words[at], *record, place->cellX, place->cellZ, place->restX, place->restZ, 0.0f);
 }
 
-static void joinRecord(const swInputSet* set, uint32_t at, int system, const Place* place, swInputValue* value)
+// Whether a record says something about a system's waves, of another field about anything, at a place.
+static bool isMeant(const swInputRecord* record, int system, const Place* place)
 {
-    const swInputRecord* record = &set->records[at];
-    bool isMeant =
+    bool isOfSystem =
         record->field != SW_FIELD_OF_WAVES || record->system == SW_ALL_SYSTEMS || (int)record->system == system;
     bool isHere = !place->isFar || (record->flags & SW_INPUT_IS_BOUNDLESS) != 0;
-    if (isMeant && isHere)
-    {
-        *value = swBlendInput(*record, *value, sampleRecord(set, at, place));
-    }
+    return isOfSystem && isHere;
 }
 
-static void findValue(const swInputSet* set, int field, int system, const Place* place, swInputValue* value)
+// Joins the record at `at` to what is below it.
+typedef void JoinRecord(const swInputSet* set, uint32_t at, const Place* place, void* below);
+
+static void joinValue(const swInputSet* set, uint32_t at, const Place* place, void* below)
+{
+    swInputValue* value = below;
+    *value = swBlendInput(set->records[at], *value, sampleRecord(set, at, place));
+}
+
+static void joinLooks(const swInputSet* set, uint32_t at, const Place* place, void* below)
+{
+    swWaveLooks* looks = below;
+    *looks =
+        swJoinLooks(set->words[at], set->records[at], *looks, place->cellX, place->cellZ, place->restX, place->restZ);
+}
+
+static void joinAll(const swInputSet* set, int field, int system, const Place* place, JoinRecord* join, void* below)
 {
     const swCellBox box = {place->cellX, place->cellZ, place->cellX, place->cellZ};
     uint32_t records[COLLECTED];
     int count = swCollectInputs(set, field, &box, records, COLLECTED);
     for (int i = 0; i < count && i < COLLECTED; ++i)
     {
-        joinRecord(set, records[i], system, place, value);
+        if (isMeant(&set->records[records[i]], system, place))
+        {
+            join(set, records[i], place, below);
+        }
     }
     if (count <= COLLECTED)
     {
@@ -59,22 +75,31 @@ static void findValue(const swInputSet* set, int field, int system, const Place*
     uint32_t next = swFindNextInput(set, field, &box, records[COLLECTED - 1] + 1);
     for (; next != SW_NO_RECORD; next = swFindNextInput(set, field, &box, next + 1))
     {
-        joinRecord(set, next, system, place, value);
+        if (isMeant(&set->records[next], system, place))
+        {
+            join(set, next, place, below);
+        }
     }
+}
+
+static swInputValue beginValue(const swInputSet* set, int field, int system)
+{
+    bool isLocal = field == SW_INPUT_WAVES && system >= 0 && (set->localSystems >> system & 1) != 0;
+    swInputValue value = swGetFieldBelow((sw_uint)field);
+    value.value.x = isLocal ? 0.0f : value.value.x;
+    return value;
 }
 
 void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
                        swInputValue* values)
 {
-    bool isLocal = field == SW_INPUT_WAVES && system >= 0 && (set->localSystems >> system & 1) != 0;
     for (int i = 0; i < count; ++i)
     {
-        values[i] = swGetFieldBelow((sw_uint)field);
-        values[i].value.x = isLocal ? 0.0f : values[i].value.x;
+        values[i] = beginValue(set, field, system);
         if (set->ranges[field].recordCount > 0)
         {
             Place place = findPlace(points[i]);
-            findValue(set, field, system, &place, &values[i]);
+            joinAll(set, field, system, &place, joinValue, &values[i]);
         }
     }
 }
@@ -99,9 +124,23 @@ void swFindWaterValues(const swInputSet* set, int field, int count, const swPosX
         for (; next != SW_NO_RECORD; next = swFindNextInput(set, field, &box, next + 1))
         {
             bool follows = (set->records[next].flags & SW_INPUT_FOLLOWS_WAVES) != 0;
-            joinRecord(set, next, -1, follows ? &atRest : &there, &value);
+            const Place* place = follows ? &atRest : &there;
+            if (isMeant(&set->records[next], -1, place))
+            {
+                joinValue(set, next, place, &value);
+            }
         }
         values[i] = value.value.x;
+    }
+}
+
+void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        looks[i] = (swWaveLooks){beginValue(set, SW_INPUT_WAVES, system), swBeginLooks()};
+        Place place = findPlace(points[i]);
+        joinAll(set, SW_INPUT_WAVES, system, &place, joinLooks, &looks[i]);
     }
 }
 

@@ -4,6 +4,7 @@
 // The fields that inputs make, at points in the sea. The GPU's twin is shaders/lib/inputs.glsl.
 
 #include "core/input/input_index.h"
+#include "shared/ribbon_looks.h"
 
 // Bits of a mask of fields.
 #define SW_FIELD_BIT(field) (1u << (field))
@@ -17,6 +18,9 @@ void swFindInputValues(const swInputSet* set, int field, int system, int count, 
 // where it is.
 void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
                        float* values);
+
+// A system's waves at points in the sea: the weight of those that lie as ever, and those along splines.
+void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks);
 
 // Whether any input of the fields in `mask` may say something within `reach` metres of a point.
 bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach);

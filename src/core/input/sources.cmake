@@ -3,10 +3,12 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/hull.c
     ${CMAKE_CURRENT_LIST_DIR}/hull_def.c
     ${CMAKE_CURRENT_LIST_DIR}/hull_grid.c
+    ${CMAKE_CURRENT_LIST_DIR}/input_arrays.c
     ${CMAKE_CURRENT_LIST_DIR}/input_def.c
     ${CMAKE_CURRENT_LIST_DIR}/input_index.c
     ${CMAKE_CURRENT_LIST_DIR}/input_record.c
     ${CMAKE_CURRENT_LIST_DIR}/inputs.c
+    ${CMAKE_CURRENT_LIST_DIR}/inputs_save.c
     ${CMAKE_CURRENT_LIST_DIR}/polygon.c
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_def.c

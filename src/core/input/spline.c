@@ -221,12 +221,15 @@ swResult swCreateSpline(const swHost* host, const swSplineDef* def, swSpline** s
 
 // ---- holders ----
 
-void swHoldSpline(const swSpline* spline)
+void swRetainSpline(const swSpline* spline)
 {
-    atomic_fetch_add(&((swSpline*)(uintptr_t)spline)->holderCount, 1);
+    if (spline != NULL)
+    {
+        atomic_fetch_add(&((swSpline*)(uintptr_t)spline)->holderCount, 1);
+    }
 }
 
-void swDropSpline(const swSpline* spline)
+void swReleaseSpline(const swSpline* spline)
 {
     swSpline* held = (swSpline*)(uintptr_t)spline;
     if (held != NULL && atomic_fetch_sub(&held->holderCount, 1) == 1)
@@ -237,7 +240,7 @@ void swDropSpline(const swSpline* spline)
 
 void swDestroySpline(swSpline* spline)
 {
-    swDropSpline(spline);
+    swReleaseSpline(spline);
 }
 
 // ---- asking ----
@@ -261,4 +264,14 @@ swSplineInfo swSpline_GetInfo(const swSpline* spline)
         .memory = spline->memory,
         .hash = spline->hash,
     };
+}
+
+float swGetFastestSplineFlow(const swSpline* spline)
+{
+    float most = 0.0f;
+    for (int i = 0; i < spline->def.pointCount; ++i)
+    {
+        most = fmaxf(most, fabsf(spline->points[i].flow));
+    }
+    return most;
 }

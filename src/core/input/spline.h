@@ -34,8 +34,11 @@ struct swSpline
     uint64_t hash;
 };
 
-void swHoldSpline(const swSpline* spline);
-void swDropSpline(const swSpline* spline);
+// NULL is allowed.
+void swRetainSpline(const swSpline* spline);
+void swReleaseSpline(const swSpline* spline);
+
+float swGetFastestSplineFlow(const swSpline* spline); // m/s, either way
 
 // From one point to the next.
 typedef struct swSplineSpan

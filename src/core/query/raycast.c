@@ -60,7 +60,9 @@ static float findReach(const swQuery* query)
     {
         sum += query->waves[i].amplitude;
     }
-    return 6.0f * sqrtf(variance) + sum;
+    float reach = 6.0f * sqrtf(variance) + sum;
+    const swInputSet* inputs = query->inputs;
+    return inputs == NULL ? reach : reach * inputs->weightReach + inputs->displacementReach;
 }
 
 static double findShortest(const swQuery* query)

@@ -57,6 +57,7 @@ static void useFrame(swQuery* query, const swFrame* frame)
 
 static void usePlaces(swQuery* query, const swFrame* frame)
 {
+    query->inputs = frame->inputs;
     query->lowestLevel = frame->inputs != NULL ? frame->inputs->lowestLevel : 0.0f;
     query->highestLevel = frame->inputs != NULL ? frame->inputs->highestLevel : 0.0f;
     query->clip = swHasInputs(frame->inputs, SW_INPUT_CLIP) ? frame->inputs : NULL;

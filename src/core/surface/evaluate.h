@@ -18,9 +18,10 @@ typedef struct swQuery
 {
     const swWaveKernels* kernels;
     const swQueryDef* def;
-    const swPlaces* places; // NULL: waves are the same everywhere
-    swPlaces inputPlaces;   // of the frame's inputs; `places` points to it unless a caller has others
-    swPosXZ origin;         // of the caller's coordinates, in the sea
+    const swPlaces* places;   // NULL: waves are the same everywhere
+    const swInputSet* inputs; // of the frame, or NULL
+    swPlaces inputPlaces;     // of the frame's inputs; `places` points to it unless a caller has others
+    swPosXZ origin;           // of the caller's coordinates, in the sea
     double seaLevel;
     int64_t ticks;
     bool isNow; // the tiles' texels are of that time

@@ -51,8 +51,7 @@ static void chain(const float way[4], swPointSums* own)
 }
 
 // Add a look at waves, `own`, to all.
-static void addCopy(const swPlaceBlock* block, const swShape* shape, const swCopy* copy, bool withSlopes,
-                    swPointSums* own, swPointSums* all)
+static void addCopy(const swPlaceBlock* block, const swCopy* copy, bool withSlopes, swPointSums* own, swPointSums* all)
 {
     for (int i = 0; i < block->count; ++i)
     {
@@ -60,9 +59,9 @@ static void addCopy(const swPlaceBlock* block, const swShape* shape, const swCop
         {
             chain(copy->way[i], &own[i]);
         }
-        if (shape->isTurned)
+        if (copy->warps != NULL)
         {
-            turn(&block->warps[i], withSlopes, &own[i]);
+            turn(&copy->warps[i], withSlopes, &own[i]);
         }
         float weight = copy->weight[i];
         for (int c = 0; c < 8; ++c)
@@ -141,7 +140,7 @@ static void addGroup(const swQuery* query, const swWaveGroup* group, int field, 
     {
         memset(own, 0, sizeof own);
         look(query, group, field, block->count, shape.copies[i].source, withSlopes, own);
-        addCopy(block, &shape, &shape.copies[i], withSlopes, own, all);
+        addCopy(block, &shape.copies[i], withSlopes, own, all);
     }
 }
 

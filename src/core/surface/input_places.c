@@ -11,11 +11,12 @@ static uint32_t findFields(uint32_t touches)
 {
     return ((touches & SW_TOUCHES_LEVEL) != 0 ? SW_FIELD_BIT(SW_INPUT_LEVEL) : 0) |
            ((touches & SW_TOUCHES_DEPTH) != 0 ? SW_FIELD_BIT(SW_INPUT_FLOOR) : 0) |
-           ((touches & SW_TOUCHES_WEIGHT) != 0 ? SW_FIELD_BIT(SW_INPUT_WAVES) : 0) |
+           ((touches & (SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP)) != 0 ? SW_FIELD_BIT(SW_INPUT_WAVES) : 0) |
            ((touches & SW_TOUCHES_FLOW) != 0 ? SW_FIELD_BIT(SW_INPUT_FLOW) : 0);
 }
 
-static const uint32_t allTouches[4] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT, SW_TOUCHES_FLOW};
+static const uint32_t allTouches[4] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP,
+                                       SW_TOUCHES_FLOW};
 
 static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points)
 {
@@ -94,7 +95,63 @@ static void findWeight(const void* context, int system, int64_t ticks, int count
                        float (*gradients)[2])
 {
     (void)ticks;
-    findNumbers(context, SW_INPUT_WAVES, system, count, points, values, gradients);
+    const swInputSet* set = context;
+    if ((set->ribbonSystems >> system & 1u) == 0)
+    {
+        findNumbers(set, SW_INPUT_WAVES, system, count, points, values, gradients);
+        return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+        swWaveLooks looks;
+        swFindWaveLooks(set, system, 1, &points[i], &looks);
+        values[i] = looks.plain.value.x;
+        gradients[i][0] = looks.plain.alongX.x;
+        gradients[i][1] = looks.plain.alongZ.x;
+    }
+}
+
+static swWarp makeWarp(const swRibbonLook* look, swPosXZ point)
+{
+    if (look->weight.value == 0.0f && look->weight.alongX == 0.0f && look->weight.alongZ == 0.0f)
+    {
+        return (swWarp){.source = point, .cosine = 1.0f};
+    }
+    const swRibbonSource* from = &look->source;
+    return (swWarp){
+        .weight = look->weight.value,
+        .alongX = look->weight.alongX,
+        .alongZ = look->weight.alongZ,
+        .source = {(double)from->cellX * (double)SW_QUERY_CELL + (double)from->restX,
+                   (double)from->cellZ * (double)SW_QUERY_CELL + (double)from->restZ},
+        .gradients = {from->way.x, from->way.y, from->way.z, from->way.w},
+        .cosine = from->cosine,
+        .sine = from->sine,
+        .turnX = from->turnX,
+        .turnZ = from->turnZ,
+    };
+}
+
+static int findWarps(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
+                     swWarp (*warps)[SW_PLACE_BLOCK])
+{
+    (void)ticks;
+    const swInputSet* set = context;
+    if ((set->ribbonSystems >> system & 1u) == 0)
+    {
+        return 0;
+    }
+    int warpCount = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        swWaveLooks looks;
+        swFindWaveLooks(set, system, 1, &points[i], &looks);
+        warps[0][i] = makeWarp(&looks.ribbons.first, points[i]);
+        warps[1][i] = makeWarp(&looks.ribbons.second, points[i]);
+        warpCount = warps[0][i].weight != 0.0f && warpCount < 1 ? 1 : warpCount;
+        warpCount = warps[1][i].weight != 0.0f ? 2 : warpCount;
+    }
+    return warpCount;
 }
 
 static void findFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
@@ -142,6 +199,7 @@ bool swMakeInputPlaces(const swInputSet* set, swPlaces* places)
     places->depth = hasFloor ? findDepth : NULL;
     places->attenuate = hasFloor ? attenuate : NULL;
     places->weight = swHasInputs(set, SW_INPUT_WAVES) ? findWeight : NULL;
+    places->warps = set->ribbonSystems != 0 ? findWarps : NULL;
     places->flow = swHasInputs(set, SW_INPUT_FLOW) ? findFlow : NULL;
     return places->level != NULL || hasFloor || places->weight != NULL || places->flow != NULL ||
            set->localSystems != 0;

@@ -10,7 +10,7 @@ uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, c
 {
     uint32_t there = (places->level != NULL ? SW_TOUCHES_LEVEL : 0) |
                      (places->depth != NULL && places->attenuate != NULL ? SW_TOUCHES_DEPTH : 0) |
-                     (places->weight != NULL ? SW_TOUCHES_WEIGHT : 0) | (places->warp != NULL ? SW_TOUCHES_WARP : 0) |
+                     (places->weight != NULL ? SW_TOUCHES_WEIGHT : 0) | (places->warps != NULL ? SW_TOUCHES_WARP : 0) |
                      (places->flow != NULL ? SW_TOUCHES_FLOW : 0);
     bool isAsked = there != 0 && places->touched != NULL;
     return isAsked ? there & places->touched(places->context, ticks, count, points) : there;
@@ -100,8 +100,9 @@ static void findSystem(swPlaceBlock* block, int system)
     const swPlaces* places = block->places;
     block->system = system;
     findWeights(block, system);
-    block->isWarped = !block->isGone && (block->touched & SW_TOUCHES_WARP) != 0 &&
-                      places->warp(places->context, system, block->ticks, block->count, block->rest, block->warps);
+    block->warpCount = (block->touched & SW_TOUCHES_WARP) != 0 ? places->warps(places->context, system, block->ticks,
+                                                                               block->count, block->rest, block->warps)
+                                                               : 0;
 }
 
 // ---- groups of waves ----
@@ -140,18 +141,19 @@ static bool isAttenuated(const swPlaceBlock* block, const swWaveGroup* group)
 bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group)
 {
     findSystem(block, group->system);
-    return !block->isGone && !block->isWeighted && !block->isWarped && (block->touched & SW_TOUCHES_FLOW) == 0 &&
+    return !block->isGone && !block->isWeighted && block->warpCount == 0 && (block->touched & SW_TOUCHES_FLOW) == 0 &&
            !isAttenuated(block, group);
 }
 
 static bool isPointWarped(const swPlaceBlock* block, int i)
 {
-    const swWarp* warp = &block->warps[i];
-    const swPosXZ* rest = &block->rest[i];
-    const float* g = warp->gradients;
-    return block->isWarped &&
-           (warp->source.x != rest->x || warp->source.z != rest->z || g[0] != 0.0f || g[1] != 0.0f || g[2] != 0.0f ||
-            g[3] != 0.0f || warp->cosine != 1.0f || warp->turnX != 0.0f || warp->turnZ != 0.0f);
+    bool isWarped = false;
+    for (int w = 0; w < block->warpCount; ++w)
+    {
+        const swWarp* warp = &block->warps[w][i];
+        isWarped = isWarped || warp->weight != 0.0f || warp->alongX != 0.0f || warp->alongZ != 0.0f;
+    }
+    return isWarped;
 }
 
 static bool isPointPlain(const swPlaceBlock* block, const swWaveGroup* group, int i)
@@ -184,18 +186,29 @@ bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPl
     return areAll;
 }
 
-static void placeCopy(const swPlaceBlock* block, swCopy* copy)
+static void placePlain(const swPlaceBlock* block, swCopy* copy)
 {
+    memset(copy->way, 0, sizeof copy->way);
+    copy->warps = NULL;
     for (int i = 0; i < block->count; ++i)
     {
-        copy->source[i] = block->isWarped ? block->warps[i].source : block->rest[i];
+        copy->source[i] = block->rest[i];
         copy->weight[i] = block->isWeighted ? block->weight[i] : 1.0f;
         copy->alongX[i] = block->isWeighted ? block->weightGradients[i][0] : 0.0f;
         copy->alongZ[i] = block->isWeighted ? block->weightGradients[i][1] : 0.0f;
-        for (int g = 0; g < 4; ++g)
-        {
-            copy->way[i][g] = block->isWarped ? block->warps[i].gradients[g] : 0.0f;
-        }
+    }
+}
+
+static void placeWarped(const swPlaceBlock* block, const swWarp* warps, swCopy* copy)
+{
+    copy->warps = warps;
+    for (int i = 0; i < block->count; ++i)
+    {
+        copy->source[i] = warps[i].source;
+        copy->weight[i] = warps[i].weight;
+        copy->alongX[i] = warps[i].alongX;
+        copy->alongZ[i] = warps[i].alongZ;
+        memcpy(copy->way[i], warps[i].gradients, sizeof copy->way[i]);
     }
 }
 
@@ -218,18 +231,20 @@ void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape)
 {
     findSystem(block, group->system);
     bool isDeep = !isAttenuated(block, group);
-    shape->copyCount = block->isGone ? 0 : 1;
-    shape->isTurned = block->isWarped;
-    shape->isPlain = shape->copyCount == 1 && isDeep && !block->isWeighted && !block->isWarped &&
-                     !(block->touched & SW_TOUCHES_FLOW);
-    if (shape->copyCount == 0)
+    shape->copyCount = 0;
+    if (!block->isGone)
     {
-        return;
+        placePlain(block, &shape->copies[shape->copyCount++]);
     }
-    placeCopy(block, &shape->copies[0]);
-    if (!isDeep)
+    for (int w = 0; w < block->warpCount; ++w)
     {
-        attenuate(block, group, &shape->copies[0]);
+        placeWarped(block, block->warps[w], &shape->copies[shape->copyCount++]);
+    }
+    shape->isPlain =
+        !block->isGone && block->warpCount == 0 && isDeep && !block->isWeighted && !(block->touched & SW_TOUCHES_FLOW);
+    for (int i = 0; i < shape->copyCount && !isDeep; ++i)
+    {
+        attenuate(block, group, &shape->copies[i]);
     }
 }
 

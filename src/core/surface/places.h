@@ -10,6 +10,9 @@
 
 #include "core/waves/waves_fft.h"
 
+// Points whose places are found together. Few, because everything about them lies on the stack.
+#define SW_PLACE_BLOCK 16
+
 // Fields of swPlaces, as bits.
 #define SW_TOUCHES_LEVEL 1u
 #define SW_TOUCHES_DEPTH 2u
@@ -30,18 +33,24 @@ typedef void swFindField(const void* context, int system, int64_t ticks, int cou
 typedef void swFindFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
                         float (*gradients)[4]);
 
-// Coordinates of a system's own, such as along a spline and across it: where its waves are looked up for a point.
+// Most sets of coordinates that a system has at a point beside the sea's, such as along and across splines.
+#define SW_MAX_WARPS 2
+
+// Coordinates of a system's own: where its waves are looked up once more for a point, and how much of them counts.
 typedef struct swWarp
 {
+    float weight;
+    float alongX, alongZ; // of the weight
     swPosXZ source;
     float gradients[4]; // of source - point: of its x along x and z, then of its z
     float cosine, sine; // of the angle by which the own x axis is turned from the sea's x axis towards z
     float turnX, turnZ; // gradient of that angle, rad/m
 } swWarp;
 
-// False if the system has no coordinates of its own at these points; then nothing is written.
-typedef bool swFindWarp(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
-                        swWarp* warps);
+// How many of `warps` say something at any of the points; where one does not, its weight is 0 and its source is the
+// point.
+typedef int swFindWarps(const void* context, int system, int64_t ticks, int count, const swPosXZ* points,
+                        swWarp (*warps)[SW_PLACE_BLOCK]);
 
 typedef struct swWaveGroup swWaveGroup;
 
@@ -58,13 +67,10 @@ typedef struct swPlaces
     swFindField* level;     // of still water above sea level, m
     swFindField* depth;     // of still water, m; with `attenuate`
     swFindField* weight;    // of each system's waves
-    swFindWarp* warp;       // of each system's waves
+    swFindWarps* warps;     // of each system's waves, beside those of `weight`
     swFindFlow* flow;       // carries waves
     swAttenuate* attenuate; // of waves of an octave by a wave number in its middle
 } swPlaces;
-
-// Points whose places are found together. Few, because everything about them lies on the stack.
-#define SW_PLACE_BLOCK 16
 
 // Waves of an octave that are shaped alike: a tile, or free waves.
 struct swWaveGroup
@@ -79,19 +85,22 @@ struct swWaveGroup
 // One look at waves: where, and how much of them counts.
 typedef struct swCopy
 {
+    const swWarp* warps; // by which sideways displacement is turned, or NULL
     swPosXZ source[SW_PLACE_BLOCK];
     float way[SW_PLACE_BLOCK][4]; // gradients of source - rest
     float weight[SW_PLACE_BLOCK];
     float alongX[SW_PLACE_BLOCK], alongZ[SW_PLACE_BLOCK]; // of the weight
 } swCopy;
 
+// Plainly and by warps, each twice where a flow carries waves.
+#define SW_MAX_COPIES (2 * (1 + SW_MAX_WARPS))
+
 // What shapes waves at some points.
 typedef struct swShape
 {
-    int copyCount; // 0: none of the waves are there; 2: a flow carries them
+    int copyCount; // 0: none of the waves are there
     bool isPlain;  // one copy, as the waves are
-    bool isTurned; // sideways displacement is, by the warps of the block
-    swCopy copies[2];
+    swCopy copies[SW_MAX_COPIES];
 } swShape;
 
 // Begin with the points (at most SW_PLACE_BLOCK), then ask for one shape after another.
@@ -110,10 +119,11 @@ typedef struct swPlaceBlock
     float flowGradients[SW_PLACE_BLOCK][4];
     // Of a system that was asked about last.
     int system;
-    bool isGone, isWeighted, isWarped;
+    bool isGone, isWeighted; // of the waves without warps
+    int warpCount;
     float weight[SW_PLACE_BLOCK];
     float weightGradients[SW_PLACE_BLOCK][2];
-    swWarp warps[SW_PLACE_BLOCK];
+    swWarp warps[SW_MAX_WARPS][SW_PLACE_BLOCK];
 } swPlaceBlock;
 
 void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKernels* kernels, int64_t ticks, int count,

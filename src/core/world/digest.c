@@ -11,6 +11,8 @@
 //
 // Zones are there with their simulated fields, which have a past: what they are now decides what they will be.
 //
+// Inputs are there by their defs and the hashes of what they use, in the order in which they join.
+//
 // Not part of it are the origin, views and their foam, and handles: each machine has its own.
 //
 // The digest is made when it is asked for, not in every step: hashing 14 tiles of 128 x 128 takes about a third of the
@@ -54,6 +56,11 @@ uint64_t swHashWorld(const swWorld* world)
         swAddHashFreeWave(&hash, &frame->waves[i]);
     }
     swAddHashWind(&hash, &world->wind, frame->ticks);
+    swHashInputs(&hash, &world->inputs);
+    if (swFindLocalSystems(world) != 0)
+    {
+        swAddHash(&hash, swFindLocalSystems(world));
+    }
     swHashZones(&hash, world);
     return swEndHash(&hash);
 }

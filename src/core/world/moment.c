@@ -12,9 +12,10 @@
 #include "core/base/hash.h"
 #include "core/base/host.h"
 #include "core/input/wind.h"
+#include "core/world/moment_inputs.h"
 
 #define MOMENT_MARK 0x544e454d4f4d5753u // "SWMOMENT"
-#define MOMENT_VERSION 2u
+#define MOMENT_VERSION 3u
 #define ALIGNMENT 64
 
 // Of any legal tile, m.
@@ -37,7 +38,7 @@ typedef struct Head
     float gravity;
     int32_t tileCount, waveCount;
     swWind wind;
-    uint64_t tiles, waves; // offsets
+    uint64_t tiles, waves, inputs; // offsets
 } Head;
 
 typedef struct StoredTile
@@ -110,12 +111,12 @@ static size_t getShownSize(const swWaves* waves, const swShown* shown, int* tile
 }
 
 // A mix has all waves of what it becomes.
-size_t swFindMomentSize(const swWaves* waves)
+size_t swFindMomentSize(const swWaves* waves, const swInputs* inputs)
 {
     swShown shown;
     int tileCount, waveCount;
     swFindShown(waves, 0.0, INT64_MIN / 2, &shown); // before any change that is under way
-    return getShownSize(waves, &shown, &tileCount, &waveCount);
+    return getShownSize(waves, &shown, &tileCount, &waveCount) + swFindStoredInputsSize(inputs);
 }
 
 // ---- making ----
@@ -223,7 +224,7 @@ void swSignMoment(void* block)
 }
 
 // The head, last: what stands behind it is there.
-static void writeHead(swOwnMoment* moment)
+static void writeHead(swOwnMoment* moment, uint64_t inputs)
 {
     const swTileList* list = &moment->list;
     const swWindFrame* wind = &moment->frame.windField;
@@ -246,6 +247,7 @@ static void writeHead(swOwnMoment* moment)
         .wind = {.from = wind->fromDef, .to = wind->toDef, .begin = wind->begin, .length = wind->length},
         .tileCount = list->tileCount,
         .waveCount = list->waveCount,
+        .inputs = inputs,
         .tiles = roundUp(sizeof(Head)),
         .waves = roundUp(sizeof(Head)) + roundUp((size_t)list->tileCount * sizeof(StoredTile)),
     };
@@ -268,8 +270,9 @@ static void writeHead(swOwnMoment* moment)
     swSignMoment(block);
 }
 
-static swResult reserve(swOwnMoment* moment, const swWaves* waves, size_t needed)
+static swResult reserve(swOwnMoment* moment, const swMomentSource* source, size_t needed)
 {
+    const swWaves* waves = source->waves;
     if (moment->scratchSize < waves->scratchSize)
     {
         void* scratch = swAllocate(&moment->host, waves->scratchSize);
@@ -292,7 +295,7 @@ static swResult reserve(swOwnMoment* moment, const swWaves* waves, size_t needed
                       "a moment of the world takes %zu bytes; its memory has %zu (swWorld_GetMomentSize())", needed,
                       moment->memorySize);
     }
-    size_t size = swFindMomentSize(waves);
+    size_t size = swFindMomentSize(waves, source->inputs);
     size = size > needed ? size : needed;
     void* memory = swAllocate(&moment->host, size);
     if (memory == NULL)
@@ -311,25 +314,27 @@ static void showList(swOwnMoment* moment)
     moment->frame.tiles = moment->list.tiles;
     moment->frame.waveCount = moment->list.waveCount;
     moment->frame.waves = moment->list.waves;
+    moment->frame.inputs = &moment->inputs.set;
 }
 
 swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double time)
 {
     const swWaves* waves = source->waves;
-    if (source->frame->inputs->recordCount > 0)
-    {
-        return swFail(source->host, SW_ERROR_UNSUPPORTED, "a moment cannot hold inputs yet, and the world has some");
-    }
     int64_t ticks = (int64_t)floor(time * SW_TICKS_PER_SECOND + 0.5);
     swShown shown;
     swFindShown(waves, time, ticks, &shown);
     int tileCount, waveCount;
-    size_t needed = getShownSize(waves, &shown, &tileCount, &waveCount);
-    swResult result = reserve(moment, waves, needed);
+    size_t waveSize = getShownSize(waves, &shown, &tileCount, &waveCount);
+    if (!swReserveInputArrays(&moment->host, &moment->inputs, source->inputs->count))
+    {
+        return swFail(&moment->host, SW_ERROR_NO_MEMORY, "no memory for a moment's %d inputs", source->inputs->count);
+    }
+    swResult result = reserve(moment, source, waveSize + swFindStoredInputsSize(source->inputs));
     if (result != SW_SUCCESS)
     {
         return result;
     }
+    swFillInputArrays(source->inputs, time, source->localSystems, &moment->inputs);
     swClearTileList(&moment->list);
     Fill fill = {.moment = moment, .waves = waves, .ticks = ticks, .at = getHeadSize(tileCount, waveCount)};
     for (int i = 0; i < shown.count; ++i)
@@ -353,9 +358,10 @@ swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double t
         .gravity = source->frame->gravity,
         .windField = source->frame->windField,
     };
-    moment->usedSize = fill.at;
+    swStoreInputs(&moment->inputs, (char*)moment->memory + fill.at);
+    moment->usedSize = fill.at + swGetStoredInputsSize(&moment->inputs.set);
     showList(moment);
-    writeHead(moment);
+    writeHead(moment, fill.at);
     return SW_SUCCESS;
 }
 
@@ -401,6 +407,7 @@ void swFreeMoment(swOwnMoment* moment)
 {
     swHost host = moment->host;
     swFree(&host, moment->scratch, moment->scratchSize);
+    swFreeInputArrays(&host, &moment->inputs);
     if (moment->isAllocated)
     {
         swFree(&host, moment->memory, moment->memorySize);
@@ -526,10 +533,19 @@ swResult swMapMomentBlock(const swHost* host, const void* memory, size_t size, s
     moment->memorySize = size;
     moment->usedSize = (size_t)head.size;
     moment->isMapped = true;
-    if (!mapTiles(moment, &head))
+    int inputCount = 0;
+    const char* inputs = findPlace(moment, head.inputs, 1);
+    bool areInputsGood =
+        inputs != NULL && swCheckStoredInputs(inputs, moment->usedSize - (size_t)head.inputs, &inputCount);
+    if (!mapTiles(moment, &head) || !areInputsGood)
     {
         swFreeMoment(moment);
         return refuse(host, "holds a state that cannot be");
+    }
+    if (!swReserveInputArrays(host, &moment->inputs, inputCount))
+    {
+        swFreeMoment(moment);
+        return swFail(host, SW_ERROR_NO_MEMORY, "no memory for a moment's %d inputs", inputCount);
     }
     moment->list.waveCount = head.waveCount;
     memcpy(moment->list.waves, (const char*)memory + head.waves, (size_t)head.waveCount * sizeof(swFreeWave));
@@ -544,6 +560,7 @@ swResult swMapMomentBlock(const swHost* host, const void* memory, size_t size, s
     };
     swDeriveWind(&head.wind, head.ticks, &moment->frame.windField);
     showList(moment);
+    swMapStoredInputs((const char*)memory + head.inputs, &moment->inputs);
     *momentOut = moment;
     return SW_SUCCESS;
 }

@@ -4,6 +4,7 @@
 // The water at one time, as queries see it, and moments with memory of their own. See moment.c.
 
 #include "core/frame/frame.h"
+#include "core/input/inputs.h"
 #include "core/waves/waves.h"
 #include "seaway/moment.h"
 
@@ -34,6 +35,8 @@ typedef struct swOwnMoment
     bool isAllocated; // by the moment
     bool isMapped;    // and only read
 
+    swInputArrays inputs; // its words are in the block
+
     void* scratch;
     size_t scratchSize;
     swBandModes bands[SW_SET_TILES]; // of the set that is being listed
@@ -41,15 +44,17 @@ typedef struct swOwnMoment
 } swOwnMoment;
 
 // At most so many bytes, whatever the time.
-size_t swFindMomentSize(const swWaves* waves);
+size_t swFindMomentSize(const swWaves* waves, const swInputs* inputs);
 
 // What a moment is made of. `frame` is the world's, for all but the waves and the time.
 typedef struct swMomentSource
 {
     const swHost* host;
     const swWaves* waves;
+    const swInputs* inputs;
     const swFrame* frame;
     swPosXZ origin;
+    uint32_t localSystems; // see swInputSet
 } swMomentSource;
 
 swResult swMakeMoment(const swMomentSource* source, const swMomentDef* def, swOwnMoment** moment);

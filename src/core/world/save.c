@@ -90,16 +90,11 @@ static void finishReading(swWorld* world, const Clocks* clocks, const swPos last
     world->waves.isChanged = clocks->isChanged;
 }
 
-swResult swStreamState(swWorld* world, swStream* stream)
+swResult swStreamState(swWorld* world, swStream* stream, const swRestoreDef* find)
 {
     Clocks clocks = getClocks(world);
     swSetList list = {0};
     swPos last[SW_MAX_VIEWS];
-    if (world->inputs.count > 0)
-    {
-        return swFail(&world->host, SW_ERROR_UNSUPPORTED,
-                      "a saved world cannot hold inputs yet, and the world has some");
-    }
     streamClocks(stream, world, &clocks);
     if (stream->isBroken)
     {
@@ -123,6 +118,7 @@ swResult swStreamState(swWorld* world, swStream* stream)
     {
         swReleaseSet(&world->waves, list.sets[i]);
     }
+    result = result == SW_SUCCESS ? swStreamInputs(&world->inputs, stream, find) : result;
     result = result == SW_SUCCESS ? swStreamViews(world, stream, last) : result;
     result = result == SW_SUCCESS ? swStreamZones(world, stream) : result;
     if (result == SW_SUCCESS && swIsReading(stream))
@@ -147,7 +143,7 @@ typedef struct Rewind
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swViewState views[SW_MAX_VIEWS];
     size_t layers[SW_MAX_VIEWS]; // where they are in the stream
-    size_t zones;                // likewise
+    size_t inputs, zones;        // likewise
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -187,6 +183,15 @@ static swResult readViews(const swWorld* world, swStream* stream, Rewind* rewind
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
 
+static swResult findInputs(const swWorld* world, swStream* stream)
+{
+    swResult result = swCheckInputs(&world->inputs, stream);
+    return result != SW_ERROR_UNSUPPORTED
+               ? result
+               : failRewind(world, "an input that it had then is gone, or has another shape, raster, function or room "
+                                   "for points");
+}
+
 static swResult findZones(const swWorld* world, swStream* stream)
 {
     swResult result = swCheckZones(world, stream);
@@ -209,6 +214,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
         swSetViewState(view, &rewind->views[i]);
         last[i] = rewind->views[i].last;
     }
+    swStream inputs = *stream;
+    inputs.at = rewind->inputs;
+    swRewindInputs(&world->inputs, &inputs);
     swStream zones = *stream;
     zones.at = rewind->zones;
     swReadZones(world, &zones);
@@ -226,7 +234,9 @@ swResult swRewindState(swWorld* world, swStream* stream)
         return result;
     }
     streamSystems(stream, &rewind.sets, &rewind.ids, rewind.systems);
-    result = stream->isBroken ? SW_ERROR_FORMAT : readViews(world, stream, &rewind);
+    rewind.inputs = stream->at;
+    result = stream->isBroken ? SW_ERROR_FORMAT : findInputs(world, stream);
+    result = result == SW_SUCCESS ? readViews(world, stream, &rewind) : result;
     rewind.zones = stream->at;
     result = result == SW_SUCCESS ? findZones(world, stream) : result;
     bool isFine = stream->at == stream->size && swIsWithinLimits(&world->waves, rewind.systems);

@@ -3,6 +3,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/digest.c
     ${CMAKE_CURRENT_LIST_DIR}/layer_makers.c
     ${CMAKE_CURRENT_LIST_DIR}/moment.c
+    ${CMAKE_CURRENT_LIST_DIR}/moment_inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/save.c
     ${CMAKE_CURRENT_LIST_DIR}/step.c
     ${CMAKE_CURRENT_LIST_DIR}/view.c

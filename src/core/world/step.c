@@ -14,7 +14,7 @@ void swSetFrameTime(swWorld* world, double time, double dt)
 }
 
 // Slots of systems whose waves are only where an input says so.
-static uint32_t findLocalSystems(const swWorld* world)
+uint32_t swFindLocalSystems(const swWorld* world)
 {
     uint32_t systems = 0;
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
@@ -29,7 +29,7 @@ static uint32_t findLocalSystems(const swWorld* world)
 // here has a past.
 void swDeriveWater(swWorld* world)
 {
-    swStepInputs(&world->inputs, world->frame.time, findLocalSystems(world));
+    swStepInputs(&world->inputs, world->frame.time, swFindLocalSystems(world));
     swStepWaterBodies(&world->waterBodies, &world->frame);
     swDeriveWaves(&world->waves, &world->frame);
     swDeriveWorldWind(world);

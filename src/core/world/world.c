@@ -19,7 +19,7 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     swBeginInputs(&world->inputs, &world->memory, &world->systemIds, def->seaLevel);
     swBeginWaterBodies(&world->waterBodies, &world->inputs);
     world->frame = (swFrame){
-        .inputs = &world->inputs.set,
+        .inputs = &world->inputs.arrays.set,
         .seaLevel = def->seaLevel,
         .gravity = def->gravity,
         .foam = def->foam,

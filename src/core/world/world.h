@@ -8,6 +8,7 @@
 #include "core/base/memory.h"
 #include "core/base/stream.h"
 #include "core/frame/frame.h"
+#include "core/input/inputs_save.h"
 #include "core/input/water_bodies.h"
 #include "core/input/wind.h"
 #include "core/lod/layer_stack.h"
@@ -96,13 +97,14 @@ void swPlanLayers(const swWorld* world, const swLayerStack* layers, swStackFrame
 void swMakeFrameLayers(const swWorld* world, swLayerStack* layers, swStackFrame* stack);
 
 // step.c: a step advances what has a past, and derives the water of its time, which has none.
+uint32_t swFindLocalSystems(const swWorld* world); // as swInputSet has them
 void swSetFrameTime(swWorld* world, double time, double dt);
 void swDeriveWater(swWorld* world);
 void swStepWorld(swWorld* world, double dt);
 void swStepWorldTo(swWorld* world, double time);
 
 // save.c
-swResult swStreamState(swWorld* world, swStream* stream); // everything but the def
+swResult swStreamState(swWorld* world, swStream* stream, const swRestoreDef* find); // everything but the def
 swResult swRewindState(swWorld* world, swStream* stream); // the same, read into a world that has all of the waves
 
 // digest.c

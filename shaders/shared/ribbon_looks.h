@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// How a system's waves are looked up at a place where some of them run along splines: plainly, and in the coordinates
+// of ribbons. Records join in their order; what lies above takes away from all below, as it does from any field.
+#ifndef SW_SHARED_RIBBON_LOOKS_H
+#define SW_SHARED_RIBBON_LOOKS_H
+#include "input_shapes.h"
+
+// Waves in the coordinates of a ribbon.
+SW_PARAMS(swRibbonLook)
+{
+    swInputChannel weight; // by x and z of the sea
+    swRibbonSource source;
+};
+
+// Where more than two overlap, the two of the most weight count. Those that are not there have no weight.
+SW_PARAMS(swRibbonLooks)
+{
+    swRibbonLook first, second;
+};
+
+SW_FORMULA swRibbonLook swBeginLook(void)
+{
+    swRibbonLook look;
+    look.weight = swKeepChannel(0.0f);
+    look.source.cellX = 0;
+    look.source.cellZ = 0;
+    look.source.restX = 0.0f;
+    look.source.restZ = 0.0f;
+    look.source.way = swNoValue();
+    look.source.cosine = 1.0f;
+    look.source.sine = 0.0f;
+    look.source.turnX = 0.0f;
+    look.source.turnZ = 0.0f;
+    return look;
+}
+
+SW_FORMULA swRibbonLooks swBeginLooks(void)
+{
+    swRibbonLooks looks;
+    looks.first = swBeginLook();
+    looks.second = swBeginLook();
+    return looks;
+}
+
+SW_FORMULA swRibbonLooks swAddLook(swRibbonLooks looks, swRibbonLook look)
+{
+    if (look.weight.value > looks.first.weight.value)
+    {
+        looks.second = looks.first;
+        looks.first = look;
+    }
+    else if (look.weight.value > looks.second.weight.value)
+    {
+        looks.second = look;
+    }
+    return looks;
+}
+
+// What a record leaves of waves below it that are not its own to change.
+SW_FORMULA swInputChannel swLeaveBelow(swInputRecord record, swInputSample s)
+{
+    swInputChannel one = swKeepChannel(1.0f);
+    swInputChannel share = swMakeChannel(s.share, s.shareX, s.shareZ);
+    if (record.blend == SW_JOIN_ALPHA)
+    {
+        return swMixChannels(one, swKeepChannel(0.0f), share);
+    }
+    if (record.blend == SW_JOIN_MULTIPLY)
+    {
+        return swMixChannels(one, swMakeChannel(s.value.x, s.valueX.x, s.valueZ.x), share);
+    }
+    if (record.blend == SW_JOIN_REPLACE && s.share > 0.0f)
+    {
+        return swKeepChannel(0.0f);
+    }
+    return one;
+}
+
+// Waves of a record that run along its spline, at a place in its own coordinates.
+SW_FORMULA swRibbonLooks swLookAlong(SW_WORDS words, swInputRecord record, swRibbonLooks looks, float x, float z)
+{
+    swRibbonWaves waves = swFindRibbonWaves(words, record, x, z);
+    if (waves.share.value <= 0.0f)
+    {
+        return looks;
+    }
+    swInputChannel weight = swScaleChannel(waves.share, record.weight * (record.value.x + record.gain));
+    float seam = SW_WORD(words, SW_RIBBON_SEAM);
+    bool isSeam = seam > 0.0f && swMeasureAlong(words, waves.foot).value < seam;
+    for (int lap = 0; lap < (isSeam ? 2 : 1); ++lap)
+    {
+        swRibbonLook look;
+        look.weight = weight;
+        if (isSeam)
+        {
+            look.weight = swMultiplyChannels(weight, swCrossSeam(words, waves.foot, lap == 1));
+        }
+        sw_vec2 turned = swTurnInputGradient(record, look.weight.alongX, look.weight.alongZ);
+        look.weight.alongX = turned.x;
+        look.weight.alongZ = turned.y;
+        look.source = swPlaceRibbonWaves(words, record, waves.foot, record.part0, record.part1, SW_FLOAT(lap));
+        looks = swAddLook(looks, look);
+    }
+    return looks;
+}
+
+// A system's waves at a place: the weight of those that lie as ever, and the others.
+SW_PARAMS(swWaveLooks)
+{
+    swInputValue plain;
+    swRibbonLooks ribbons;
+};
+
+// A record of waves joins them, at a place in cells.
+SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, swWaveLooks looks, sw_int cellX, sw_int cellZ,
+                                   float restX, float restZ)
+{
+    swInputSample s = swSampleInput(words, record, cellX, cellZ, restX, restZ, 0.0f);
+    if (s.share <= 0.0f)
+    {
+        return looks;
+    }
+    swInputChannel left = swLeaveBelow(record, s);
+    looks.ribbons.first.weight = swMultiplyChannels(looks.ribbons.first.weight, left);
+    looks.ribbons.second.weight = swMultiplyChannels(looks.ribbons.second.weight, left);
+    if ((record.flags & SW_INPUT_ALONG_SPLINE) == 0u)
+    {
+        looks.plain = swBlendInput(record, looks.plain, s);
+        return looks;
+    }
+    swInputChannel plain =
+        swMultiplyChannels(swMakeChannel(looks.plain.value.x, looks.plain.alongX.x, looks.plain.alongZ.x), left);
+    looks.plain.value.x = plain.value;
+    looks.plain.alongX.x = plain.alongX;
+    looks.plain.alongZ.x = plain.alongZ;
+    sw_vec2 own = swPlaceInInput(record, cellX, cellZ, restX, restZ);
+    looks.ribbons = swLookAlong(words, record, looks.ribbons, own.x, own.y);
+    return looks;
+}
+#endif

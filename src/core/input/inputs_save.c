@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// What is saved of an input is its def, its points, and the hashes of what it uses: a raster of a gigabyte stays where
+// it is.
+
+#include "core/input/inputs_save.h"
+
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/input/hull.h"
+#include "core/input/input_def.h"
+#include "core/input/raster.h"
+#include "core/input/spline.h"
+
+typedef struct Saved
+{
+    bool isUsed;
+    uint32_t generation;
+    uint64_t serial;
+    swInputDef def;                          // without pointers
+    uint64_t raster, hull, spline, function; // hashes, 0: none
+} Saved;
+
+static Saved getSaved(const swInput* input)
+{
+    const swInputDef* def = &input->def;
+    return (Saved){
+        .isUsed = input->isUsed,
+        .generation = input->generation,
+        .serial = input->serial,
+        .def = *def,
+        .raster = input->isUsed && def->raster != NULL ? def->raster->hash : 0,
+        .hull = input->isUsed && def->hull != NULL ? def->hull->hash : 0,
+        .spline = input->isUsed && def->spline != NULL ? def->spline->hash : 0,
+        .function = def->functionFingerprint,
+    };
+}
+
+static void streamSaved(swStream* stream, Saved* saved)
+{
+    swStreamBool(stream, &saved->isUsed);
+    swStreamU32(stream, &saved->generation);
+    if (!saved->isUsed)
+    {
+        return;
+    }
+    swStreamU64(stream, &saved->serial);
+    swStreamDef(stream, &swInputFields, &saved->def);
+    swStreamI32(stream, &saved->def.system.index1);
+    swStreamU32(stream, &saved->def.system.generation);
+    swStreamU64(stream, &saved->raster);
+    swStreamU64(stream, &saved->hull);
+    swStreamU64(stream, &saved->spline);
+    swStreamU64(stream, &saved->function);
+    swStreamRange(stream, &saved->def.pointCount, 0, SW_MAX_INPUT_POINTS);
+}
+
+static void streamPoint(swStream* stream, swInputPoint* point)
+{
+    swStreamF32(stream, &point->x);
+    swStreamF32(stream, &point->z);
+    swStreamF32(stream, &point->radius);
+    swStreamF32(stream, &point->weight);
+    swStreamFloats(stream, point->value, 4);
+}
+
+// ---- reading into a new world ----
+
+static swResult refuseMissing(const swHost* host, const char* what, const Saved* saved, uint64_t hash)
+{
+    return swFail(host, SW_ERROR_UNSUPPORTED,
+                  "the saved input '%s' uses a %s with the hash %016llx, which swRestoreDef::findResource did not give",
+                  saved->def.name, what, (unsigned long long)hash);
+}
+
+static swResult findResources(const swHost* host, const swRestoreDef* find, Saved* saved)
+{
+    swResource resource = {0};
+    const char* name = saved->def.name;
+    if (saved->raster != 0)
+    {
+        bool isGiven = find->findResource != NULL &&
+                       find->findResource(find->resourceContext, SW_RESOURCE_RASTER, saved->raster, name, &resource) &&
+                       resource.raster != NULL && resource.raster->hash == saved->raster;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "raster", saved, saved->raster);
+        }
+        saved->def.raster = resource.raster;
+    }
+    if (saved->hull != 0)
+    {
+        bool isGiven = find->findResource != NULL &&
+                       find->findResource(find->resourceContext, SW_RESOURCE_HULL, saved->hull, name, &resource) &&
+                       resource.hull != NULL && resource.hull->hash == saved->hull;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "hull", saved, saved->hull);
+        }
+        saved->def.hull = resource.hull;
+    }
+    if (saved->spline != 0)
+    {
+        bool isGiven = find->findResource != NULL &&
+                       find->findResource(find->resourceContext, SW_RESOURCE_SPLINE, saved->spline, name, &resource) &&
+                       resource.spline != NULL && resource.spline->hash == saved->spline;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "spline", saved, saved->spline);
+        }
+        saved->def.spline = resource.spline;
+    }
+    if (saved->def.shape == SW_SHAPE_FUNCTION)
+    {
+        bool isGiven =
+            find->findResource != NULL &&
+            find->findResource(find->resourceContext, SW_RESOURCE_FUNCTION, saved->function, name, &resource) &&
+            resource.function != NULL;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "function", saved, saved->function);
+        }
+        saved->def.function = resource.function;
+        saved->def.functionContext = resource.functionContext;
+    }
+    saved->def.functionFingerprint = saved->function;
+    return SW_SUCCESS;
+}
+
+// The points of one input, read into memory that lasts until the input has them.
+static swResult readInput(swInputs* inputs, swStream* stream, const swRestoreDef* find, Saved* saved, int slot)
+{
+    const swHost* host = &inputs->memory->host;
+    size_t count = (size_t)saved->def.pointCount;
+    swInputPoint* points = NULL;
+    if (!swStreamHasLeft(stream, count, 32))
+    {
+        return SW_ERROR_FORMAT;
+    }
+    if (count > 0)
+    {
+        points = swAllocate(host, count * sizeof *points);
+        if (points == NULL)
+        {
+            return swFailMemory(inputs->memory, "an input's points");
+        }
+    }
+    for (size_t i = 0; i < count; ++i)
+    {
+        streamPoint(stream, &points[i]);
+    }
+    saved->def.points = points;
+    swResult result = findResources(inputs->memory->uncounted, find, saved);
+    if (result == SW_SUCCESS)
+    {
+        result = swCheckInputDef(inputs->memory->uncounted, &saved->def) == SW_SUCCESS ? SW_SUCCESS : SW_ERROR_FORMAT;
+    }
+    result =
+        result == SW_SUCCESS ? swRestoreInput(inputs, &saved->def, slot, saved->generation, saved->serial) : result;
+    swFree(host, points, count * sizeof *points);
+    return result;
+}
+
+static swResult readSlots(swInputs* inputs, swStream* stream, const swRestoreDef* find, int count)
+{
+    for (int slot = 0; slot < count && !stream->isBroken; ++slot)
+    {
+        Saved saved = {.def = swDefaultInputDef()};
+        streamSaved(stream, &saved);
+        swResult result = stream->isBroken || saved.serial > inputs->serials ? SW_ERROR_FORMAT : SW_SUCCESS;
+        if (result == SW_SUCCESS && saved.isUsed)
+        {
+            result = readInput(inputs, stream, find, &saved, slot);
+        }
+        else if (result == SW_SUCCESS)
+        {
+            result = swRestoreFreeSlot(inputs, slot, saved.generation);
+        }
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+    }
+    return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
+}
+
+swResult swStreamInputs(swInputs* inputs, swStream* stream, const swRestoreDef* find)
+{
+    int count = (int)inputs->slots.count;
+    swStreamRange(stream, &count, 0, SW_MAX_INPUTS);
+    swStreamU64(stream, &inputs->serials);
+    if (swIsReading(stream))
+    {
+        return stream->isBroken ? SW_ERROR_FORMAT : readSlots(inputs, stream, find, count);
+    }
+    for (int slot = 0; slot < count; ++slot)
+    {
+        const swInput* input = (const swInput*)inputs->slots.data + slot;
+        Saved saved = getSaved(input);
+        streamSaved(stream, &saved);
+        for (int i = 0; input->isUsed && i < saved.def.pointCount; ++i)
+        {
+            streamPoint(stream, &input->data->points[i]);
+        }
+    }
+    return SW_SUCCESS;
+}
+
+// ---- going back ----
+
+// What cannot be read from bytes is what it was then.
+static bool hasResources(const swInput* input, const Saved* saved)
+{
+    Saved now = getSaved(input);
+    return input->isUsed && now.generation == saved->generation && now.raster == saved->raster &&
+           now.hull == saved->hull && now.spline == saved->spline && now.function == saved->function &&
+           now.def.shape == saved->def.shape && now.def.pointCapacity >= saved->def.pointCount;
+}
+
+swResult swCheckInputs(const swInputs* inputs, swStream* stream)
+{
+    int count = 0;
+    uint64_t serials = 0;
+    swStreamRange(stream, &count, 0, SW_MAX_INPUTS);
+    swStreamU64(stream, &serials);
+    for (int slot = 0; slot < count && !stream->isBroken; ++slot)
+    {
+        Saved saved = {.def = swDefaultInputDef()};
+        streamSaved(stream, &saved);
+        bool isThere = (size_t)slot < inputs->slots.count;
+        const swInput* input = isThere ? (const swInput*)inputs->slots.data + slot : NULL;
+        if (saved.isUsed && !stream->isBroken && (!isThere || !hasResources(input, &saved)))
+        {
+            return SW_ERROR_UNSUPPORTED;
+        }
+        if (!saved.isUsed)
+        {
+            continue;
+        }
+        swInputPoint point;
+        for (int i = 0; i < saved.def.pointCount && !stream->isBroken; ++i)
+        {
+            streamPoint(stream, &point);
+        }
+        const swHost silent = {0};
+        saved.def.raster = input != NULL ? input->def.raster : NULL;
+        saved.def.spline = input != NULL ? input->def.spline : NULL;
+        saved.def.hull = input != NULL ? input->def.hull : NULL;
+        saved.def.function = input != NULL ? input->def.function : NULL;
+        stream->isBroken = stream->isBroken || swCheckDef(&silent, &swInputFields, &saved.def) != SW_SUCCESS;
+    }
+    return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
+}
+
+void swRewindInputs(swInputs* inputs, swStream* stream)
+{
+    int count = 0;
+    swStreamRange(stream, &count, 0, SW_MAX_INPUTS);
+    swStreamU64(stream, &inputs->serials);
+    for (int slot = 0; slot < (int)inputs->slots.count; ++slot)
+    {
+        swInput* input = (swInput*)inputs->slots.data + slot;
+        Saved saved = {.def = swDefaultInputDef()};
+        if (slot < count)
+        {
+            streamSaved(stream, &saved);
+        }
+        if (!saved.isUsed)
+        {
+            if (input->isUsed)
+            {
+                swRemoveInput(inputs, input);
+            }
+            input->generation = saved.generation;
+            continue;
+        }
+        for (int i = 0; i < saved.def.pointCount; ++i)
+        {
+            streamPoint(stream, &input->data->points[i]);
+        }
+        swRewindInput(inputs, input, &saved.def, saved.serial);
+    }
+}
+
+// ---- digest ----
+
+void swHashInputs(swHash* hash, const swInputs* inputs)
+{
+    for (int i = 0; i < inputs->count; ++i)
+    {
+        const swInput* input = swGetInputAt(inputs, i);
+        Saved saved = getSaved(input);
+        swHashDef(hash, &swInputFields, &input->def);
+        swAddHash(hash, input->def.field == SW_INPUT_WAVES ? (uint64_t)input->def.system.index1 : 0);
+        swAddHash(hash, saved.raster);
+        swAddHash(hash, saved.hull);
+        swAddHash(hash, saved.spline);
+        swAddHash(hash, saved.function);
+        for (int k = 0; k < input->def.pointCount; ++k)
+        {
+            const swInputPoint* p = &input->data->points[k];
+            const float numbers[8] = {p->x,        p->z,        p->radius,   p->weight,
+                                      p->value[0], p->value[1], p->value[2], p->value[3]};
+            swAddHashFloats(hash, numbers, 8);
+        }
+    }
+}
