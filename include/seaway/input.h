@@ -219,7 +219,8 @@ typedef struct swInputDef
 
     /// Of SW_SHAPE_FUNCTION: the function, its context, which must outlive the input, and a number that is another
     /// whenever the function says something else; digests hold it. `size` says where it may say anything. Saved worlds
-    /// name the fingerprint. A GPU needs a twin of the function, see docs/inputs.md. Default NULL, NULL, 0.
+    /// name the fingerprint. The GPU cannot call it: what pictures and GPU queries must know of it, give as a raster.
+    /// Default NULL, NULL, 0.
     swInputFunctionFcn function;
     void* functionContext;
     uint64_t functionFingerprint;

@@ -74,8 +74,8 @@ swInputValue fieldAt(uint field, uint system, SeaPlace place)
     return value;
 }
 
-// A field of the water's own: inputs that follow the waves count where the water rests, the others where it is. `system`
-// is none.
+// A field of the water's own: inputs that follow the waves count where the water rests, the others where it is.
+// `system` is none.
 vec4 fieldOnWater(uint field, SeaPlace here, SeaPlace rest)
 {
     swInputValue value = swGetFieldBelow(field);
@@ -90,8 +90,8 @@ vec4 fieldOnWater(uint field, SeaPlace here, SeaPlace rest)
         {
             place = rest;
         }
-        swInputSample s = swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x,
-                                        place.rest.y, 0.0);
+        swInputSample s =
+            swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y, 0.0);
         value = swBlendInput(record, value, s);
         i = findInput(field, low, high, i + 1);
     }

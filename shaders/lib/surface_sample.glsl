@@ -254,13 +254,13 @@ Standing standingAt(SurfaceGrid grid, float level, vec2 place, float texel, samp
     float last = float(grid.ringCount - 1);
     uint first = uint(min(floor(level), last));
     float next = min(float(first), last) < last ? clamp(level - float(first), 0.0, 1.0) : 0.0;
-    Standing fine =
-        sampleStanding(places, meshSlice(first), first, place, texel * meshSlice(first).scale);
+    Standing fine = sampleStanding(places, meshSlice(first), first, place, texel * meshSlice(first).scale);
     if (next <= 0.0)
     {
         return fine;
     }
-    Standing coarse = sampleStanding(places, meshSlice(first + 1), first + 1, place, texel * meshSlice(first + 1).scale);
+    Standing coarse =
+        sampleStanding(places, meshSlice(first + 1), first + 1, place, texel * meshSlice(first + 1).scale);
     return Standing(mix(fine.depth, coarse.depth, next), mix(fine.level, coarse.level, next),
                     mix(fine.slope, coarse.slope, next));
 }

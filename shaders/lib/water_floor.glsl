@@ -55,9 +55,9 @@ float depthShown(Lens lens, sampler2D depthImage, vec2 uv, vec3 surface, vec3 vi
     return isThere && !isInFront ? max(surface.y - found.y, 0.0) : 1e9;
 }
 
-// Where the bent line is hidden on the screen: what stands right behind the surface, which is as deep, but the line gets
-// there by a shorter way. `bent` is the line by one metre of depth. Where `known`, the depth that is known otherwise, is
-// less, that counts, and the ground in front has the colour of what is hidden by it.
+// Where the bent line is hidden on the screen: what stands right behind the surface, which is as deep, but the line
+// gets there by a shorter way. `bent` is the line by one metre of depth. Where `known`, the depth that is known
+// otherwise, is less, that counts, and the ground in front has the colour of what is hidden by it.
 Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface, vec3 bent, float known)
 {
     vec2 uv = screenOf(lens, surface);

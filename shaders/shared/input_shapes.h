@@ -4,6 +4,7 @@
 #ifndef SW_SHARED_INPUT_SHAPES_H
 #define SW_SHARED_INPUT_SHAPES_H
 #include "input.h"
+#include "shape_particles.h"
 #include "shape_plain.h"
 #include "shape_polygon.h"
 #include "shape_raster.h"
@@ -32,7 +33,13 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     {
         return swSampleSpline(words, record, own.x, own.z);
     }
-    return swBeginInputSample(record);
+    if (record.shape == SW_FORM_PARTICLES)
+    {
+        return swSampleParticles(words, record, own.x, own.z);
+    }
+    swInputSample s = swBeginInputSample(record);
+    s.share = record.shape == SW_FORM_EVERYWHERE ? 1.0f : 0.0f; // solids and functions are looked at elsewhere
+    return s;
 }
 
 // From own coordinates to the sea's: a gradient.

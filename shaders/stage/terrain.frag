@@ -93,7 +93,8 @@ void main()
     vec3 albedo = groundAlbedo(relief, rise, steepness);
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
     // Between tufts there is less light.
-    float open = (0.5 + 0.5 * normal.y) * mix(1.0, clamp(0.8 + 0.9 * relief.tufts, 0.4, 1.0), growthAt(relief, rise, steepness));
+    float open =
+        (0.5 + 0.5 * normal.y) * mix(1.0, clamp(0.8 + 0.9 * relief.tufts, 0.4, 1.0), growthAt(relief, rise, steepness));
     vec3 level = light.sun.rgb * max(picture.sun.y, 0.0) + light.sky.rgb;
     vec3 illuminance = light.sun.rgb * max(dot(normal, picture.sun), 0.0) * smoothstep(-0.02, 0.05, picture.sun.y) +
                        light.sky.rgb * open + 0.25 * level * (1.0 - open);

@@ -154,13 +154,31 @@ static void CheckGradients(const swInputSet* set, int field, double x, double z,
     }
 }
 
+static void AnswerHills(void* context, double time, int count, const swPosXZ* points, swInputAnswer* answers)
+{
+    (void)context;
+    for (int i = 0; i < count; ++i)
+    {
+        double x = points[i].x / 30.0, z = points[i].z / 40.0;
+        answers[i].value[0] = (float)(5.0 * sin(x) * cos(z) + time);
+        answers[i].valueAlongX[0] = (float)(5.0 * cos(x) * cos(z) / 30.0);
+        answers[i].valueAlongZ[0] = (float)(-5.0 * sin(x) * sin(z) / 40.0);
+        answers[i].share = 1.0f;
+    }
+}
+
 static void DerivativesAreThoseOfTheValues(void** state)
 {
     (void)state;
-    const swInputShape shapes[] = {SW_SHAPE_CIRCLE, SW_SHAPE_RECTANGLE, SW_SHAPE_RASTER};
+    const swInputShape shapes[] = {SW_SHAPE_CIRCLE,    SW_SHAPE_RECTANGLE, SW_SHAPE_RASTER,
+                                   SW_SHAPE_PARTICLES, SW_SHAPE_FUNCTION,  SW_SHAPE_POLYGON};
+    const swInputPoint corners[4] = {{-50.0f, -40.0f, 40.0f, 1.0f, {-3.0f}},
+                                     {60.0f, -30.0f, 50.0f, 0.7f, {-9.0f}},
+                                     {50.0f, 45.0f, 60.0f, 0.4f, {2.0f}},
+                                     {-30.0f, 60.0f, 0.0f, 1.0f, {-1.0f}}};
     const swInputField fields[] = {SW_INPUT_LEVEL, SW_INPUT_FLOOR};
     swRaster* raster = MakeRaster(12, 9, -40.0, -50.0, 8.0, 1);
-    for (int k = 0; k < 3 * 2 * SW_BLEND_COUNT; ++k)
+    for (int k = 0; k < 6 * 2 * SW_BLEND_COUNT; ++k)
     {
         swInputField field = fields[k % 2];
         swInputBlend blend = (swInputBlend)(k / 2 % SW_BLEND_COUNT);
@@ -180,6 +198,11 @@ static void DerivativesAreThoseOfTheValues(void** state)
         def.weight = 0.8f;
         def.rotation.yaw = 0.7f;
         def.raster = def.shape == SW_SHAPE_RASTER ? raster : NULL;
+        def.function = def.shape == SW_SHAPE_FUNCTION ? AnswerHills : NULL;
+        def.size = (swVec3){160.0f, 1.0f, 170.0f};
+        bool hasPoints = def.shape == SW_SHAPE_PARTICLES || def.shape == SW_SHAPE_POLYGON;
+        def.points = hasPoints ? corners : NULL;
+        def.pointCount = hasPoints ? 4 : 0;
         def.value[0] = def.shape == SW_SHAPE_RASTER ? 0.0f : -12.0f;
         Add(world, &def);
         swWorld_Step(world, 0.0);
@@ -268,6 +291,73 @@ static void RastersKeepTheirBitsFarOutToo(void** state)
         }
         swDestroyWorld(world);
     }
+}
+
+static void ParticlesAddUpOrCoverEachOther(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputPoint points[3] = {{0.0f, 0.0f, 10.0f, 1.0f, {2.0f}}, {5.0f, 0.0f, 10.0f, 0.5f, {4.0f}}};
+    swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_PARTICLES, 1.0f);
+    def.blend = SW_BLEND_ADD;
+    def.points = points;
+    def.pointCount = 2;
+    def.pointCapacity = 3;
+    swInputId id = Add(world, &def);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, -7.0, 0.0), 3.0f, 1e-6f);              // the first alone: 2 + 1
+    assert_float_equal(LevelAt(world, 2.0, 0.0), 3.0f + 0.5f * 5.0f, 1e-5f); // both
+    def.blend = SW_BLEND_ALPHA;
+    assert_int_equal(swInput_Set(world, id, &def), SW_SUCCESS);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 2.0, 0.0), (3.0f + 0.5f * 5.0f) / 1.5f, 1e-5f); // their mean, wholly
+    assert_float_equal(LevelAt(world, 12.0, 0.0), 2.5f, 1e-5f);
+    points[2] = (swInputPoint){500.0f, 0.0f, 0.0f, 1.0f, {7.0f}}; // half of size.x wide
+    assert_int_equal(swInput_SetPoints(world, id, 3, points), SW_SUCCESS);
+    assert_float_equal(LevelAt(world, 500.0, 0.0), 0.0f, 0.0f);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, 549.0, 0.0), 8.0f, 1e-5f);
+    s_messages[0] = 0;
+    points[1].x = NAN;
+    assert_int_equal(swInput_SetPoints(world, id, 3, points), SW_ERROR_INVALID);
+    assert_non_null(strstr(s_messages, "point 1"));
+    assert_int_equal(swInput_SetPoints(world, id, 4, points), SW_ERROR_INVALID);
+    swDestroyWorld(world);
+}
+
+static void AnswerNonsense(void* context, double time, int count, const swPosXZ* points, swInputAnswer* answers)
+{
+    (void)context;
+    (void)time;
+    for (int i = 0; i < count; ++i)
+    {
+        answers[i].share = points[i].z > 0.0 ? 7.0f : 1.0f;
+        answers[i].value[0] = points[i].x > 0.0 ? NAN : 2.0f;
+    }
+}
+
+static void AFunctionThatSaysNonsenseSaysNothing(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    swInputDef def = MakeInput(SW_INPUT_LEVEL, SW_SHAPE_FUNCTION, 0.0f);
+    def.function = AnswerNonsense;
+    Add(world, &def);
+    swWorld_Step(world, 0.0);
+    assert_float_equal(LevelAt(world, -10.0, -10.0), 2.0f, 0.0f);
+    assert_float_equal(LevelAt(world, 10.0, -10.0), 0.0f, 0.0f);
+    assert_float_equal(LevelAt(world, -10.0, 10.0), 0.0f, 0.0f);
+    assert_float_equal(LevelAt(world, -60.0, -10.0), 0.0f, 0.0f); // beyond its size
+    // A block that another process may map cannot hold it.
+    swMomentDef momentDef = swDefaultMomentDef();
+    swMoment *moment = NULL, *map = NULL;
+    assert_int_equal(swCreateMoment(world, &momentDef, &moment), SW_SUCCESS);
+    size_t size;
+    const void* memory = swMoment_GetMemory(moment, &size);
+    swHost host = MakeHost();
+    assert_int_equal(swMapMoment(&host, memory, size, &map), SW_ERROR_FORMAT);
+    swDestroyMoment(moment);
+    swDestroyWorld(world);
 }
 
 static void UnknownCellsAreNotCovered(void** state)
@@ -799,6 +889,8 @@ int main(void)
         cmocka_unit_test(AFloorFadesIntoDeepWater),
         cmocka_unit_test(InputsJoinInTheirOrder),
         cmocka_unit_test(RastersKeepTheirBitsFarOutToo),
+        cmocka_unit_test(ParticlesAddUpOrCoverEachOther),
+        cmocka_unit_test(AFunctionThatSaysNonsenseSaysNothing),
         cmocka_unit_test(UnknownCellsAreNotCovered),
         cmocka_unit_test(TheIndexFindsWhatALoopFinds),
         cmocka_unit_test(WaterThatNoInputTouchesKeepsItsBits),

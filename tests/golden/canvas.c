@@ -248,8 +248,8 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
 bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr)
 {
     Sea sea = {0};
-    bool isGood = CreateSea(canvas, shot, &sea) && PutInputs(sea.world, shot) &&
-                  DrawSea(canvas, &sea, shot, pixels, hdr);
+    bool isGood =
+        CreateSea(canvas, shot, &sea) && PutInputs(sea.world, shot) && DrawSea(canvas, &sea, shot, pixels, hdr);
     swStage_Wait(canvas->stage);
     DestroySea(canvas, &sea);
     return isGood;

@@ -164,8 +164,8 @@ typedef struct swLayerFrame
     int steps;    // to take now, 0 .. mostSteps
     float stepDt; // s
     bool isReset; // first step, or a jump in time: nothing has a past
-    // Of a layer on demand, set by its swPlan function: there is something in it. It has no texels otherwise, and is the
-    // same everywhere, see swLayerInfo::rest. Before, what it was in the step before.
+    // Of a layer on demand, set by its swPlan function: there is something in it. It has no texels otherwise, and is
+    // the same everywhere, see swLayerInfo::rest. Before, what it was in the step before.
     bool isAuthored;
     bool isBegun; // of one with a past: it was held in the step before
     // For a reader that did not see every step: since it last looked, clock - then steps have passed, and there was a

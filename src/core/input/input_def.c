@@ -116,7 +116,8 @@ const char* swGetInputShapeWord(int shape)
 static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
                                     SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
                                     SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
-                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE);
+                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) |
+                                    SW_KIND(SW_SHAPE_PARTICLES) | SW_KIND(SW_SHAPE_FUNCTION);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -162,10 +163,14 @@ static swResult checkKinds(const swHost* host, const swInputDef* def)
     return SW_SUCCESS;
 }
 
+static bool isSpeed(const swInputDef* def)
+{
+    return def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND;
+}
+
 static swResult checkValues(const swHost* host, const swInputDef* def)
 {
-    bool isSpeed = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND;
-    for (int i = 0; i < 2 && isSpeed; ++i)
+    for (int i = 0; i < 2 && isSpeed(def); ++i)
     {
         if (!(fabsf(def->value[i]) <= SW_MAX_INPUT_SPEED))
         {
@@ -205,9 +210,8 @@ static swResult checkRaster(const swHost* host, const swInputDef* def)
                       swGetInputFieldWord((int)def->field), swCountInputNumbers((sw_uint)def->field), raster->name,
                       raster->channels);
     }
-    bool isSpeed = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND;
     float most = fmaxf(fabsf(raster->least), fabsf(raster->most)) * fabsf(def->gain);
-    if (isSpeed && !(most <= SW_MAX_INPUT_SPEED) && raster->least == raster->least)
+    if (isSpeed(def) && !(most <= SW_MAX_INPUT_SPEED) && raster->least == raster->least)
     {
         return swFail(host, SW_ERROR_INVALID,
                       "the input '%s' says %s of up to %g m/s by its raster '%s'; at most %g is taken", def->name,
@@ -251,8 +255,43 @@ swResult swCheckInputValues(const swHost* host, const swInputDef* def)
     return result == SW_SUCCESS ? checkValues(host, def) : result;
 }
 
+// Each point by itself; a point is named by its place in the array.
+static swResult checkParticles(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
+{
+    if (count < 0 || count > SW_MAX_INPUT_POINTS || (count > 0 && points == NULL))
+    {
+        return swFail(host, SW_ERROR_INVALID, "the input '%s' has %d points; it may have 0 to %d", def->name, count,
+                      SW_MAX_INPUT_POINTS);
+    }
+    float largest = isSpeed(def) ? SW_MAX_INPUT_SPEED : 1e6f;
+    float heaviest = def->blend == SW_BLEND_ADD ? 100.0f : 1.0f;
+    for (int i = 0; i < count; ++i)
+    {
+        const swInputPoint* p = &points[i];
+        bool isFine = fabsf(p->x) <= 1e6f && fabsf(p->z) <= 1e6f && p->radius >= 0.0f && p->radius <= 1e6f &&
+                      p->weight >= 0.0f && p->weight <= heaviest;
+        for (int k = 0; k < 4; ++k)
+        {
+            isFine = isFine && fabsf(p->value[k]) <= largest;
+        }
+        if (!isFine)
+        {
+            return swFail(host, SW_ERROR_INVALID,
+                          "point %d of the input '%s' is out of range: at (%g, %g) m with the radius %g m, the weight "
+                          "%g and the value %g; see swInputPoint",
+                          i, def->name, (double)p->x, (double)p->z, (double)p->radius, (double)p->weight,
+                          (double)p->value[0]);
+        }
+    }
+    return SW_SUCCESS;
+}
+
 swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
+    if (def->shape == SW_SHAPE_PARTICLES)
+    {
+        return checkParticles(host, def, count, points);
+    }
     if (def->shape != SW_SHAPE_POLYGON)
     {
         return SW_SUCCESS;
@@ -274,6 +313,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_HULL && def->hull == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no hull");
+    }
+    if (result == SW_SUCCESS && def->shape == SW_SHAPE_FUNCTION && def->function == NULL)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has no function");
     }
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_RASTER)
     {

@@ -2,12 +2,14 @@
 #include "core/input/input_record.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/input/hull.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "core/math/scalar.h"
 #include "shared/shape_hull.h"
+#include "shared/shape_particles.h"
 #include "shared/shape_spline.h"
 
 bool swFindCell(double place, int32_t* cell, float* rest)
@@ -22,11 +24,34 @@ bool swFindCell(double place, int32_t* cell, float* rest)
 int swCountInputWords(const swInputDef* def)
 {
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
+    if (def->shape == SW_SHAPE_PARTICLES)
+    {
+        return (int)SW_PARTICLE_WORDS * room;
+    }
     return def->shape == SW_SHAPE_POLYGON ? 2 * room : 0;
+}
+
+static int writeParticles(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
+{
+    for (int i = 0; i < pointCount; ++i)
+    {
+        const swInputPoint* p = &points[i];
+        float* to = words + i * (int)SW_PARTICLE_WORDS;
+        to[0] = p->x;
+        to[1] = p->z;
+        to[2] = p->radius > 0.0f ? p->radius : 0.5f * def->size.x;
+        to[3] = p->weight;
+        memcpy(to + 4, p->value, sizeof p->value);
+    }
+    return (int)SW_PARTICLE_WORDS * pointCount;
 }
 
 int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
 {
+    if (def->shape == SW_SHAPE_PARTICLES)
+    {
+        return writeParticles(def, pointCount, points, words);
+    }
     if (def->shape != SW_SHAPE_POLYGON)
     {
         return 0;
@@ -104,6 +129,29 @@ static void placePolygon(const float* words, int count, swInputRecord* record)
     record->extra0 = (sw_uint)count;
 }
 
+// The box of all discs.
+static void placeParticles(const float* words, int count, swInputRecord* record)
+{
+    record->extra0 = (sw_uint)count;
+    if (count == 0)
+    {
+        return;
+    }
+    float lowX = INFINITY, lowZ = INFINITY, highX = -INFINITY, highZ = -INFINITY;
+    for (int i = 0; i < count; ++i)
+    {
+        const float* p = words + i * (int)SW_PARTICLE_WORDS;
+        lowX = fminf(lowX, p[0] - p[2]);
+        highX = fmaxf(highX, p[0] + p[2]);
+        lowZ = fminf(lowZ, p[1] - p[2]);
+        highZ = fmaxf(highZ, p[1] + p[2]);
+    }
+    record->middleX = 0.5f * (lowX + highX);
+    record->middleZ = 0.5f * (lowZ + highZ);
+    record->halfX = 0.5f * (highX - lowX);
+    record->halfZ = 0.5f * (highZ - lowZ);
+}
+
 // Of a shape with a height: its own axes are turned, so its box is that of a sphere unless they are upright.
 static void placeSolid(const swInputDef* def, swInputRecord* record)
 {
@@ -162,6 +210,16 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         placePolygon(words, count / 2, record);
         break;
     }
+    case SW_SHAPE_PARTICLES:
+    {
+        int count;
+        const float* words = swGetInputWords(data, &count);
+        placeParticles(words, count / (int)SW_PARTICLE_WORDS, record);
+        break;
+    }
+    case SW_SHAPE_FUNCTION:
+        placeCentred(record, def->size.x, def->size.z);
+        break;
     case SW_SHAPE_BOX:
     case SW_SHAPE_ELLIPSOID:
     case SW_SHAPE_CYLINDER:
@@ -214,19 +272,6 @@ static swCellBox findBox(const swInputRecord* record, swPosXZ origin)
     bool fits = swFindCell(x - halfX, &box.minX, &rest) && swFindCell(x + halfX, &box.maxX, &rest) &&
                 swFindCell(z - halfZ, &box.minZ, &rest) && swFindCell(z + halfZ, &box.maxZ, &rest);
     return fits ? box : (swCellBox){INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
-}
-
-// What the record's words hold now: a raster's values are its own.
-static sw_uint countShownWords(const swInputData* data)
-{
-    if (data == NULL)
-    {
-        return 0u;
-    }
-    const swRaster* raster = data->raster;
-    return raster != NULL
-               ? (sw_uint)raster->width * (sw_uint)raster->height * (sw_uint)raster->channels * (sw_uint)raster->frames
-               : (sw_uint)data->wordCount[data->shown];
 }
 
 void swMakeInputRecord(const swInputDef* def, const swInputData* data, double seaLevel, double time,
@@ -329,6 +374,8 @@ bool swIsInputRecordGood(const swInputRecord* record)
         return true;
     case SW_SHAPE_POLYGON:
         return record->extra0 >= 3 && record->extra0 <= SW_MAX_INPUT_POINTS && 2 * record->extra0 <= record->wordCount;
+    case SW_SHAPE_PARTICLES:
+        return (uint64_t)record->extra0 * SW_PARTICLE_WORDS <= record->wordCount;
     case SW_SHAPE_HULL:
         return isHullGood(record);
     case SW_SHAPE_RASTER:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/input/sample_inputs.h"
 
+#include <math.h>
+
 #include "core/input/input_record.h"
 #include "shared/input_shapes.h"
 
@@ -25,9 +27,49 @@ static Place findPlace(swPosXZ point)
     return place;
 }
 
+// What a function of the host's says. An answer that is no number covers nothing.
+static swInputSample askFunction(const swInputSet* set, uint32_t at, const Place* place)
+{
+    const swInputRecord* record = &set->records[at];
+    const double cell = (double)SW_QUERY_CELL;
+    double dx = place->point.x - ((double)record->cellX * cell + (double)record->restX);
+    double dz = place->point.z - ((double)record->cellZ * cell + (double)record->restZ);
+    double c = (double)record->cosine, s = (double)record->sine;
+    const swPosXZ own = {c * dx + s * dz, c * dz - s * dx};
+    swInputAnswer answer = {.share = 0.0f};
+    set->functions[at](set->contexts[at], set->time, 1, &own, &answer);
+    swInputSample sample = swBeginInputSample(*record);
+    const float* v = answer.value;
+    const float *x = answer.valueAlongX, *z = answer.valueAlongZ;
+    float g = record->gain;
+    sample.value = (sw_vec4){record->value.x + g * v[0], record->value.y + g * v[1], record->value.z + g * v[2],
+                             record->value.w + g * v[3]};
+    sample.valueX = (sw_vec4){g * x[0], g * x[1], g * x[2], g * x[3]};
+    sample.valueZ = (sw_vec4){g * z[0], g * z[1], g * z[2], g * z[3]};
+    sample.share = answer.share;
+    sample.shareX = answer.shareAlongX;
+    sample.shareZ = answer.shareAlongZ;
+    float sum = answer.share + answer.shareAlongX + answer.shareAlongZ;
+    for (int i = 0; i < 4; ++i)
+    {
+        sum += v[i] + x[i] + z[i];
+    }
+    bool isFine = fabsf(sum) <= 1e9f && answer.share > 0.0f && answer.share <= 1.0f;
+    sample.share = isFine ? sample.share : 0.0f;
+    if (sample.share > 0.0f)
+    {
+        sample = swCoverRectangle(sample, (float)own.x, (float)own.z, record->halfX, record->halfZ, record->feather);
+    }
+    return swFinishInputSample(*record, sample);
+}
+
 static swInputSample sampleRecord(const swInputSet* set, uint32_t at, const Place* place)
 {
     const swInputRecord* record = &set->records[at];
+    if (record->shape == SW_FORM_FUNCTION)
+    {
+        return askFunction(set, at, place);
+    }
     return swSampleInput(set->words[at], *record, place->cellX, place->cellZ, place->restX, place->restZ, 0.0f);
 }
 

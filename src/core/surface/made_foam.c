@@ -26,8 +26,8 @@ void swPlanMadeFoam(const swLayerPlan* plan)
     swLayerFrame* shore = &plan->stack->layers[SW_LAYER_SHORE_FOAM];
     const swFoamDef* foam = &plan->frame->foam;
     wake->isAuthored = swHasInputs(plan->frame->inputs, SW_INPUT_FOAM) || (wake->isBegun && !wake->isReset);
-    shore->isAuthored = swHasInputs(plan->frame->inputs, SW_INPUT_FLOOR) && foam->shoreWidth > 0.0f &&
-                        foam->shoreRate > 0.0f;
+    shore->isAuthored =
+        swHasInputs(plan->frame->inputs, SW_INPUT_FLOOR) && foam->shoreWidth > 0.0f && foam->shoreRate > 0.0f;
 }
 
 // Foam that inputs make at a block of texels of a row, per second.
@@ -73,8 +73,8 @@ static void stepRows(void* context, int begin, int end, int worker)
             for (int i = 0; i < SW_PLACE_BLOCK; ++i)
             {
                 float foam = 0.0f, birth = births[i] > 0.0f ? births[i] : 0.0f;
-                bool hasPast = job->params.isSteady == 0 && swReadPast(job->sources, job->previous, 1, job->resolution,
-                                                                       column + i, row, &foam);
+                bool hasPast = job->params.isSteady == 0 &&
+                               swReadPast(job->sources, job->previous, 1, job->resolution, column + i, row, &foam);
                 next[i] = swMadeFoamStep(foam, hasPast, birth, job->params);
             }
         }

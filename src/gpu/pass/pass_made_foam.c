@@ -65,9 +65,8 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
         {
             *isNeeded = true;
             result = uploadSlices(gpuWorld->gpu, view, of);
-            result = result == SW_SUCCESS
-                         ? uploadLayer(gpuWorld->gpu, frame, view, madeLayers[kind], &of->layers[kind])
-                         : result;
+            result = result == SW_SUCCESS ? uploadLayer(gpuWorld->gpu, frame, view, madeLayers[kind], &of->layers[kind])
+                                          : result;
         }
     }
     return result;
