@@ -85,6 +85,17 @@ typedef struct swSceneInput
     int line; ///< of the file, where it begins; 0: none
 } swSceneInput;
 
+/// A body of water of a scene.
+typedef struct swSceneWaterBody
+{
+    swWaterBodyDef def;
+    int waves;      ///< index of the scene's waves that it has; -1: none of its own
+    swVec2* points; ///< def.points points here
+    int pointCount;
+    int item; ///< which of the file's bodies of water it is, from 1 on
+    int line; ///< of the file, where it begins; 0: none
+} swSceneWaterBody;
+
 /// The text that a scene was read from.
 typedef struct swSceneSource swSceneSource;
 
@@ -107,6 +118,8 @@ typedef struct swScene
     swSceneRaster* rasters;
     int splineCount;
     swSceneSpline* splines;
+    int waterBodyCount;
+    swSceneWaterBody* waterBodies;
     int inputCount;
     swSceneInput* inputs;
     swHost host;           ///< who gave the memory
@@ -199,7 +212,8 @@ typedef struct swSceneRemark
 /// @return how many there are, also if there is room for fewer
 SW_API int swScene_Check(const swScene* scene, const swWorld* world, int capacity, swSceneRemark* remarks);
 
-/// The wave systems and inputs of a scene in a world, in the scene's order, and what drives waves that are replayed.
+/// The wave systems, bodies of water and inputs of a scene in a world, in the scene's order, and what drives waves that
+/// are replayed.
 typedef struct swSceneSea
 {
     int systemCount;
@@ -207,12 +221,14 @@ typedef struct swSceneSea
     swSeaReplay* replays[SW_MAX_WAVE_SYSTEMS]; ///< NULL where nothing is replayed
     int inputCount;
     swInputId* inputs; ///< in the scene's order; NULL if there are none
-    int inputRoom;
-    swHost host; ///< who gave the memory of inputs
+    int waterBodyCount;
+    swWaterBodyId* waterBodies; ///< in the scene's order; NULL if there are none
+    int inputRoom, waterBodyRoom;
+    swHost host; ///< who gave the memory of inputs and bodies
 } swSceneSea;
 
-/// Add the scene's wave systems and inputs to a world; replays begin at the world's present time. The scene has to
-/// outlive the sea.
+/// Add the scene's wave systems, bodies of water and inputs to a world; replays begin at the world's present time. The
+/// scene has to outlive the sea.
 /// @return what swCreateWaveSystem(), swCreateSeaReplay() and swCreateInput() return; the world is then as it was
 SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea);
 

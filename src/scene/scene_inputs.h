@@ -20,4 +20,6 @@ const swFields* swGetInputPointFields(void);  // of swInputPoint
 
 // Put a scene's inputs into a world whose wave systems the sea has. On failure the sea has those that were made.
 swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea);
+swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea);
+swResult swMakeRoomForInputs(const swScene* scene, swSceneSea* sea);
 void swFreeSceneSeaInputs(swSceneSea* sea);

@@ -43,8 +43,9 @@ static bool isReadBack(swWavesWriter* writer)
     swHost host = writer->scene->host;
     host.log = sayNothing;
     swTree tree = swBeginTree(&host, SW_TREE_MAPPING);
-    static const char* const unchanged[] = {"rasters", "splines", "inputs"}; // an empty list stays as it is
-    for (int i = 0; i < 3 && !tree.isBroken; ++i)
+    static const char* const unchanged[] = {"rasters", "splines", "water_bodies",
+                                            "inputs"}; // an empty list stays as it is
+    for (int i = 0; i < 4 && !tree.isBroken; ++i)
     {
         swAddTreeNode(&tree, 0, SW_TREE_LIST, unchanged[i]);
     }
@@ -186,8 +187,9 @@ swTree swMakeSceneTree(const swScene* scene, bool isAsRead)
             swAddFields(&tree, node, part.fields, (const char*)scene + part.offset, sections[i]);
         }
     }
-    static const char* const unchanged[] = {"rasters", "splines", "inputs"}; // an empty list stays as it is
-    for (int i = 0; i < 3 && !tree.isBroken; ++i)
+    static const char* const unchanged[] = {"rasters", "splines", "water_bodies",
+                                            "inputs"}; // an empty list stays as it is
+    for (int i = 0; i < 4 && !tree.isBroken; ++i)
     {
         swAddTreeNode(&tree, 0, SW_TREE_LIST, unchanged[i]);
     }

@@ -74,12 +74,18 @@ swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
     SW_REQUIRE(world != NULL && scene != NULL && sea != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
                "swCreateSceneSea() needs a world, a scene and a place for the sea");
     swResult result = createSystems(world, scene, sea);
+    result = result == SW_SUCCESS ? swMakeRoomForInputs(scene, sea) : result;
+    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
     result = result == SW_SUCCESS ? swCreateSceneInputs(world, scene, sea) : result;
     if (result != SW_SUCCESS)
     {
         for (int i = 0; i < sea->inputCount; ++i)
         {
             swDestroyInput(world, sea->inputs[i]);
+        }
+        for (int i = 0; i < sea->waterBodyCount; ++i)
+        {
+            swDestroyWaterBody(world, sea->waterBodies[i]);
         }
         int count = sea->systemCount;
         swDestroySceneSea(sea);

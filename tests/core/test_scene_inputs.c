@@ -86,6 +86,29 @@ static void ASplineOfASceneIsNamedByItsInputs(void** state)
     swDestroyScene(scene);
 }
 
+static void ABodyOfWaterOfASceneIsInItsSea(void** state)
+{
+    (void)state;
+    static const char text[] = "waves: [{beaufort: 4}, {beaufort: 1, seed: 2, is_local: true}]\n"
+                               "water_bodies:\n"
+                               "  - name: lake\n"
+                               "    position_m: [1000, 40, 0]\n"
+                               "    points: [[-50, -50], [50, -50], [50, 50], [-50, 50]]\n"
+                               "    is_calm: true\n"
+                               "    waves: 2\n";
+    swScene* scene = NULL;
+    swWorld* world = OpenText(text, &scene);
+    assert_int_equal(swWorld_GetWaterBodyCount(world), 1);
+    swWaterBodyId lake = swWorld_FindWaterBody(world, 1020.0, 10.0);
+    assert_true(swWaterBody_IsValid(world, lake));
+    assert_string_equal(swWaterBody_Get(world, lake).name, "lake");
+    assert_false(swWaterBody_IsValid(world, swWorld_FindWaterBody(world, 900.0, 0.0)));
+    double height = swMoment_GetHeight(swWorld_GetMoment(world), 1000.0, 0.0);
+    assert_true(height > 39.0 && height < 41.0);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+}
+
 static void AWaveSystemIsNamedByItsNumber(void** state)
 {
     (void)state;
@@ -156,6 +179,8 @@ static void EveryMistakeHasItsLineAndCode(void** state)
         {"splines:\n  - name: a\n    points: [{x_m: 1}, {x_m: 9, heat: 3}]\n", 3, "unknown_key"},
         {"splines:\n  - {name: a, points: [{x_m: 1}, {x_m: 9}]}\n  - {name: a, points: [{x_m: 1}, {x_m: 9}]}\n", 3,
          "repeated"},
+        {"water_bodies:\n  - {name: a}\n", 2, "missing_key"},
+        {"water_bodies:\n  - points: [[0, 0], [9, 0], [0, 9]]\n    waves: 1\n", 3, "out_of_range"},
         {"rasters:\n  - {file: a.asc}\n", 2, "missing_key"},
         {"rasters:\n  - {name: a}\n", 2, "missing_key"},
         {"rasters:\n  - name: a\n    file: none.asc\n", 3, "bad_file"},
@@ -179,9 +204,9 @@ static void EveryMistakeHasItsLineAndCode(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(InputsOfASceneAreInItsSea),     cmocka_unit_test(ASplineOfASceneIsNamedByItsInputs),
-        cmocka_unit_test(AWaveSystemIsNamedByItsNumber), cmocka_unit_test(WritingLeavesInputsAsTheyStand),
-        cmocka_unit_test(EveryMistakeHasItsLineAndCode),
+        cmocka_unit_test(InputsOfASceneAreInItsSea),      cmocka_unit_test(ASplineOfASceneIsNamedByItsInputs),
+        cmocka_unit_test(ABodyOfWaterOfASceneIsInItsSea), cmocka_unit_test(AWaveSystemIsNamedByItsNumber),
+        cmocka_unit_test(WritingLeavesInputsAsTheyStand), cmocka_unit_test(EveryMistakeHasItsLineAndCode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

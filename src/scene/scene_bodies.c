@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Bodies of water of a scene file.
+
+#include "core/base/field.h"
+#include "scene/scene_inputs.h"
+#include "scene/scene_lists.h"
+
+static swResult readShorePoint(swYaml* yaml, yaml_node_t* node, swVec2* point)
+{
+    float numbers[4] = {0.0f};
+    swResult result = swReadYamlNumbers(yaml, node, "a point [x, z]", 2, numbers);
+    *point = (swVec2){numbers[0], numbers[1]};
+    return result;
+}
+
+static swResult readShore(swYaml* yaml, yaml_node_t* node, swSceneWaterBody* body)
+{
+    swResult result = swAllocateYamlItems(yaml, node, "points", SW_MAX_SHORE_POINTS, sizeof(swVec2),
+                                          (void**)&body->points, &body->pointCount);
+    for (int i = 0; i < body->pointCount && !swIsYamlOver(yaml, result); ++i)
+    {
+        result = swKeepFailure(result, readShorePoint(yaml, swGetYamlItem(yaml, node, i), &body->points[i]));
+    }
+    body->def.points = body->points;
+    body->def.pointCount = body->pointCount;
+    return result;
+}
+
+static swResult readBody(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader, int index)
+{
+    swSceneWaterBody* body = &reader->scene->waterBodies[index];
+    body->def = swDefaultWaterBodyDef();
+    body->waves = -1;
+    body->item = index + 1;
+    body->line = (int)node->start_mark.line + 1;
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "a body of water");
+    swAddYamlFields(&mapping, swGetWaterBodyFields(), 0, "water_bodies");
+    swAddYamlKey(&mapping, "waves", swKeepYamlNode);
+    swAddYamlKey(&mapping, "points", swKeepYamlNode);
+    swResult result = swReadYamlMapping(yaml, node, &mapping, &body->def);
+    if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
+    {
+        return result;
+    }
+    yaml_node_t *points = swGetYamlNode(&mapping, "points"), *waves = swGetYamlNode(&mapping, "waves");
+    result = swKeepFailure(result, points != NULL ? readShore(yaml, points, body)
+                                                  : swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
+                                                               "the body of water has no points; give it its shore."));
+    return waves != NULL ? swKeepFailure(result, swReadWavesNumber(yaml, waves, reader->scene, &body->waves)) : result;
+}
+
+swResult swReadWaterBodies(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader)
+{
+    swScene* scene = reader->scene;
+    swResult result = swAllocateYamlItems(yaml, node, "water_bodies", SW_MAX_WATER_BODIES, sizeof(swSceneWaterBody),
+                                          (void**)&scene->waterBodies, &scene->waterBodyCount);
+    for (int i = 0; i < scene->waterBodyCount && !swIsYamlOver(yaml, result); ++i)
+    {
+        result = swKeepFailure(result, readBody(yaml, swGetYamlItem(yaml, node, i), reader, i));
+    }
+    return result;
+}
+
+void swFreeWaterBodies(swScene* scene)
+{
+    for (int i = 0; i < scene->waterBodyCount; ++i)
+    {
+        swSceneWaterBody* body = &scene->waterBodies[i];
+        swFree(&scene->host, body->points, (size_t)body->pointCount * sizeof(swVec2));
+    }
+    swFree(&scene->host, scene->waterBodies, (size_t)scene->waterBodyCount * sizeof(swSceneWaterBody));
+    scene->waterBodyCount = 0;
+    scene->waterBodies = NULL;
+}
+
+swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea)
+{
+    for (int i = 0; i < scene->waterBodyCount; ++i)
+    {
+        swWaterBodyDef def = scene->waterBodies[i].def;
+        def.waves = scene->waterBodies[i].waves >= 0 ? sea->systems[scene->waterBodies[i].waves] : def.waves;
+        swResult result = swCreateWaterBody(world, &def, &sea->waterBodies[i]);
+        if (result != SW_SUCCESS)
+        {
+            swLog(&scene->host, SW_LOG_ERROR, "Body of water %d of the scene '%s' could not be created.", i + 1,
+                  scene->name);
+            return result;
+        }
+        sea->waterBodyCount = i + 1;
+    }
+    return SW_SUCCESS;
+}

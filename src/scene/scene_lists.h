@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// What lists of a scene file share whose items have names and whose lengths are not known before.
+
+#include "scene/yaml_read.h"
+#include "seaway/scene.h"
+
+// Where a scene's files are.
+typedef struct swSceneReader
+{
+    const char* folder;
+    bool opensNone; // no file is read
+    swScene* scene;
+} swSceneReader;
+
+// A key that is read later, when all keys are known.
+swResult swKeepYamlNode(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target);
+
+// Room for the items of a list, all zero; `items` stays NULL where there are none.
+swResult swAllocateYamlItems(swYaml* yaml, yaml_node_t* node, const char* what, int most, size_t size, void** items,
+                             int* count);
+
+// Items whose structs begin with a name: the index of one, or -1; and whether an item's name is there and its own.
+int swFindYamlName(const void* items, size_t size, int count, const char* name);
+swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* mapping, const char* what,
+                         const void* items, size_t size, int index);
+
+// One number, or a list of `wanted` (at most 4), which are no field by themselves.
+swResult swReadYamlNumbers(swYaml* yaml, yaml_node_t* node, const char* what, int wanted, float numbers[4]);
+
+// The number of one of the scene's wave systems, from 1 on, as an index.
+swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene, int* waves);
+
+// scene_resources.c
+swResult swReadRasters(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+swResult swReadSplines(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeSceneResources(swScene* scene);
+
+// scene_inputs.c
+swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeInputs(swScene* scene);
+
+// scene_bodies.c
+swResult swReadWaterBodies(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeWaterBodies(swScene* scene);
