@@ -15,7 +15,6 @@
 #define SW_SUN_RED 1.047f
 #define SW_SUN_GREEN 0.995f
 #define SW_SUN_BLUE 0.915f
-#define SW_UNKNOWN_LEVEL 1e5f // m
 #define SW_FOAM_PERIOD 1024.0
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define USUAL_WIND 7.0f      // m/s on ripples where nothing names a wind
@@ -74,21 +73,6 @@ static void setSky(const swSkyDef* sky, swPictureParams* p)
     p->clouds = sky->clouds;
 }
 
-// How far inputs may lift or lower still water, m: bounds for culling. What rasters, points, splines and functions
-// bring is not looked through; then the mesh is culled by the sides of the view alone.
-static float getLevelReach(const swInputSet* inputs)
-{
-    float reach = 0.0f;
-    const swInputRange* range = inputs != NULL ? &inputs->ranges[SW_INPUT_LEVEL] : NULL;
-    for (uint32_t i = 0; range != NULL && i < range->recordCount; ++i)
-    {
-        const swInputRecord* record = &inputs->records[range->firstRecord + i];
-        bool isPlain = record->wordCount == 0 && record->shape != SW_FORM_FUNCTION;
-        reach += isPlain ? fabsf(record->value.x) * fmaxf(record->weight, 1.0f) : SW_UNKNOWN_LEVEL;
-    }
-    return fminf(reach, SW_UNKNOWN_LEVEL);
-}
-
 static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* built)
 {
     const swWaterDef* water = &shot->water;
@@ -115,7 +99,7 @@ static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* b
     p->rippleVariance = swRippleVariance(water->windSpeed > 0.0f ? water->windSpeed : worldWind, slopes);
     p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
-    p->verticalReach = 6.0f * deviation + 0.1f + getLevelReach(frame->inputs);
+    p->verticalReach = 6.0f * deviation + 0.1f;
     p->horizontalReach = 12.0f * deviation + 0.1f;
 }
 
