@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "spline", "hull", "input", "water_body", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "spline", "hull", "mesh", "island", "input", "wind_sea", "water_body", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {
@@ -89,14 +89,15 @@ ALLOWED = {
     ("*", "reverseWeight", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "directionVariance", "*"): "counts with SW_WAVES_GERSTNER only",
     ("*", "leastJacobian", "*"): "counts with SW_WAVES_GERSTNER only",
+    ("swCreateNest", "def.shape", "*"): "it is a raster's",
+    ("swCreateNest", "def.blend", "*"): "each joins by its share",
     ("swWriteRaster", "host", "*"): "it is the host that knows whom to tell",
-    ("swWriteRaster", "source", "NULL"): "a raster may be of nothing that is known",
     ("swReadRaster", "def.missing", "infinite"): "a number that no file has",
     ("swCreateSeaReplay", "def.waves.spectrum.*", "*"): "a replay's spectra are its records'",
 }
 
 # Pointers that may be NULL in every function that has them.
-OPTIONAL = {"stats", "slopes"}
+OPTIONAL = {"stats", "slopes", "madeFrom"}
 
 
 def strip(text):
@@ -148,7 +149,7 @@ class Writer:
         base = self.base(kind)
         stars = kind.count("*")
         if stars == 2:
-            return f"({kind})&made"
+            return f"({kind})f->{base[2].lower() + base[3:]}s" if kind.startswith("const") else f"({kind})&made"
         if stars == 1 and base in ("char", "void"):
             return f"({kind})f->text" if "const" in kind else f"({kind})f->room"
         if stars == 1 and base.endswith("Id"):
@@ -240,7 +241,7 @@ class Writer:
                 value = f"&def_{parameter}"
             if i == index and not change:
                 value = expression
-            elif kind.count("*") == 2 and base.startswith("sw"):
+            elif kind.count("*") == 2 and base.startswith("sw") and not kind.startswith("const"):
                 made = True
             if (i != index or change) and kind.count("*") == 1 and (base == "swHost" or base in OBJECTS):
                 hosts = True
@@ -295,7 +296,7 @@ class Writer:
 
 
 # Types that the fixture has values of: FIX_<type> in tests/misuse/fixture.h.
-FIXED = {"swHost", "swRasterDef", "swSplineDef", "swHullDef", "swFields", "swField", "swWaveSystemId", "swInputId", "swWaterBodyDef", "swWaterBodyId", "swFieldSamples", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
+FIXED = {"swHost", "swRasterDef", "swSplineDef", "swHullDef", "swMeshDef", "swFields", "swField", "swWaveSystemId", "swInputId", "swWaterBodyDef", "swWaterBodyId", "swFieldSamples", "swShot", "swSeaReplayDef", "swMeasuredSpectrumDef", "swSea", "swSceneSea",
          "swSurfaceSamples", "swVolumeSamples", "swHeightMapDef", "swScene", "swNdbcTexts", "swWaveSystemDef", "swSceneView",
          "swStageImage", "swStageBuffer", "swStageFrame", "swStageTargets", "swStageTerrainDef", "swSeaBins", "swSeaGauges"}
 # Of those, what is copied and spoilt field by field although there is no default.

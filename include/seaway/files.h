@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measured.h"
+#include "mesh.h"
 #include "raster.h"
 
 /// @file
@@ -126,7 +127,7 @@ SW_API swResult swReadRaster(const swHost* host, const char* path, const swRaste
 /// made from: a text (NULL for none) and a hash, of which swReadRasterSource() tells. The file that was there stays
 /// whole until the new one is.
 /// @return SW_ERROR_INVALID, SW_ERROR_FILE, SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED (built without OpenEXR)
-SW_API swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* source,
+SW_API swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* madeFrom,
                               uint64_t sourceHash);
 
 /// Room for the text of what a raster was made from, with its zero.
@@ -142,3 +143,36 @@ typedef struct swRasterSource
 
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (no EXR image, or one that does not say), SW_ERROR_UNSUPPORTED
 SW_API swResult swReadRasterSource(const swHost* host, const char* path, swRasterSource* source);
+
+/// Which way is up in a mesh's file.
+typedef enum swMeshUp
+{
+    SW_MESH_Y_UP, ///< as glTF has it, and here
+    SW_MESH_Z_UP, ///< as drawings and most STL have it: x stays, y becomes -z
+    SW_MESH_UP_COUNT
+} swMeshUp;
+
+/// How a mesh's file becomes metres. Must be initialized with swDefaultMeshFileDef().
+typedef struct swMeshFileDef
+{
+    /// Default SW_MESH_Y_UP.
+    swMeshUp up;
+
+    /// Metres of one of the file's lengths. Range [1e-6, 1e6]. Default 1.
+    float scale;
+
+    /// See swMeshDef::highest; m, after scaling. Range [-1e6, 1e6]. Default 1e6.
+    float highest;
+
+    /// Set by swDefaultMeshFileDef().
+    int internalValue;
+} swMeshFileDef;
+
+SW_API swMeshFileDef swDefaultMeshFileDef(void);
+
+/// Read a mesh: OBJ, glTF (gltf, glb), STL or PLY, which is known by the end of the file's name. All triangles of all
+/// nodes, each where its node puts it; lines and points are left out. Colours of corners become the mesh's values (red,
+/// green, blue, cover) if every part has them. `def` may be NULL: the default.
+/// @return SW_ERROR_FILE, SW_ERROR_FORMAT (what is wrong in the host's log), SW_ERROR_LIMIT (too many triangles),
+///         SW_ERROR_NO_MEMORY, SW_ERROR_UNSUPPORTED (another format, or built without Assimp)
+SW_API swResult swReadMesh(const swHost* host, const char* path, const swMeshFileDef* def, swMesh** mesh);

@@ -111,6 +111,34 @@ typedef struct swInputAnswer
 typedef void (*swInputFunctionFcn)(void* context, double time, int count, const swPosXZ* points,
                                    swInputAnswer* answers);
 
+/// How a wave system that is made for one wind counts where the wind is another. The raster of the input then has two
+/// channels, the wind along x and z in m/s, and the system's weight follows from that: a place mixes the systems of the
+/// two nearest headings and of the two nearest speeds, by weights whose squares add up to the energy that is asked for.
+/// swCreateWindSea() makes such systems and inputs; by hand it is a part of swInputDef.
+typedef struct swWindWeight
+{
+    /// Default false: the raster has weights.
+    bool isUsed;
+
+    /// Where the system's wind blows to, radians from +x towards +z. Range [-1000, 1000]. Default 0.
+    float heading;
+
+    /// From this heading to those of the systems on either side, radians. Range [0.01, 1.5707964]. Default 0.5235988.
+    float headingStep;
+
+    /// Wind of the system, m/s. Range [0.1, 100]. Default 10.
+    float speed;
+
+    /// Winds of the systems of the same heading with the next weaker and the next stronger wind, m/s; 0 where there is
+    /// none. Range [0, 100]. Default 0.
+    float speedBelow, speedAbove;
+
+    /// Deviation of the heights of those systems, over that of this one. Where there is none: how heights go on there,
+    /// as (s / speed) (1 + b (s / speed - 1)) under a wind s: 0 grows with the wind, 1 with its square. Range [0, 1000].
+    /// Default 1.
+    float heightBelow, heightAbove;
+} swWindWeight;
+
 /// Must be initialized with swDefaultInputDef().
 typedef struct swInputDef
 {
@@ -166,6 +194,14 @@ typedef struct swInputDef
 
     /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;
+
+    /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come. Of
+    /// unrelated waves energies add up, not heights, so the two weights have squares whose sum is 1; `blend` is not
+    /// looked at. Inputs that join later add to it. Default false.
+    bool removesWaves;
+
+    /// Of SW_INPUT_WAVES by a raster: see swWindWeight.
+    swWindWeight windWeight;
 
     /// Of SW_SHAPE_RASTER, with at least as many channels as the field has numbers. Unknown cells are not covered.
     /// A raster with more than one frame is played, see swInputDef::framesPerSecond. The world holds it as long as an
@@ -236,6 +272,21 @@ SW_API const swFields* swGetInputFields(void);
 /// @return SW_ERROR_INVALID (the host's log names the number and its range), SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT (more
 /// than SW_MAX_INPUTS), SW_ERROR_UNSUPPORTED where a shape makes no sense for a field; then nothing is made
 SW_API swResult swCreateInput(swWorld* world, const swInputDef* def, swInputId* id);
+
+/// Most rasters of a nest.
+#define SW_MAX_NEST 64
+
+/// Put a nest of rasters into the sea, such as a coarse chart of a coast and finer ones of its harbours: an input for
+/// each, which joins by SW_BLEND_ALPHA over the coarser ones, so that the finest counts. Each fades into what is below
+/// it within a feather from its edge inwards: three cells of the next coarser one, at most a quarter of its own shorter
+/// side. The coarsest fades into what is below all within `def`'s feather, or, where that is 0, within a sixteenth of
+/// its shorter side. The other fields of `def` are those of each input; its shape and raster are not looked at, and the
+/// order is that of the coarsest, which the others follow.
+/// @param rasters in any order; of equal spacing the one that comes later counts
+/// @param ids [count], in the order of the rasters
+/// @return as swCreateInput(); then none is made
+SW_API swResult swCreateNest(swWorld* world, const swInputDef* def, int count, const swRaster* const* rasters,
+                             swInputId* ids);
 
 /// Take an input away, from the next step on.
 SW_API void swDestroyInput(swWorld* world, swInputId id);

@@ -10,7 +10,8 @@
 /// made of them goes on with the same bits, on any machine, also in the middle of changes.
 
 /// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, inputs
-/// with their points, views with their slices and foam. Of rasters, hulls, splines and functions it holds hashes. The bytes are the same on every machine. Any thread that may use a `const swWorld*`.
+/// with their points, views with their slices and foam. Of rasters, hulls, splines and functions it holds hashes. The
+/// bytes are the same on every machine. Any thread that may use a `const swWorld*`.
 /// @param data room for `*size` bytes; NULL to ask for the size
 /// @param size in: bytes of room; out: bytes needed
 /// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing
@@ -22,6 +23,7 @@ typedef enum swResourceKind
 {
     SW_RESOURCE_RASTER,
     SW_RESOURCE_HULL,
+    SW_RESOURCE_MESH,
     SW_RESOURCE_SPLINE,
     SW_RESOURCE_FUNCTION,
     SW_RESOURCE_KIND_COUNT
@@ -32,12 +34,14 @@ typedef struct swResource
 {
     const swRaster* raster;
     const swHull* hull;
+    const swMesh* mesh;
     const swSpline* spline;
     swInputFunctionFcn function;
     void* functionContext;
 } swResource;
 
-/// Give what has a hash (of a raster, a hull or a spline, see their infos) or a fingerprint (of a function). `name` is the input's.
+/// Give what has a hash (of a raster, a hull, a mesh or a spline, see their infos) or a fingerprint (of a function).
+/// `name` is the input's.
 /// @return false if there is no such thing
 typedef bool (*swFindResourceFcn)(void* context, swResourceKind kind, uint64_t hash, const char* name,
                                   swResource* resource);
@@ -52,8 +56,8 @@ typedef struct swRestoreDef
     /// What would go beyond is refused before it is taken. Range [1, SIZE_MAX]. Default 2^30.
     size_t memoryBudget;
 
-    /// Asked for the rasters, hulls, splines and functions of inputs. Default NULL: there are none, and a world that uses one is
-    /// refused with a sentence that names it.
+    /// Asked for the rasters, hulls, meshes, splines and functions of inputs. Default NULL: there are none, and a world
+    /// that uses one is refused with a sentence that names it.
     swFindResourceFcn findResource;
     void* resourceContext;
 

@@ -4,6 +4,7 @@
 #ifndef SW_SHARED_INPUT_SHAPES_H
 #define SW_SHARED_INPUT_SHAPES_H
 #include "input.h"
+#include "shape_mesh.h"
 #include "shape_particles.h"
 #include "shape_plain.h"
 #include "shape_polygon.h"
@@ -20,6 +21,10 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     if (record.shape == SW_FORM_RECTANGLE)
     {
         return swSampleRectangle(record, own.x, own.z);
+    }
+    if (record.shape == SW_FORM_MESH)
+    {
+        return swSampleMeshInput(words, record, own.x, own.z);
     }
     if (record.shape == SW_FORM_POLYGON)
     {

@@ -200,14 +200,20 @@ static swResult refuse(const swHost* host, const char* path)
 }
 #endif
 
-swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* source,
+swResult swWriteRaster(const swHost* host, const char* path, const swRaster* raster, const char* madeFrom,
                        uint64_t sourceHash)
 {
     SW_REQUIRE(swIsHostValid(host) && path != NULL && raster != NULL, SW_ERROR_INVALID, host,
                "swWriteRaster() needs a host, a path and a raster");
-    source = source != NULL ? source : "";
+    const char* source = madeFrom != NULL ? madeFrom : "";
     SW_REQUIRE(strlen(source) < SW_MAX_RASTER_SOURCE, SW_ERROR_INVALID, host,
                "swWriteRaster() takes a source of at most %d bytes", SW_MAX_RASTER_SOURCE - 1);
+    swRasterInfo info = swRaster_GetInfo(raster);
+    if (info.channels != 1 || info.frames != 1)
+    {
+        return swFail(host, SW_ERROR_UNSUPPORTED, "%s has %d channels and %d frames; only rasters of one are written.",
+                      info.name, info.channels, info.frames);
+    }
 #if SW_HAS_EXR
     return writeExr(host, path, raster, source, sourceHash);
 #else

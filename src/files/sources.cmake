@@ -3,6 +3,7 @@
 target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/file_text.c
     ${CMAKE_CURRENT_LIST_DIR}/measured_file.c
+    ${CMAKE_CURRENT_LIST_DIR}/mesh_file.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_esri.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_file.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_grid.c
@@ -48,6 +49,7 @@ sw_add_format(SW_BUILD_NETCDF netcdf.h netcdf libnetcdf-dev SW_HAS_NETCDF
 sw_add_format(SW_BUILD_PNG png.h png libpng-dev SW_HAS_PNG raster_png.c)
 sw_add_format(SW_BUILD_EXR openexr.h OpenEXRCore libopenexr-dev SW_HAS_EXR raster_exr.c)
 sw_add_format(SW_BUILD_TIFF tiffio.h tiff libtiff-dev SW_HAS_TIFF raster_tiff.c)
+sw_add_format(SW_BUILD_ASSIMP assimp/cimport.h assimp libassimp-dev SW_HAS_ASSIMP)
 set(SW_SCENE_PACKAGES)
 if(SW_HAS_JSON)
     list(APPEND SW_SCENE_PACKAGES jansson)
@@ -63,4 +65,7 @@ if(SW_HAS_EXR)
 endif()
 if(SW_HAS_TIFF)
     list(APPEND SW_SCENE_PACKAGES libtiff-4)
+endif()
+if(SW_HAS_ASSIMP)
+    list(APPEND SW_SCENE_PACKAGES assimp)
 endif()

@@ -48,6 +48,7 @@ typedef struct Fixture
     swHeightMapDef map;
     swSeaPatches* seaPatches;
     swRaster* raster;
+    swRaster* rasters[4];
     swRasterDef rasterDef;
     swSpline* spline;
     swSplineDef splineDef;
@@ -57,6 +58,8 @@ typedef struct Fixture
     swWaterBodyId waterBodyId, staleWaterBodyId;
     swHull* hull;
     swHullDef hullDef;
+    swMesh* mesh;
+    swMeshDef meshDef;
     swSeaBins bins;
     swSeaGauges gauges;
 #if MISUSE_GPU
@@ -113,6 +116,7 @@ typedef struct Fixture
 #define FIX_swRasterDef (&f->rasterDef)
 #define FIX_swSplineDef (&f->splineDef)
 #define FIX_swHullDef (&f->hullDef)
+#define FIX_swMeshDef (&f->meshDef)
 #define FIX_swSeaBins (&f->bins)
 #define FIX_swSeaGauges (&f->gauges)
 #define FIX_swShot (&f->shot)
@@ -235,6 +239,7 @@ static inline void MakeWorld(Fixture* f)
     f->rasterDef.width = f->rasterDef.height = 2;
     f->rasterDef.values = cells;
     Need(swCreateRaster(&f->host, &f->rasterDef, &f->raster), "raster");
+    f->rasters[0] = f->rasters[1] = f->rasters[2] = f->rasters[3] = f->raster;
     const swInputDef inputDef = swDefaultInputDef();
     Need(swCreateInput(f->world, &inputDef, &f->staleInputId), "input");
     swDestroyInput(f->world, f->staleInputId);
@@ -254,6 +259,11 @@ static inline void MakeWorld(Fixture* f)
     f->hullDef.indices = faces;
     f->hullDef.resolution = 8;
     Need(swCreateHull(&f->host, &f->hullDef, &f->hull), "hull");
+    f->meshDef = swDefaultMeshDef();
+    f->meshDef.vertices = corners;
+    f->meshDef.vertexCount = f->meshDef.triangleCount = 4;
+    f->meshDef.indices = faces;
+    Need(swCreateMesh(&f->host, &f->meshDef, &f->mesh), "mesh");
     static swSplinePoint points[2];
     points[0] = swDefaultSplinePoint(0.0, 0.0, 0.0);
     points[1] = swDefaultSplinePoint(9.0, 0.0, 0.0);

@@ -5,9 +5,11 @@
 #include <string.h>
 
 #include "core/input/hull.h"
+#include "core/input/mesh.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "core/math/scalar.h"
+#include "shared/region.h"
 #include "shared/shape_hull.h"
 #include "shared/shape_particles.h"
 #include "shared/shape_spline.h"
@@ -86,6 +88,14 @@ static swPosXZ placeRaster(const swInputDef* def, const swRaster* raster, swInpu
     record->gain = def->gain;
     double cosine = (double)record->cosine, sine = (double)record->sine;
     return (swPosXZ){cosine * raster->x - sine * raster->z, sine * raster->x + cosine * raster->z};
+}
+
+// Heights of a mesh count from its own origin, which lies at the input's place.
+static void placeMesh(const swInputDef* def, const swMesh* mesh, swInputRecord* record)
+{
+    swDescribeMesh(mesh, record);
+    record->gain = def->gain;
+    record->value.x = def->field == SW_INPUT_FLOOR ? def->value[0] + record->size.w : record->value.x;
 }
 
 // A spline's own axes begin in its middle. Heights of its points count from where the input is.
@@ -199,6 +209,9 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
     case SW_SHAPE_RECTANGLE:
         placeCentred(record, def->size.x, def->size.z);
         break;
+    case SW_SHAPE_MESH:
+        placeMesh(def, data->mesh, record);
+        break;
     case SW_SHAPE_RASTER:
         return placeRaster(def, data->raster, record);
     case SW_SHAPE_SPLINE:
@@ -253,8 +266,20 @@ static void turnRecord(const swInputDef* def, swInputRecord* record)
     record->cosine = isTurned ? (float)swCos(yaw) : 1.0f;
     record->sine = isTurned ? (float)swSin(yaw) : 0.0f;
     record->turn = makeTilt(def->rotation);
-    bool isVector = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->field == SW_INPUT_DISPLACEMENT;
+    bool isVector = def->windWeight.isUsed || def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND ||
+                    def->field == SW_INPUT_DISPLACEMENT;
     record->flags |= isTurned && isVector ? SW_INPUT_TURNS_VALUES : 0u;
+}
+
+// What shared/region.h reads of a record of waves.
+static void weighByWind(const swWindWeight* wind, swInputRecord* record)
+{
+    double heading = (double)wind->heading, step = (double)wind->headingStep;
+    record->flags |= SW_INPUT_TAKES_WIND;
+    record->turn = (sw_vec4){(float)swCos(heading), (float)swSin(heading), (float)swCos(step), (float)swSin(step)};
+    record->size = (sw_vec4){wind->speed, wind->speedBelow, wind->speedAbove, record->size.w};
+    record->value.z = wind->heightBelow;
+    record->value.w = wind->heightAbove;
 }
 
 // The cells of a turned box. Own coordinates are rounded to floats: a little more is covered.
@@ -295,6 +320,11 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         record->value.x = (float)((double)def->value[0] - seaLevel);
     }
     turnRecord(def, record);
+    record->flags |= def->removesWaves ? SW_INPUT_REMOVES_WAVES : 0u;
+    if (def->windWeight.isUsed)
+    {
+        weighByWind(&def->windWeight, record);
+    }
     swPosXZ at = placeShape(def, data, record);
     swPosXZ origin = {def->position.x + at.x, def->position.z + at.z};
     if ((record->flags & SW_INPUT_IS_BOUNDLESS) != 0)
@@ -327,6 +357,11 @@ const float* swGetInputWords(const swInputData* data, int* count)
     {
         *count = (int)data->spline->wordCount;
         return data->spline->words;
+    }
+    if (data->mesh != NULL)
+    {
+        *count = (int)data->mesh->wordCount;
+        return data->mesh->words;
     }
     if (data->hull != NULL)
     {
@@ -391,7 +426,14 @@ bool swIsInputRecordGood(const swInputRecord* record)
 void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most)
 {
     float low = 0.0f, high = 0.0f;
-    bool isUnknown = def->shape == SW_SHAPE_FUNCTION || def->shape == SW_SHAPE_SPLINE || def->shape == SW_SHAPE_MESH;
+    bool isMeshOfFloor = def->shape == SW_SHAPE_MESH && def->field == SW_INPUT_FLOOR;
+    bool isUnknown = def->shape == SW_SHAPE_FUNCTION || def->shape == SW_SHAPE_SPLINE ||
+                     (def->shape == SW_SHAPE_MESH && !isMeshOfFloor);
+    if (isMeshOfFloor)
+    {
+        low = def->mesh->low.y;
+        high = fminf(def->mesh->high.y, fmaxf(def->mesh->highest, low));
+    }
     if (def->shape == SW_SHAPE_RASTER && def->raster->least <= def->raster->most)
     {
         low = def->raster->least;
@@ -405,7 +447,7 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
             high = fmaxf(high, data->points[i].value[k]);
         }
     }
-    bool isScaled = def->shape == SW_SHAPE_RASTER;
+    bool isScaled = def->shape == SW_SHAPE_RASTER || isMeshOfFloor;
     float a = isScaled ? def->gain * low : low, b = isScaled ? def->gain * high : high;
     *least = isUnknown ? -LARGEST_VALUE : fminf(a, b);
     *most = isUnknown ? LARGEST_VALUE : fmaxf(a, b);

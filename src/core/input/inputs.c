@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/input/hull.h"
+#include "core/input/mesh.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 
@@ -22,6 +23,7 @@ static void freeData(const swHost* host, swInputData* data)
     if (data != NULL)
     {
         swReleaseRaster(data->raster);
+        swReleaseMesh(data->mesh);
         swReleaseSpline(data->spline);
         swReleaseHull(data->hull);
         swFree(host, data, data->size);
@@ -39,7 +41,7 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
     int words = swCountInputWords(def);
     *isFine = true;
-    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL && def->spline == NULL)
+    if (room == 0 && words == 0 && def->raster == NULL && def->hull == NULL && def->mesh == NULL && def->spline == NULL)
     {
         return NULL;
     }
@@ -56,6 +58,8 @@ static swInputData* makeData(const swHost* host, const swInputDef* def, bool* is
     data->size = size;
     data->raster = def->raster;
     swRetainRaster(data->raster);
+    data->mesh = def->mesh;
+    swHoldMesh(data->mesh);
     data->spline = def->spline;
     swRetainSpline(data->spline);
     data->hull = def->hull;

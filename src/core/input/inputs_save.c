@@ -9,6 +9,7 @@
 #include "core/base/host.h"
 #include "core/input/hull.h"
 #include "core/input/input_def.h"
+#include "core/input/mesh.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 
@@ -17,8 +18,8 @@ typedef struct Saved
     bool isUsed;
     uint32_t generation;
     uint64_t serial;
-    swInputDef def;                          // without pointers
-    uint64_t raster, hull, spline, function; // hashes, 0: none
+    swInputDef def;                                // without pointers
+    uint64_t raster, hull, mesh, spline, function; // hashes, 0: none
 } Saved;
 
 static Saved getSaved(const swInput* input)
@@ -31,6 +32,7 @@ static Saved getSaved(const swInput* input)
         .def = *def,
         .raster = input->isUsed && def->raster != NULL ? def->raster->hash : 0,
         .hull = input->isUsed && def->hull != NULL ? def->hull->hash : 0,
+        .mesh = input->isUsed && def->mesh != NULL ? def->mesh->hash : 0,
         .spline = input->isUsed && def->spline != NULL ? def->spline->hash : 0,
         .function = def->functionFingerprint,
     };
@@ -50,6 +52,7 @@ static void streamSaved(swStream* stream, Saved* saved)
     swStreamU32(stream, &saved->def.system.generation);
     swStreamU64(stream, &saved->raster);
     swStreamU64(stream, &saved->hull);
+    swStreamU64(stream, &saved->mesh);
     swStreamU64(stream, &saved->spline);
     swStreamU64(stream, &saved->function);
     swStreamRange(stream, &saved->def.pointCount, 0, SW_MAX_INPUT_POINTS);
@@ -98,6 +101,17 @@ static swResult findResources(const swHost* host, const swRestoreDef* find, Save
             return refuseMissing(host, "hull", saved, saved->hull);
         }
         saved->def.hull = resource.hull;
+    }
+    if (saved->mesh != 0)
+    {
+        bool isGiven = find->findResource != NULL &&
+                       find->findResource(find->resourceContext, SW_RESOURCE_MESH, saved->mesh, name, &resource) &&
+                       resource.mesh != NULL && resource.mesh->hash == saved->mesh;
+        if (!isGiven)
+        {
+            return refuseMissing(host, "mesh", saved, saved->mesh);
+        }
+        saved->def.mesh = resource.mesh;
     }
     if (saved->spline != 0)
     {
@@ -213,8 +227,9 @@ static bool hasResources(const swInput* input, const Saved* saved)
 {
     Saved now = getSaved(input);
     return input->isUsed && now.generation == saved->generation && now.raster == saved->raster &&
-           now.hull == saved->hull && now.spline == saved->spline && now.function == saved->function &&
-           now.def.shape == saved->def.shape && now.def.pointCapacity >= saved->def.pointCount;
+           now.hull == saved->hull && now.mesh == saved->mesh && now.spline == saved->spline &&
+           now.function == saved->function && now.def.shape == saved->def.shape &&
+           now.def.pointCapacity >= saved->def.pointCount;
 }
 
 swResult swCheckInputs(const swInputs* inputs, swStream* stream)
@@ -245,6 +260,7 @@ swResult swCheckInputs(const swInputs* inputs, swStream* stream)
         const swHost silent = {0};
         saved.def.raster = input != NULL ? input->def.raster : NULL;
         saved.def.spline = input != NULL ? input->def.spline : NULL;
+        saved.def.mesh = input != NULL ? input->def.mesh : NULL;
         saved.def.hull = input != NULL ? input->def.hull : NULL;
         saved.def.function = input != NULL ? input->def.function : NULL;
         stream->isBroken = stream->isBroken || swCheckDef(&silent, &swInputFields, &saved.def) != SW_SUCCESS;
@@ -294,6 +310,7 @@ void swHashInputs(swHash* hash, const swInputs* inputs)
         swAddHash(hash, input->def.field == SW_INPUT_WAVES ? (uint64_t)input->def.system.index1 : 0);
         swAddHash(hash, saved.raster);
         swAddHash(hash, saved.hull);
+        swAddHash(hash, saved.mesh);
         swAddHash(hash, saved.spline);
         swAddHash(hash, saved.function);
         for (int k = 0; k < input->def.pointCount; ++k)

@@ -9,6 +9,11 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/input_record.c
     ${CMAKE_CURRENT_LIST_DIR}/inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/inputs_save.c
+    ${CMAKE_CURRENT_LIST_DIR}/island.c
+    ${CMAKE_CURRENT_LIST_DIR}/island_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/mesh.c
+    ${CMAKE_CURRENT_LIST_DIR}/mesh_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/mesh_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/polygon.c
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_def.c

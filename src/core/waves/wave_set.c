@@ -64,11 +64,11 @@ static bool areSameDrifts(const swDrift* a, const swDrift* b)
            a->fromZ == b->fromZ && a->toX == b->toX && a->toZ == b->toZ;
 }
 
-static swWaveSet* findSet(swWaves* waves, const swWaveSystemDef* def, const swDrift* drift)
+static swWaveSet* findSet(swWaves* waves, int own, const swWaveSystemDef* def, const swDrift* drift)
 {
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        for (int i = 0; i < waves->systems[slot].partCount; ++i)
+        for (int i = 0; i < waves->systems[slot].partCount && (!def->isLocal || slot == own); ++i)
         {
             swWaveSet* set = waves->systems[slot].parts[i].set;
             set = set->mix != NULL ? set->to : set;
@@ -222,9 +222,9 @@ void swTurnSet(swWaves* waves, swWaveSet* set, const swWaveSystemDef* def, const
     waves->isChanged = true;
 }
 
-swResult swAcquireSet(swWaves* waves, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** out)
+swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** out)
 {
-    swWaveSet* set = findSet(waves, def, drift);
+    swWaveSet* set = findSet(waves, slot, def, drift);
     if (set != NULL)
     {
         set->useCount += 1;

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Meshes in files, by way of Assimp's C interface: all triangles of a scene, each where its node puts it.
+
+#include <math.h>
+#include <string.h>
+
+#include "core/base/host.h"
+#include "core/base/misuse.h"
+#include "files/file_text.h"
+#include "seaway/files.h"
+
+swMeshFileDef swDefaultMeshFileDef(void)
+{
+    return (swMeshFileDef){.scale = 1.0f, .highest = 1e6f, .internalValue = SW_DEF_COOKIE};
+}
+
+#if SW_HAS_ASSIMP
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+typedef struct MeshFile
+{
+    const swHost* host;
+    const char* path;
+    const swMeshFileDef* def;
+    const struct aiScene* scene;
+    int vertexCount, triangleCount, channelCount;
+    size_t verticesSize, indicesSize, valuesSize;
+    swVec3* vertices;
+    uint32_t* indices;
+    float* values;
+} MeshFile;
+
+// What Assimp takes a file for depends on its name, so only such names are passed on.
+static bool hasKnownName(const char* path)
+{
+    static const char* const ends[] = {".obj", ".gltf", ".glb", ".stl", ".ply"};
+    size_t size = strlen(path);
+    for (size_t i = 0; i < sizeof(ends) / sizeof(ends[0]); ++i)
+    {
+        size_t endSize = strlen(ends[i]), k = 0;
+        while (size >= endSize && k < endSize)
+        {
+            char c = path[size - endSize + k];
+            c = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+            if (c != ends[i][k])
+            {
+                break;
+            }
+            ++k;
+        }
+        if (size >= endSize && k == endSize)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+static const struct aiScene* import(const char* path)
+{
+    struct aiPropertyStore* properties = aiCreatePropertyStore();
+    if (properties == NULL)
+    {
+        return NULL;
+    }
+    aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    const struct aiScene* scene =
+        aiImportFileExWithProperties(path,
+                                     aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices |
+                                         aiProcess_ValidateDataStructure,
+                                     NULL, properties);
+    aiReleasePropertyStore(properties);
+    return scene;
+}
+
+static swResult count(MeshFile* file)
+{
+    size_t vertices = 0, triangles = 0;
+    bool hasColors = file->scene->mNumMeshes > 0;
+    for (unsigned i = 0; i < file->scene->mNumMeshes; ++i)
+    {
+        const struct aiMesh* mesh = file->scene->mMeshes[i];
+        vertices += mesh->mNumVertices;
+        triangles += mesh->mNumFaces;
+        hasColors = hasColors && mesh->mColors[0] != NULL;
+    }
+    if (triangles == 0 || vertices == 0)
+    {
+        return swFail(file->host, SW_ERROR_FORMAT, "%s holds no triangles.", file->path);
+    }
+    if (triangles > SW_MAX_MESH_TRIANGLES || vertices > 3 * SW_MAX_MESH_TRIANGLES)
+    {
+        return swFail(file->host, SW_ERROR_LIMIT, "%s has %zu triangles; at most %d are read. Take a simpler mesh.",
+                      file->path, triangles, SW_MAX_MESH_TRIANGLES);
+    }
+    file->vertexCount = (int)vertices;
+    file->triangleCount = (int)triangles;
+    file->channelCount = hasColors ? 4 : 0;
+    return SW_SUCCESS;
+}
+
+static swVec3 place(const MeshFile* file, struct aiVector3D v)
+{
+    float scale = file->def->scale;
+    bool isZUp = file->def->up == SW_MESH_Z_UP;
+    return isZUp ? (swVec3){scale * v.x, scale * v.z, -scale * v.y} : (swVec3){scale * v.x, scale * v.y, scale * v.z};
+}
+
+static swResult keepMesh(MeshFile* file, const struct aiMesh* mesh, uint32_t firstVertex, uint32_t* indices)
+{
+    for (unsigned i = 0; i < mesh->mNumVertices; ++i)
+    {
+        file->vertices[firstVertex + i] = place(file, mesh->mVertices[i]);
+        if (file->channelCount > 0)
+        {
+            struct aiColor4D c = mesh->mColors[0][i];
+            memcpy(file->values + 4 * (size_t)(firstVertex + i), (float[]){c.r, c.g, c.b, c.a}, 4 * sizeof(float));
+        }
+    }
+    for (unsigned i = 0; i < mesh->mNumFaces; ++i)
+    {
+        const struct aiFace* face = &mesh->mFaces[i];
+        for (unsigned k = 0; k < 3; ++k)
+        {
+            if (face->mNumIndices != 3 || face->mIndices[k] >= mesh->mNumVertices)
+            {
+                return swFail(file->host, SW_ERROR_FORMAT, "%s has a face %u that is no triangle of its vertices.",
+                              file->path, i);
+            }
+            indices[3 * i + k] = firstVertex + face->mIndices[k];
+        }
+    }
+    return SW_SUCCESS;
+}
+
+static swResult keepMeshes(MeshFile* file)
+{
+    uint32_t vertex = 0;
+    uint32_t* indices = file->indices;
+    for (unsigned i = 0; i < file->scene->mNumMeshes; ++i)
+    {
+        const struct aiMesh* mesh = file->scene->mMeshes[i];
+        swResult result = keepMesh(file, mesh, vertex, indices);
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
+        vertex += mesh->mNumVertices;
+        indices += 3 * (size_t)mesh->mNumFaces;
+    }
+    return SW_SUCCESS;
+}
+
+static swResult make(MeshFile* file, swMesh** mesh)
+{
+    file->verticesSize = (size_t)file->vertexCount * sizeof(swVec3);
+    file->indicesSize = (size_t)file->triangleCount * 3 * sizeof(uint32_t);
+    file->valuesSize = (size_t)file->vertexCount * 4 * sizeof(float);
+    file->vertices = swAllocate(file->host, file->verticesSize);
+    file->indices = swAllocate(file->host, file->indicesSize);
+    file->values = file->channelCount > 0 ? swAllocate(file->host, file->valuesSize) : NULL;
+    if (file->vertices == NULL || file->indices == NULL || (file->channelCount > 0 && file->values == NULL))
+    {
+        return swFail(file->host, SW_ERROR_NO_MEMORY, "No memory for the triangles of %s.", file->path);
+    }
+    swResult result = keepMeshes(file);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    swMeshDef def = swDefaultMeshDef();
+    def.name = file->path;
+    def.highest = file->def->highest;
+    def.vertices = file->vertices;
+    def.vertexCount = file->vertexCount;
+    def.indices = file->indices;
+    def.triangleCount = file->triangleCount;
+    def.values = file->values;
+    def.channelCount = file->channelCount;
+    result = swCreateMesh(file->host, &def, mesh);
+    return result == SW_ERROR_INVALID ? SW_ERROR_FORMAT : result;
+}
+
+static swResult readMesh(const swHost* host, const char* path, const swMeshFileDef* def, swMesh** mesh)
+{
+    if (!swHasFile(path))
+    {
+        return swFail(host, SW_ERROR_FILE, "Cannot read %s: there is no such file.", path);
+    }
+    if (!hasKnownName(path))
+    {
+        return swFail(host, SW_ERROR_UNSUPPORTED, "%s is no mesh by its name; those end in obj, gltf, glb, stl or ply.",
+                      path);
+    }
+    MeshFile file = {.host = host, .path = path, .def = def, .scene = import(path)};
+    if (file.scene == NULL)
+    {
+        return swFail(host, SW_ERROR_FORMAT, "%s cannot be read as a mesh: %s", path, aiGetErrorString());
+    }
+    swResult result = count(&file);
+    result = result != SW_SUCCESS ? result : make(&file, mesh);
+    swFree(host, file.vertices, file.verticesSize);
+    swFree(host, file.indices, file.indicesSize);
+    swFree(host, file.values, file.valuesSize);
+    aiReleaseImport(file.scene);
+    return result;
+}
+#else
+static swResult readMesh(const swHost* host, const char* path, const swMeshFileDef* def, swMesh** mesh)
+{
+    (void)def;
+    (void)mesh;
+    return swFail(host, SW_ERROR_UNSUPPORTED,
+                  "%s is a mesh, which this build does not read: configure with libassimp-dev installed.", path);
+}
+#endif
+
+swResult swReadMesh(const swHost* host, const char* path, const swMeshFileDef* def, swMesh** mesh)
+{
+    SW_REQUIRE_PLACE(host, mesh, "swReadMesh()");
+    swMeshFileDef usual = swDefaultMeshFileDef();
+    def = def != NULL ? def : &usual;
+    SW_REQUIRE(path != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, host,
+               "swReadMesh() needs a path, and a def made by swDefaultMeshFileDef()");
+    SW_REQUIRE((unsigned)def->up < SW_MESH_UP_COUNT, SW_ERROR_INVALID, host, "swMeshFileDef::up is %d; there are %d",
+               (int)def->up, SW_MESH_UP_COUNT);
+    SW_REQUIRE(def->scale >= 1e-6f && def->scale <= 1e6f, SW_ERROR_INVALID, host,
+               "swMeshFileDef::scale is %g; its range is [1e-6, 1e6]", (double)def->scale);
+    SW_REQUIRE(fabsf(def->highest) <= 1e6f, SW_ERROR_INVALID, host,
+               "swMeshFileDef::highest is %g; its range is [-1e6, 1e6]", (double)def->highest);
+    return readMesh(host, path, def, mesh);
+}
