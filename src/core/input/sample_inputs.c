@@ -167,7 +167,7 @@ void swFindWaterValues(const swInputSet* set, int field, int count, const swPosX
             const Place* place = follows ? &atRest : &there;
             if (isMeant(&set->records[next], -1, place))
             {
-                joinValue(set, next, place, &value);
+                joinValue(set, next, -1, place, &value);
             }
         }
         values[i] = value.value.x;
