@@ -373,6 +373,13 @@ SW_FORMULA swInputValue swBlendInput(swInputRecord record, swInputValue below, s
     }
     swInputChannel x = swBlendChannel(record, swMakeChannel(below.value.x, below.alongX.x, below.alongZ.x),
                                       swMakeChannel(s.value.x, s.valueX.x, s.valueZ.x), share);
+    if (swCountInputNumbers(record.field) == 1u)
+    {
+        below.value.x = x.value;
+        below.alongX.x = x.alongX;
+        below.alongZ.x = x.alongZ;
+        return below;
+    }
     swInputChannel y = swBlendChannel(record, swMakeChannel(below.value.y, below.alongX.y, below.alongZ.y),
                                       swMakeChannel(s.value.y, s.valueX.y, s.valueZ.y), share);
     swInputChannel z = swBlendChannel(record, swMakeChannel(below.value.z, below.alongX.z, below.alongZ.z),

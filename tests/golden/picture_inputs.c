@@ -130,7 +130,8 @@ static void ColoursLieWhereTheyWerePut(void** state)
         coloured += r < 7.0f && red[4 * i] > 5.0f * bare[4 * i] && red[4 * i] > 4.0f * red[4 * i + 2] ? 1 : 0;
         others += r > 9.0f && red[4 * i] == bare[4 * i] && red[4 * i + 2] == bare[4 * i + 2] ? 1 : 0;
     }
-    float inside = (float)SW_PI * 49.0f / (metres * metres), outside = PIXELS - (float)SW_PI * 81.0f / (metres * metres);
+    float inside = (float)SW_PI * 49.0f / (metres * metres),
+          outside = PIXELS - (float)SW_PI * 81.0f / (metres * metres);
     print_message("%d of %.0f pixels coloured, %d of %.0f as they were\n", coloured, (double)inside, others,
                   (double)outside);
     assert_true((float)coloured > 0.97f * inside && (float)others > 0.99f * outside);

@@ -184,11 +184,9 @@ void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ
     }
 }
 
-bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach)
+bool swFindCellBox(swPosXZ point, double reach, swCellBox* box)
 {
-    swCellBox box;
     float rest;
-    bool fits = swFindCell(point.x - reach, &box.minX, &rest) && swFindCell(point.x + reach, &box.maxX, &rest) &&
-                swFindCell(point.z - reach, &box.minZ, &rest) && swFindCell(point.z + reach, &box.maxZ, &rest);
-    return !fits || swTouchesInputs(set, mask, &box);
+    return swFindCell(point.x - reach, &box->minX, &rest) && swFindCell(point.x + reach, &box->maxX, &rest) &&
+           swFindCell(point.z - reach, &box->minZ, &rest) && swFindCell(point.z + reach, &box->maxZ, &rest);
 }

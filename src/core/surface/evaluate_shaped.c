@@ -234,7 +234,7 @@ static bool findPlainPoints(const swQuery* query, const swWaveSumJob* asked, swP
 void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     const swPlaces* places = query->places;
-    if (places->localSystems == 0 && (swFindTouchedFields(places, query->ticks, count, rest) & ~SW_TOUCHES_LEVEL) == 0)
+    if (places->localSystems == 0 && (swFindTouchedFields(places, query->ticks, count, rest, 0.0) & ~SW_TOUCHES_LEVEL) == 0)
     {
         swEvaluatePlain(query, count, rest, out);
         return;

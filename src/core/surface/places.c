@@ -6,14 +6,14 @@
 
 // ---- a block of points ----
 
-uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points)
+uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, double reach)
 {
     uint32_t there = (places->level != NULL ? SW_TOUCHES_LEVEL : 0) |
                      (places->depth != NULL && places->attenuate != NULL ? SW_TOUCHES_DEPTH : 0) |
                      (places->weight != NULL ? SW_TOUCHES_WEIGHT : 0) | (places->warps != NULL ? SW_TOUCHES_WARP : 0) |
                      (places->flow != NULL ? SW_TOUCHES_FLOW : 0);
     bool isAsked = there != 0 && places->touched != NULL;
-    return isAsked ? there & places->touched(places->context, ticks, count, points) : there;
+    return isAsked ? there & places->touched(places->context, ticks, count, points, reach) : there;
 }
 
 static void findDepths(swPlaceBlock* block)
@@ -62,7 +62,7 @@ void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKern
     block->count = count;
     block->rest = rest;
     block->system = -1;
-    block->touched = swFindTouchedFields(places, ticks, count, rest);
+    block->touched = swFindTouchedFields(places, ticks, count, rest, 0.0);
     findDepths(block);
     findFlow(block);
 }

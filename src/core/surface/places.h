@@ -21,8 +21,8 @@
 #define SW_TOUCHES_FLOW 16u
 #define SW_TOUCHES_ALL 31u
 
-// The fields that may say something about some of the points. Cheap, and on the safe side.
-typedef uint32_t swFindTouched(const void* context, int64_t ticks, int count, const swPosXZ* points);
+// The fields that may say something within `reach` metres of some of the points. Cheap, and on the safe side.
+typedef uint32_t swFindTouched(const void* context, int64_t ticks, int count, const swPosXZ* points, double reach);
 
 // Values at points in the sea, and their gradients. `system` is that of the waves in question, of `level` and `depth`
 // -1.
@@ -130,7 +130,7 @@ void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKern
                    const swPosXZ* rest);
 
 // Fields that may say something at any number of points.
-uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points);
+uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, double reach);
 
 // Whether all waves of a group are as they would be with no places; a group that is nowhere near is not.
 bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group);
