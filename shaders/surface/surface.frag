@@ -60,8 +60,17 @@ layout(std430, binding = 19) readonly buffer InputWords
 {
     float inputWords[];
 };
+layout(std430, binding = 22) readonly buffer Bodies
+{
+    swMeshBody bodies[];
+};
+layout(std430, binding = 23) readonly buffer Looks
+{
+    swPictureLook looks[];
+};
 layout(binding = 20) uniform sampler2DArray wakeFoamLayer;
 layout(binding = 21) uniform sampler2DArray shoreFoamLayer;
+#include "lib/holes.glsl"
 #include "lib/inputs.glsl"
 
 // 1 on a device that is a CPU, where every texture sample counts.
@@ -76,12 +85,17 @@ layout(constant_id = 3) const uint hasPlaces = 0;
 layout(constant_id = 5) const uint hasMadeFoam = 0;
 // 1 where inputs colour the water or shade it.
 layout(constant_id = 4) const uint hasColors = 0;
+// 1 where inputs cut the water away.
+layout(constant_id = 6) const uint hasHoles = 0;
+// 1 where there are bodies of water.
+layout(constant_id = 7) const uint hasBodies = 0;
 
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec3 position;
 layout(location = 2) in float blend;
 layout(location = 3) in float height;
 layout(location = 4) flat in uint ring;
+layout(location = 5) flat in int body;
 
 layout(location = 0) out vec4 color;
 
@@ -110,6 +124,7 @@ struct Bottom
     vec3 radiance; // of what the line of sight ends at
     vec3 beside;   // of the image right behind the pixel
     float edge;    // 0 where the water has no depth
+    bool isBacked; // the image shows something there
 };
 
 // `depth` is that of still water where a floor is known, and what counts where the bent line is hidden on the screen.
@@ -118,7 +133,7 @@ Bottom bottomAt(Water water, vec3 view, vec3 normal, float depth)
     Lens lens = Lens(picture.clip[0], picture.clip[1], picture.clip[2], picture.clip[3], picture.forward, picture.rayX,
                      picture.rayY);
     Sunken sunken = seenThrough(lens, opaqueColor, opaqueDepth, position, view, normal, water.index, depth);
-    Bottom bottom = Bottom(Column(vec3(0.0), vec3(1.0)), vec3(0.0), vec3(0.0), 1.0);
+    Bottom bottom = Bottom(Column(vec3(0.0), vec3(1.0)), vec3(0.0), vec3(0.0), 1.0, false);
     if (sunken.isThere)
     {
         bottom.column = columnOf(water, sunken.depth, sunken.way, max(picture.sun.y, 0.0));
@@ -129,6 +144,7 @@ Bottom bottomAt(Water water, vec3 view, vec3 normal, float depth)
     if (opaqueAt(lens, opaqueDepth, uv, straight))
     {
         bottom.edge = smoothstep(0.0, softEdge, length(straight - position));
+        bottom.isBacked = true;
         bottom.beside = textureLod(opaqueColor, uv, 0.0).rgb;
     }
     return bottom;
@@ -176,8 +192,49 @@ Paint paintAt(vec2 rest, Footprint footprint)
     return paint;
 }
 
+// Where the pixel is in the sea.
+SeaPlace pixelPlace()
+{
+    vec2 here = position.xz - vec2(picture.anchorX, picture.anchorZ);
+    return seaPlaceOf(ivec2(picture.anchorCellX, picture.anchorCellZ),
+                      vec2(picture.anchorRestX, picture.anchorRestZ) + here);
+}
+
+// How much of a pixel is water that has the distance at its middle. `reach` is what no pixel is larger than, m: farther
+// from an edge nothing is soft, so that distances may jump there.
+float waterInPixel(float distance, float reach)
+{
+    float near = clamp(distance, -reach, reach);
+    float across = max(fwidth(near), 1e-6);
+    return abs(distance) >= reach ? step(0.0, distance) : clamp(0.5 + near / across, 0.0, 1.0);
+}
+
+// How much of the pixel is water that is not cut away.
+float waterLeft(SeaPlace here)
+{
+    float drop = swMeshDrop(length(position.xz), picture.flatDistance, picture.earthRadius);
+    float reach = max(length(dFdx(position)), length(dFdy(position)));
+    return waterInPixel(clipAt(here, position.y - picture.seaY + drop), reach);
+}
+
+bool isOfBody(SeaPlace here)
+{
+    return bodyAt(here) == (body == SW_NO_MESH_BODY ? -1 : bodies[body].number);
+}
+
 void main()
 {
+    float left = 1.0;
+    if (hasHoles != 0 || hasBodies != 0)
+    {
+        SeaPlace here = pixelPlace();
+        left = hasHoles != 0 ? waterLeft(here) : 1.0;
+        // A pixel that shows what is behind it is a mix; without that it is water or not.
+        if (left < (isClear != 0 ? 0.004 : 0.5) || (hasBodies != 0 && !isOfBody(here)))
+        {
+            discard;
+        }
+    }
     SurfaceGrid grid = SurfaceGrid(picture.ringCount, picture.bandCount, picture.waveCount, picture.resolution,
                                    picture.finestWavelength, picture.rippleVariance);
     vec2 rest = place * picture.step;
@@ -193,7 +250,8 @@ void main()
         vec2 here = (position.xz - vec2(picture.anchorX, picture.anchorZ)) / picture.step;
         Standing standing = standingAt(grid, float(ring) + blend, here, 0.5 * picture.step, places);
         depth = standing.depth;
-        slopes.mean += standing.slope;
+        bool isFlat = hasBodies != 0 && body != SW_NO_MESH_BODY && bodies[body].setsLevel != 0;
+        slopes.mean += hasBodies == 0 ? standing.slope : isFlat ? vec2(0.0) : levelBetweenBodies(pixelPlace()).yz;
     }
     float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest, filtersByHand != 0);
     if (hasMadeFoam != 0)
@@ -211,6 +269,13 @@ void main()
     }
 
     Water water = Water(picture.absorption, picture.scattering, picture.index, picture.deviation);
+    vec3 foamAlbedo = picture.foamAlbedo;
+    if (hasBodies != 0 && body != SW_NO_MESH_BODY)
+    {
+        swPictureLook look = looks[bodies[body].look];
+        water = Water(look.absorption, look.scattering, look.index, picture.deviation);
+        foamAlbedo = look.foamAlbedo;
+    }
     vec3 sun = picture.sun;
     vec3 normal = facetNormal(slopes.mean);
     vec3 sunlight = light.sun.rgb;
@@ -235,7 +300,7 @@ void main()
 
     FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), footprint, amount,
                                    picture.foamPhase, picture.foamSeed);
-    vec3 white = foamRadiance(picture.foamAlbedo, normal, sun, sunlight, light.sky.rgb);
+    vec3 white = foamRadiance(foamAlbedo, normal, sun, sunlight, light.sky.rgb);
     radiance = mix(radiance, white, foam.cover * foam.thickness);
     if (hasColors != 0)
     {
@@ -247,7 +312,11 @@ void main()
         // The image has its own air in front of it.
         float seen = (1.0 - reflectance) * (1.0 - foam.cover * foam.thickness) * (1.0 - paint.albedo.a);
         radiance += seen * bottom.column.bottom * bottom.radiance;
-        radiance = mix(bottom.beside, radiance, bottom.edge);
+        radiance = mix(bottom.beside, radiance, bottom.isBacked ? bottom.edge * left : 1.0);
+        if (!bottom.isBacked && left < 0.5)
+        {
+            discard;
+        }
     }
     color = vec4(min(radiance, vec3(60000.0)), 1.0);
 }

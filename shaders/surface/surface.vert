@@ -3,6 +3,7 @@
 // the rest of the grid into their last row and column, where its triangles have no area.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shared/fields.h"
 #include "shared/picture.h"
 #include "shared/mesh.h"
 
@@ -21,14 +22,39 @@ layout(std430, binding = 2) readonly buffer Tiles
 layout(binding = 3) uniform sampler2DArray displacement;
 layout(binding = 15) uniform sampler2DArray places; // depth of still water, its slopes, its level
 
+layout(std430, binding = 16) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 17) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 18) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 19) readonly buffer InputWords
+{
+    float inputWords[];
+};
+layout(std430, binding = 22) readonly buffer Bodies
+{
+    swMeshBody bodies[];
+};
+#include "lib/holes.glsl"
+
 // 1 where inputs say how deep the water is, or how high it stands.
 layout(constant_id = 3) const uint hasPlaces = 0;
+// 1 where there are bodies of water.
+layout(constant_id = 7) const uint hasBodies = 0;
 
 layout(location = 0) out vec2 place;    // at rest, finest steps from the anchor
 layout(location = 1) out vec3 position; // displaced, metres from the camera
 layout(location = 2) out float blend;
 layout(location = 3) out float height; // of the displaced point above sea level, m
 layout(location = 4) flat out uint ring;
+layout(location = 5) flat out int body; // of the list, or SW_NO_MESH_BODY
 
 // Bilinear by hand: filtering hardware rounds its weights, and most vertices lie on a texel anyway.
 vec4 layerAt(sampler2DArray layer, uint index, vec2 at)
@@ -68,9 +94,20 @@ vec3 offsetAt(uint ring, vec2 at)
     return offset;
 }
 
-// How high still water stands, m above sea level, at a place of a ring.
+// How high still water stands, m above sea level, at a place of a ring. Slices know nothing of shores: near one their
+// levels are mixed, so a body has its own, and what lies between bodies is asked without them.
 float levelAt(uint ring, vec2 at)
 {
+    if (hasBodies != 0 && body != SW_NO_MESH_BODY && bodies[body].setsLevel != 0)
+    {
+        return bodies[body].level;
+    }
+    if (hasBodies != 0)
+    {
+        return levelBetweenBodies(seaPlaceOf(ivec2(picture.anchorCellX, picture.anchorCellZ),
+                                             vec2(picture.anchorRestX, picture.anchorRestZ) + at * picture.step))
+            .x;
+    }
     float level = layerAt(places, ring, at).w;
     return blend > 0.0 && ring + 1 < picture.ringCount ? mix(level, layerAt(places, ring + 1, at).w, blend) : level;
 }
@@ -88,7 +125,7 @@ void placeOnRing(swMeshTile tile, ivec2 corner)
     vec2 rest = place * picture.step + vec2(picture.anchorX, picture.anchorZ);
     position = vec3(rest.x + offset.x, picture.seaY + offset.y, rest.y + offset.z);
     height = offset.y;
-    if (hasPlaces != 0) // the level is that of where the water is, not of where it rests
+    if (hasPlaces != 0 || hasBodies != 0) // the level is that of where the water is, not of where it rests
     {
         position.y += levelAt(tile.ring, place + offset.xz / picture.step);
     }
@@ -117,7 +154,8 @@ void placeOnHorizon(swMeshTile tile, ivec2 corner)
     vec2 rest = place * picture.step + vec2(picture.anchorX, picture.anchorZ);
     position = vec3(rest.x, picture.seaY, rest.y);
     height = 0.0;
-    if (hasPlaces != 0 && corner.y == 0) // where it meets the last ring
+    bool isBody = hasBodies != 0 && body != SW_NO_MESH_BODY;
+    if (isBody || ((hasPlaces != 0 || hasBodies != 0) && corner.y == 0)) // a sea does so where it meets the last ring
     {
         position.y += levelAt(last, place);
     }
@@ -129,6 +167,7 @@ void main()
     uint row = picture.tileSide + 1;
     ivec2 corner = ivec2(uint(gl_VertexIndex) % row, uint(gl_VertexIndex) / row);
     ring = min(tile.ring, picture.ringCount - 1);
+    body = tile.body;
     if (tile.ring < picture.ringCount)
     {
         placeOnRing(tile, corner);

@@ -134,6 +134,11 @@ static bool PutInputs(swWorld* world, const Shot* shot)
         swInputId id;
         isGood = isGood && swCreateInput(world, &shot->inputs[i], &id) == SW_SUCCESS;
     }
+    for (int i = 0; i < shot->bodyCount; ++i)
+    {
+        swWaterBodyId id;
+        isGood = isGood && swCreateWaterBody(world, &shot->bodies[i], &id) == SW_SUCCESS;
+    }
     return isGood;
 }
 
@@ -210,6 +215,8 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
     what.sky.haze = shot->haze;
     what.sky.clouds = shot->clouds;
     what.water.windSpeed = shot->windSpeed;
+    what.bodyWaters = shot->bodyWaters;
+    what.bodyWaterCount = shot->bodyWaterCount;
     what.debug = shot->debug;
     what.time = shot->time;
 

@@ -30,6 +30,10 @@ typedef struct Shot
     void* floorContext;
     const swInputDef* inputs; // of the world
     int inputCount;
+    const swWaterBodyDef* bodies; // of water
+    int bodyCount;
+    const swWaterDef* bodyWaters; // that they look like
+    int bodyWaterCount;
 } Shot;
 
 typedef struct Canvas Canvas;

@@ -15,7 +15,6 @@
 #define SW_SUN_RED 1.047f
 #define SW_SUN_GREEN 0.995f
 #define SW_SUN_BLUE 0.915f
-#define SW_UNKNOWN_LEVEL 1e5f // m
 #define SW_FOAM_PERIOD 1024.0
 #define SW_FOAM_RENEWAL 7.0  // s from one foam pattern to the next but one
 #define USUAL_WIND 7.0f      // m/s on ripples where nothing names a wind
@@ -74,21 +73,6 @@ static void setSky(const swSkyDef* sky, swPictureParams* p)
     p->clouds = sky->clouds;
 }
 
-// How far inputs may lift or lower still water, m: bounds for culling. What rasters, points, splines and functions
-// bring is not looked through; then the mesh is culled by the sides of the view alone.
-static float getLevelReach(const swInputSet* inputs)
-{
-    float reach = 0.0f;
-    const swInputRange* range = inputs != NULL ? &inputs->ranges[SW_INPUT_LEVEL] : NULL;
-    for (uint32_t i = 0; range != NULL && i < range->recordCount; ++i)
-    {
-        const swInputRecord* record = &inputs->records[range->firstRecord + i];
-        bool isPlain = record->wordCount == 0 && record->shape != SW_FORM_FUNCTION;
-        reach += isPlain ? fabsf(record->value.x) * fmaxf(record->weight, 1.0f) : SW_UNKNOWN_LEVEL;
-    }
-    return fminf(reach, SW_UNKNOWN_LEVEL);
-}
-
 static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* built)
 {
     const swWaterDef* water = &shot->water;
@@ -115,7 +99,7 @@ static void setWater(const swShot* shot, const swFrame* frame, swPictureFrame* b
     p->rippleVariance = swRippleVariance(water->windSpeed > 0.0f ? water->windSpeed : worldWind, slopes);
     p->slopeVariance = p->rippleVariance + 0.5f * slopes;
     // A Gaussian sea exceeds six deviations once in 10^9 places; chop moves water sideways by at most twice the height.
-    p->verticalReach = 6.0f * deviation + 0.1f + getLevelReach(frame->inputs);
+    p->verticalReach = 6.0f * deviation + 0.1f;
     p->horizontalReach = 12.0f * deviation + 0.1f;
 }
 
@@ -199,6 +183,62 @@ static void setFreeWaves(const swFrame* frame, swPictureFrame* built)
     }
 }
 
+// Where the sea is dry but for what inputs leave, and between which heights its water stands. Of the inputs that hold
+// everywhere the last one decides, and those before it do not count.
+static void setHoles(const swInputSet* set, swPictureParams* p)
+{
+    if (set == NULL)
+    {
+        return;
+    }
+    p->lowestLevel = set->lowestLevel;
+    p->highestLevel = set->highestLevel;
+    swInputRange range = set->ranges[SW_INPUT_CLIP];
+    p->firstHole = range.firstRecord;
+    for (uint32_t i = range.firstRecord; i < range.firstRecord + range.recordCount; ++i)
+    {
+        const swInputRecord* record = &set->records[i];
+        if (record->shape == SW_FORM_EVERYWHERE && record->weight > 0.5f)
+        {
+            p->isDry = record->value.x * record->weight > 0.5f ? 1 : 0;
+            p->firstHole = i + 1;
+        }
+    }
+}
+
+static swPictureLook makeLook(const swWaterDef* water)
+{
+    return (swPictureLook){.absorption = water->absorption,
+                           .index = water->refractiveIndex,
+                           .scattering = water->scattering,
+                           .foamAlbedo = water->foamAlbedo};
+}
+
+static void setBodies(const swShot* shot, const swFrame* frame, swPictureFrame* built)
+{
+    built->params.bodyCount = (uint32_t)frame->bodyCount;
+    for (int i = 0; i < frame->bodyCount; ++i)
+    {
+        const swBodyFrame* body = &frame->bodies[i];
+        built->bodies[i] = (swMeshBody){
+            .lowX = (float)(body->low.x - built->rings.anchorX),
+            .lowZ = (float)(body->low.z - built->rings.anchorZ),
+            .highX = (float)(body->high.x - built->rings.anchorX),
+            .highZ = (float)(body->high.z - built->rings.anchorZ),
+            .level = body->level,
+            .number = body->number,
+            .look = (uint32_t)body->look,
+            .setsLevel = body->setsLevel ? 1 : 0,
+        };
+    }
+    built->lookCount = (uint32_t)shot->bodyWaterCount + 1;
+    built->looks[0] = makeLook(&shot->water);
+    for (int i = 0; i < shot->bodyWaterCount; ++i)
+    {
+        built->looks[i + 1] = makeLook(&shot->bodyWaters[i]);
+    }
+}
+
 static void setTime(const swShot* shot, swPictureFrame* built)
 {
     swPictureParams* p = &built->params;
@@ -227,6 +267,8 @@ void swBuildPicture(const swShot* inHost, swPosXZ origin, const swFrame* frame, 
     setMesh(shot, frame, view, built);
     setBands(frame, detailSide, built);
     setFreeWaves(frame, built);
+    setHoles(frame->inputs, &built->params);
+    setBodies(shot, frame, built);
     setTime(shot, built);
     built->params.foamAtRest = frame->foamLaw.cover;
 }
@@ -250,6 +292,15 @@ swResult swUploadPicture(swGpu* gpu, swPictureFrame* built)
     {
         size_t count = built->params.waveCount > 0 ? built->params.waveCount : 1; // a buffer must hold something
         result = swUploadData(gpu, built->waves, count * sizeof(swDetailWave), &built->wavesUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        size_t count = built->params.bodyCount > 0 ? built->params.bodyCount : 1;
+        result = swUploadData(gpu, built->bodies, count * sizeof(swMeshBody), &built->bodiesUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swUploadData(gpu, built->looks, built->lookCount * sizeof(swPictureLook), &built->looksUpload);
     }
     return result;
 }

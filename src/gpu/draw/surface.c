@@ -15,6 +15,8 @@ swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int
         .hasPlaces = (kind & SW_SURFACE_HAS_PLACES) != 0 ? 1 : 0,
         .hasMadeFoam = (kind & SW_SURFACE_HAS_MADE_FOAM) != 0 ? 1 : 0,
         .hasColors = (kind & SW_SURFACE_HAS_COLORS) != 0 ? 1 : 0,
+        .hasHoles = (kind & SW_SURFACE_HAS_HOLES) != 0 ? 1 : 0,
+        .hasBodies = (kind & SW_SURFACE_HAS_BODIES) != 0 ? 1 : 0,
     };
     bool isWire = (kind & SW_SURFACE_IS_WIRE) != 0;
     const swGraphicsDef draw = {
@@ -94,18 +96,29 @@ static swResult fillIndices(swGpu* gpu, swSurface* surface, uint32_t side)
 
 swResult swPrepareSurface(swGpu* gpu, swSurface* surface, const swPictureFrame* picture)
 {
-    return fillIndices(gpu, surface, picture->params.tileSide);
+    VkDeviceSize most = (VkDeviceSize)picture->params.tileCount * (picture->params.bodyCount + 1);
+    swResult result = swGrowBuffer(gpu, most * sizeof(swMeshTile), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
+                                   "visible mesh tiles", &surface->visible);
+    return result == SW_SUCCESS ? fillIndices(gpu, surface, picture->params.tileSide) : result;
 }
 
-void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
+void swRecordSurface(const swGpuWorld* gpuWorld, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
                      const swPictureFrame* picture)
 {
+    swGpu* gpu = gpuWorld->gpu;
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(gpuWorld, inputs);
     const swSurfaceCullBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
         .slices = swBindUpload(&picture->slicesUpload),
         .tiles = swBindUpload(&picture->tilesUpload),
         .visible = swBindBuffer(&surface->visible),
         .arguments = swBindBuffer(&surface->arguments),
+        .bodies = swBindUpload(&picture->bodiesUpload),
+        .inputHead = inputs[0],
+        .inputRecords = inputs[1],
+        .inputNodes = inputs[2],
+        .inputWords = inputs[3],
     };
     swBeginPass(gpu, commands, "surface_cull");
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT, 0,
@@ -160,6 +173,8 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .inputRecords = inputs[1],
         .inputNodes = inputs[2],
         .inputWords = inputs[3],
+        .bodies = swBindUpload(&picture->bodiesUpload),
+        .looks = swBindUpload(&picture->looksUpload),
     };
     swBeginPass(gpu, commands, "surface");
     swBindSurface(gpu, commands, pipeline, &bindings);
