@@ -18,6 +18,7 @@ struct PictureMaker
     swGpuWorld* world;
     swRenderer* renderer;
     swPicture* picture;
+    swStageTerrain* terrain;
     swStageTargets targets;
     swStageBuffer hdrData, outputData; // 4 half floats and 4 bytes a pixel
 };
@@ -51,12 +52,27 @@ swViewDef FitPictureView(const PictureMaker* maker, const swViewDef* def)
     return swGpu_FitView(maker->gpu, def, maker->height);
 }
 
+// Land and sea floor as the world's inputs have them.
+static void FindFloor(void* context, int count, const swPosXZ* points, float* heights)
+{
+    const swFieldSamples samples = {.floor = heights};
+    swMoment_QueryFields(swWorld_GetMoment(context), count, points, &samples);
+    for (int i = 0; i < count; i++)
+    {
+        heights[i] = isfinite(heights[i]) ? heights[i] : NAN;
+    }
+}
+
 bool ShowWorld(PictureMaker* maker, const swWorld* world)
 {
     swResult result = swCreateGpuWorld(maker->gpu, world, &maker->world);
     const swPictureDef def = swDefaultPictureDef();
     result = result == SW_SUCCESS ? swCreateRenderer(maker->world, &maker->renderer) : result;
     result = result == SW_SUCCESS ? swCreatePicture(maker->renderer, &def, &maker->picture) : result;
+    swStageTerrainDef land = swDefaultStageTerrainDef();
+    land.floor = FindFloor;
+    land.context = (void*)(uintptr_t)world;
+    result = result == SW_SUCCESS ? swStage_CreateTerrain(maker->stage, &land, &maker->terrain) : result;
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the sea cannot be drawn");
@@ -96,6 +112,7 @@ int DestroyPictureMaker(PictureMaker* maker)
     if (maker->stage != NULL)
     {
         swStage_Wait(maker->stage);
+        swStage_DestroyTerrain(maker->stage, maker->terrain);
         swDestroyPicture(maker->picture);
         swDestroyRenderer(maker->renderer);
         swDestroyGpuWorld(maker->world);
@@ -152,7 +169,9 @@ bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst
     {
         return false;
     }
-    swResult result = swPicture_Prepare(maker->picture, frame.commands, shot, frame.index);
+    swShot withLand = *shot;
+    swResult result = swStageTerrain_Prepare(maker->terrain, &maker->targets, &withLand);
+    result = result == SW_SUCCESS ? swPicture_Prepare(maker->picture, frame.commands, &withLand, frame.index) : result;
     if (result != SW_SUCCESS)
     {
         ComplainAboutResult(result, "the picture could not be prepared");
@@ -160,7 +179,7 @@ bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst
         return false;
     }
     const swStageTargets* targets = &maker->targets;
-    swStage_DrawPicture(maker->stage, frame.commands, maker->picture, targets, NULL, dt, isFirst);
+    swStage_DrawPicture(maker->stage, frame.commands, maker->picture, targets, maker->terrain, dt, isFirst);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->hdr, SW_STAGE_USE_SAMPLED, &maker->hdrData);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->output, SW_STAGE_USE_COLOR_TARGET, &maker->outputData);
     return FinishFrame(maker, &frame);

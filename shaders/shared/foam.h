@@ -96,6 +96,8 @@ SW_FORMULA float swFoamFold(float jacobian, float threshold, swFoamRest rest)
 
 // The gentlest slope of the depth from which a distance to the edge is told.
 #define SW_SHORE_LEAST_SLOPE 1e-4f
+// And the steepest: where a floor ends, the depth runs to infinity as steeply, and there is no shore.
+#define SW_SHORE_MOST_SLOPE 10.0f
 
 // How far the water's edge is, m, from the depth of still water and its slopes along x and z: exact over an even slope,
 // so that a band of foam is as wide over a steep shore as over a flat one. On land it is 0.
@@ -103,6 +105,7 @@ SW_FORMULA float swFindShoreDistance(float depth, float slopeX, float slopeZ)
 {
     float steep = SW_FOAM_SQRT(slopeX * slopeX + slopeZ * slopeZ);
     float slope = steep > SW_SHORE_LEAST_SLOPE ? steep : SW_SHORE_LEAST_SLOPE;
+    slope = slope < SW_SHORE_MOST_SLOPE ? slope : SW_SHORE_MOST_SLOPE;
     return depth > 0.0f ? depth / slope : 0.0f;
 }
 

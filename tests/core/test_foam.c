@@ -308,6 +308,7 @@ static void ShoreFoamIsAsWideOnAnySlope(void** state)
     assert_float_equal(swFindShoreBirth(0.0f, width, rate), rate, 1e-6f);
     assert_true(swFindShoreDistance(-2.0f, 0.1f, 0.0f) == 0.0f);  // land
     assert_true(swFindShoreDistance(0.3f, 0.0f, 0.0f) > 1000.0f); // a shoal without an edge
+    assert_true(swFindShoreDistance(100.0f, 1e4f, 0.0f) > width); // where a floor fades into none
     assert_true(swFindShoreBirth(1e30f, width, rate) == 0.0f);    // no floor
     assert_true(swFindShoreBirth(NAN, width, rate) == 0.0f);
     assert_true(swFindShoreBirth(0.0f, 0.0f, rate) == 0.0f); // none is wanted
