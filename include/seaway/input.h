@@ -111,6 +111,34 @@ typedef struct swInputAnswer
 typedef void (*swInputFunctionFcn)(void* context, double time, int count, const swPosXZ* points,
                                    swInputAnswer* answers);
 
+/// How a wave system that is made for one wind counts where the wind is another. The raster of the input then has two
+/// channels, the wind along x and z in m/s, and the system's weight follows from that: a place mixes the systems of the
+/// two nearest headings and of the two nearest speeds, by weights whose squares add up to the energy that is asked for.
+/// swCreateWindSea() makes such systems and inputs; by hand it is a part of swInputDef.
+typedef struct swWindWeight
+{
+    /// Default false: the raster has weights.
+    bool isUsed;
+
+    /// Where the system's wind blows to, radians from +x towards +z. Range [-1000, 1000]. Default 0.
+    float heading;
+
+    /// From this heading to those of the systems on either side, radians. Range [0.01, 1.5707964]. Default 0.5235988.
+    float headingStep;
+
+    /// Wind of the system, m/s. Range [0.1, 100]. Default 10.
+    float speed;
+
+    /// Winds of the systems of the same heading with the next weaker and the next stronger wind, m/s; 0 where there is
+    /// none. Range [0, 100]. Default 0.
+    float speedBelow, speedAbove;
+
+    /// Deviation of the heights of those systems, over that of this one. Where there is none: how heights go on there,
+    /// as (s / speed) (1 + b (s / speed - 1)) under a wind s: 0 grows with the wind, 1 with its square. Range [0, 1000].
+    /// Default 1.
+    float heightBelow, heightAbove;
+} swWindWeight;
+
 /// Must be initialized with swDefaultInputDef().
 typedef struct swInputDef
 {
@@ -166,6 +194,14 @@ typedef struct swInputDef
 
     /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;
+
+    /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come. Of
+    /// unrelated waves energies add up, not heights, so the two weights have squares whose sum is 1; `blend` is not
+    /// looked at. Inputs that join later add to it. Default false.
+    bool removesWaves;
+
+    /// Of SW_INPUT_WAVES by a raster: see swWindWeight.
+    swWindWeight windWeight;
 
     /// Of SW_SHAPE_RASTER, with at least as many channels as the field has numbers. Unknown cells are not covered.
     /// A raster with more than one frame is played, see swInputDef::framesPerSecond. The world holds it as long as an

@@ -26,4 +26,5 @@
 #include "water_body.h"
 #include "waves.h"
 #include "wind.h"
+#include "wind_sea.h"
 #include "world.h"

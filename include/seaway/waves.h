@@ -21,8 +21,8 @@ typedef struct swWorld swWorld;
 
 /// Wave systems and tiles (bands with energy, over all systems) that a world can have, and waves of its Gerstner
 /// systems.
-#define SW_MAX_WAVE_SYSTEMS 16
-#define SW_MAX_TILES 64
+#define SW_MAX_WAVE_SYSTEMS 32
+#define SW_MAX_TILES 128
 #define SW_MAX_FREE_WAVES 1024
 
 /// Fastest current that may carry the waves of a system, m/s.

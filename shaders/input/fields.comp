@@ -58,7 +58,8 @@ uint findSystems(ivec2 low, ivec2 high)
     while (record != SW_NO_RECORD)
     {
         uint system = inputRecords[record].system;
-        found |= system == SW_ALL_SYSTEMS ? SW_ALL_SYSTEMS : 1u << (system & 31u);
+        bool isOfAll = system == SW_ALL_SYSTEMS || (inputRecords[record].flags & SW_INPUT_REMOVES_WAVES) != 0u;
+        found |= isOfAll ? SW_ALL_SYSTEMS : 1u << (system & 31u);
         record = findInput(SW_FIELD_OF_WAVES, low, high, record + 1);
     }
     return found;

@@ -12,6 +12,7 @@
 #define SW_WORD(words, i) inputWords[(words) + (i)]
 #include "shared/fields.h"
 #include "shared/input_shapes.h"
+#include "shared/region.h"
 
 struct SeaPlace
 {
@@ -63,11 +64,11 @@ swInputValue fieldAt(uint field, uint system, SeaPlace place)
     while (i != SW_NO_RECORD)
     {
         swInputRecord record = inputRecords[i];
-        if (field != SW_FIELD_OF_WAVES || record.system == SW_ALL_SYSTEMS || record.system == system)
+        if (swHasSay(record, system))
         {
             swInputSample s =
                 swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y, 0.0);
-            value = swBlendInput(record, value, s);
+            value = swJoinInput(record, system, value, s);
         }
         i = findInput(field, place.cell, place.cell, i + 1);
     }

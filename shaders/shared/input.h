@@ -48,10 +48,12 @@
 
 // Bits of swInputRecord::flags.
 #define SW_INPUT_FOLLOWS_WAVES 1u
-#define SW_INPUT_TURNS_VALUES 2u  // values x and z (of flow and wind x and y) lie along the record's own axes
-#define SW_INPUT_IS_BOUNDLESS 4u  // it counts everywhere, also where cells do not fit 32 bits
-#define SW_INPUT_ALONG_SPLINE 16u // waves turn with the spline, see shape_spline.h
-#define SW_INPUT_CHANGES 8u       // its value, gain or place is another in each step
+#define SW_INPUT_TURNS_VALUES 2u   // values x and z (of flow and wind x and y) lie along the record's own axes
+#define SW_INPUT_IS_BOUNDLESS 4u   // it counts everywhere, also where cells do not fit 32 bits
+#define SW_INPUT_ALONG_SPLINE 16u  // waves turn with the spline, see shape_spline.h
+#define SW_INPUT_CHANGES 8u        // its value, gain or place is another in each step
+#define SW_INPUT_REMOVES_WAVES 32u // of waves: what is below it of all systems goes by its share, see region.h
+#define SW_INPUT_TAKES_WIND 64u    // of waves: its raster is a wind, see swFindWindWeight()
 
 SW_PARAMS(swInputRecord)
 {
@@ -167,6 +169,12 @@ SW_FORMULA sw_uint swCountInputNumbers(sw_uint field)
         return 3u;
     }
     return field == SW_FIELD_OF_FLOW || field == SW_FIELD_OF_WIND ? 2u : 1u;
+}
+
+// Numbers that a record's shape brings.
+SW_FORMULA sw_uint swCountRecordNumbers(swInputRecord record)
+{
+    return (record.flags & SW_INPUT_TAKES_WIND) != 0u ? 2u : swCountInputNumbers(record.field);
 }
 
 // What a field is below all inputs; of waves that of systems that are everywhere.
@@ -364,6 +372,13 @@ SW_FORMULA swInputValue swBlendInput(swInputRecord record, swInputValue below, s
     }
     swInputChannel x = swBlendChannel(record, swMakeChannel(below.value.x, below.alongX.x, below.alongZ.x),
                                       swMakeChannel(s.value.x, s.valueX.x, s.valueZ.x), share);
+    if (swCountInputNumbers(record.field) == 1u)
+    {
+        below.value.x = x.value;
+        below.alongX.x = x.alongX;
+        below.alongZ.x = x.alongZ;
+        return below;
+    }
     swInputChannel y = swBlendChannel(record, swMakeChannel(below.value.y, below.alongX.y, below.alongZ.y),
                                       swMakeChannel(s.value.y, s.valueX.y, s.valueZ.y), share);
     swInputChannel z = swBlendChannel(record, swMakeChannel(below.value.z, below.alongX.z, below.alongZ.z),

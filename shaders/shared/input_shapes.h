@@ -60,6 +60,12 @@ SW_FORMULA sw_vec2 swTurnInputGradient(swInputRecord record, float alongX, float
 SW_FORMULA swInputSample swFinishInputSample(swInputRecord record, swInputSample s)
 {
     s.share = s.share * record.weight;
+    if (record.sine == 0.0f && record.cosine == 1.0f)
+    {
+        s.shareX = s.shareX * record.weight;
+        s.shareZ = s.shareZ * record.weight;
+        return s;
+    }
     sw_vec2 g = swTurnInputGradient(record, s.shareX * record.weight, s.shareZ * record.weight);
     s.shareX = g.x;
     s.shareZ = g.y;

@@ -2,8 +2,8 @@
 // Sizes that both halves and all shaders agree on.
 #ifndef SW_SHARED_LIMITS_H
 #define SW_SHARED_LIMITS_H
-#define SW_LIMIT_TILES 64
-#define SW_LIMIT_SYSTEMS 16
+#define SW_LIMIT_TILES 128
+#define SW_LIMIT_SYSTEMS 32
 #define SW_LIMIT_SLICES 15
 #define SW_LIMIT_FREE_WAVES 1024
 #define SW_LIMIT_RESOLUTION 512

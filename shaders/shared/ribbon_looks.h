@@ -4,6 +4,7 @@
 #ifndef SW_SHARED_RIBBON_LOOKS_H
 #define SW_SHARED_RIBBON_LOOKS_H
 #include "input_shapes.h"
+#include "region.h"
 
 // Waves in the coordinates of a ribbon.
 SW_PARAMS(swRibbonLook)
@@ -61,6 +62,11 @@ SW_FORMULA swInputChannel swLeaveBelow(swInputRecord record, swInputSample s)
 {
     swInputChannel one = swKeepChannel(1.0f);
     swInputChannel share = swMakeChannel(s.share, s.shareX, s.shareZ);
+    if ((record.flags & SW_INPUT_REMOVES_WAVES) != 0u)
+    {
+        swWeightPair pair = swPairWeights(s.share);
+        return swMapChannel(share, pair.first, pair.firstSlope);
+    }
     if (record.blend == SW_JOIN_ALPHA)
     {
         return swMixChannels(one, swKeepChannel(0.0f), share);
@@ -84,7 +90,13 @@ SW_FORMULA swRibbonLooks swLookAlong(SW_WORDS words, swInputRecord record, swRib
     {
         return looks;
     }
-    swInputChannel weight = swScaleChannel(waves.share, record.weight * (record.value.x + record.gain));
+    swInputChannel share = swScaleChannel(waves.share, record.weight);
+    if ((record.flags & SW_INPUT_REMOVES_WAVES) != 0u)
+    {
+        swWeightPair pair = swPairWeights(share.value);
+        share = swMapChannel(share, pair.second, pair.secondSlope);
+    }
+    swInputChannel weight = swScaleChannel(share, record.value.x + record.gain);
     float seam = SW_WORD(words, SW_RIBBON_SEAM);
     bool isSeam = seam > 0.0f && swMeasureAlong(words, waves.foot).value < seam;
     for (int lap = 0; lap < (isSeam ? 2 : 1); ++lap)
@@ -111,9 +123,9 @@ SW_PARAMS(swWaveLooks)
     swRibbonLooks ribbons;
 };
 
-// A record of waves joins them, at a place in cells.
-SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, swWaveLooks looks, sw_int cellX, sw_int cellZ,
-                                   float restX, float restZ)
+// A record of waves that has a say in a system's joins them, at a place in cells.
+SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint system, swWaveLooks looks,
+                                   sw_int cellX, sw_int cellZ, float restX, float restZ)
 {
     swInputSample s = swSampleInput(words, record, cellX, cellZ, restX, restZ, 0.0f);
     if (s.share <= 0.0f)
@@ -125,7 +137,7 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, swWaveL
     looks.ribbons.second.weight = swMultiplyChannels(looks.ribbons.second.weight, left);
     if ((record.flags & SW_INPUT_ALONG_SPLINE) == 0u)
     {
-        looks.plain = swBlendInput(record, looks.plain, s);
+        looks.plain = swJoinInput(record, system, looks.plain, s);
         return looks;
     }
     swInputChannel plain =
@@ -133,6 +145,10 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, swWaveL
     looks.plain.value.x = plain.value;
     looks.plain.alongX.x = plain.alongX;
     looks.plain.alongZ.x = plain.alongZ;
+    if (!swIsOfSystem(record, system))
+    {
+        return looks;
+    }
     sw_vec2 own = swPlaceInInput(record, cellX, cellZ, restX, restZ);
     looks.ribbons = swLookAlong(words, record, looks.ribbons, own.x, own.y);
     return looks;

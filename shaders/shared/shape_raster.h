@@ -164,7 +164,7 @@ SW_FORMULA swInputSample swSampleRasterInput(SW_WORDS words, swInputRecord recor
     {
         return s;
     }
-    sw_uint numbers = swCountInputNumbers(record.field);
+    sw_uint numbers = swCountRecordNumbers(record);
     swInputChannel c = swSampleRasterFrames(words, record, cells, 0u);
     s.value.x = s.value.x + c.value;
     s.valueX.x = c.alongX;

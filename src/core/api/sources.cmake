@@ -12,4 +12,5 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/water_body_api.c
     ${CMAKE_CURRENT_LIST_DIR}/waves_api.c
     ${CMAKE_CURRENT_LIST_DIR}/wind_api.c
+    ${CMAKE_CURRENT_LIST_DIR}/wind_sea_api.c
     ${CMAKE_CURRENT_LIST_DIR}/world_api.c)

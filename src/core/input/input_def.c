@@ -30,6 +30,28 @@ static const char* const blendNames[] = {"added", "mixed", "multiplied", "the le
      SW_KIND(SW_SHAPE_PARTICLES) | SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) |  \
      SW_KIND(SW_SHAPE_CYLINDER) | SW_KIND(SW_SHAPE_CAPSULE))
 
+#define SW_DEF swWindWeight
+static const swField windWeightFields[] = {
+    SW_SWITCH(isUsed, false, .key = "is_wind", .label = "is a wind"),
+    SW_NUMBER(heading, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "wind_from_deg", .label = "of a wind from",
+              .form = SW_FORM_BEARING, SW_KNOB(0.0, 360.0)),
+    SW_NUMBER(headingStep, "deg", SW_WITHIN(0.01, 1.5707964), 0.5235988, .key = "heading_step_deg",
+              .label = "to the next", .form = SW_FORM_DEGREES, SW_KNOB(10.0, 90.0)),
+    SW_NUMBER(speed, "m/s", SW_WITHIN(0.1, 100.0), 10.0, .key = "wind_speed_mps", .label = "of a wind of",
+              SW_KNOB(1.0, 40.0)),
+    SW_NUMBER(speedBelow, "m/s", SW_WITHIN(0.0, 100.0), 0.0, .key = "weaker_mps", .label = "next weaker wind",
+              .zero = "none", SW_KNOB(0.0, 40.0)),
+    SW_NUMBER(speedAbove, "m/s", SW_WITHIN(0.0, 100.0), 0.0, .key = "stronger_mps", .label = "next stronger wind",
+              .zero = "none", SW_KNOB(0.0, 40.0)),
+    SW_NUMBER(heightBelow, "", SW_WITHIN(0.0, 1000.0), 1.0, .key = "weaker_height", .label = "heights below",
+              SW_KNOB(0.0, 4.0)),
+    SW_NUMBER(heightAbove, "", SW_WITHIN(0.0, 1000.0), 1.0, .key = "stronger_height", .label = "heights above",
+              SW_KNOB(0.0, 4.0)),
+};
+#undef SW_DEF
+
+static const swFields windWeightFieldTable = SW_PART_FIELDS(swWindWeight, "inputs", "of a wind", windWeightFields);
+
 #define SW_DEF swInputDef
 static const swField inputFields[] = {
     SW_TEXT(name, .key = "name", .label = "name", .use = SW_USE_STATE),
@@ -58,6 +80,9 @@ static const swField inputFields[] = {
                SW_KNOB(0.0, 1000.0), .kinds = SIZED),
     SW_SWITCH(followsWaves, false, .key = "follows_waves", .label = "follows waves"),
     SW_GIVEN(system, .key = NULL, .label = "wave system"),
+    SW_SWITCH(removesWaves, false, .key = "removes_waves", .label = "removes waves",
+              .tip = "Takes away the waves of all systems below it by its share"),
+    SW_PART(windWeight, &windWeightFieldTable, .key = NULL, .label = "of a wind"),
     SW_GIVEN(raster, .key = NULL, .label = "raster"),
     SW_NUMBER(framesPerSecond, "1/s", SW_WITHIN(0.0, 1000.0), 0.0, .key = "frames_per_s", .label = "frames a second",
               .zero = "stands", SW_KNOB(0.0, 60.0), .kinds = SW_KIND(SW_SHAPE_RASTER)),
@@ -160,12 +185,19 @@ static swResult checkKinds(const swHost* host, const swInputDef* def)
     {
         return refuse(host, SW_ERROR_UNSUPPORTED, def, "follows waves, which only colour, foam and displacement can");
     }
+    bool isOfWaves = def->field == SW_INPUT_WAVES;
+    if ((def->removesWaves && !isOfWaves) || (def->windWeight.isUsed && !(isOfWaves && def->shape == SW_SHAPE_RASTER)))
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      def->removesWaves ? "removes waves, which only inputs of waves can"
+                                        : "weighs waves by a wind, which only rasters of waves can");
+    }
     return SW_SUCCESS;
 }
 
 static bool isSpeed(const swInputDef* def)
 {
-    return def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND;
+    return def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->windWeight.isUsed;
 }
 
 static swResult checkValues(const swHost* host, const swInputDef* def)
@@ -182,6 +214,15 @@ static swResult checkValues(const swHost* host, const swInputDef* def)
     {
         return refuse(host, SW_ERROR_INVALID, def,
                       "has a weight above 1, which only SW_BLEND_ADD can use; a mix is at most 1");
+    }
+    const swWindWeight* wind = &def->windWeight;
+    if (wind->isUsed && ((wind->speedBelow > 0.0f && wind->speedBelow >= wind->speed) ||
+                         (wind->speedAbove > 0.0f && wind->speedAbove <= wind->speed)))
+    {
+        return refuse(
+            host, SW_ERROR_INVALID, def,
+            "has speeds of winds that do not ascend; swWindWeight::speedBelow must be below speed, speedAbove "
+            "above it");
     }
     uint32_t shape = SW_KIND(def->shape);
     uint32_t round = SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_CAPSULE);
@@ -203,11 +244,12 @@ static swResult checkRaster(const swHost* host, const swInputDef* def)
         return refuse(host, SW_ERROR_INVALID, def, "has no raster");
     }
     const swRaster* raster = def->raster;
-    if (raster->channels < (int)swCountInputNumbers((sw_uint)def->field))
+    sw_uint numbers = def->windWeight.isUsed ? 2u : swCountInputNumbers((sw_uint)def->field);
+    if (raster->channels < (int)numbers)
     {
         return swFail(host, SW_ERROR_INVALID,
                       "the input '%s' says %s, which has %u numbers; its raster '%s' has %d channels", def->name,
-                      swGetInputFieldWord((int)def->field), swCountInputNumbers((sw_uint)def->field), raster->name,
+                      def->windWeight.isUsed ? "wind" : swGetInputFieldWord((int)def->field), numbers, raster->name,
                       raster->channels);
     }
     float most = fmaxf(fabsf(raster->least), fabsf(raster->most)) * fabsf(def->gain);

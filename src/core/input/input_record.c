@@ -9,6 +9,7 @@
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "core/math/scalar.h"
+#include "shared/region.h"
 #include "shared/shape_hull.h"
 #include "shared/shape_particles.h"
 #include "shared/shape_spline.h"
@@ -265,8 +266,20 @@ static void turnRecord(const swInputDef* def, swInputRecord* record)
     record->cosine = isTurned ? (float)swCos(yaw) : 1.0f;
     record->sine = isTurned ? (float)swSin(yaw) : 0.0f;
     record->turn = makeTilt(def->rotation);
-    bool isVector = def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->field == SW_INPUT_DISPLACEMENT;
+    bool isVector = def->windWeight.isUsed || def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND ||
+                    def->field == SW_INPUT_DISPLACEMENT;
     record->flags |= isTurned && isVector ? SW_INPUT_TURNS_VALUES : 0u;
+}
+
+// What shared/region.h reads of a record of waves.
+static void weighByWind(const swWindWeight* wind, swInputRecord* record)
+{
+    double heading = (double)wind->heading, step = (double)wind->headingStep;
+    record->flags |= SW_INPUT_TAKES_WIND;
+    record->turn = (sw_vec4){(float)swCos(heading), (float)swSin(heading), (float)swCos(step), (float)swSin(step)};
+    record->size = (sw_vec4){wind->speed, wind->speedBelow, wind->speedAbove, record->size.w};
+    record->value.z = wind->heightBelow;
+    record->value.w = wind->heightAbove;
 }
 
 // The cells of a turned box. Own coordinates are rounded to floats: a little more is covered.
@@ -307,6 +320,11 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         record->value.x = (float)((double)def->value[0] - seaLevel);
     }
     turnRecord(def, record);
+    record->flags |= def->removesWaves ? SW_INPUT_REMOVES_WAVES : 0u;
+    if (def->windWeight.isUsed)
+    {
+        weighByWind(&def->windWeight, record);
+    }
     swPosXZ at = placeShape(def, data, record);
     swPosXZ origin = {def->position.x + at.x, def->position.z + at.z};
     if ((record->flags & SW_INPUT_IS_BOUNDLESS) != 0)

@@ -76,26 +76,24 @@ static swInputSample sampleRecord(const swInputSet* set, uint32_t at, const Plac
 // Whether a record says something about a system's waves, of another field about anything, at a place.
 static bool isMeant(const swInputRecord* record, int system, const Place* place)
 {
-    bool isOfSystem =
-        record->field != SW_FIELD_OF_WAVES || record->system == SW_ALL_SYSTEMS || (int)record->system == system;
     bool isHere = !place->isFar || (record->flags & SW_INPUT_IS_BOUNDLESS) != 0;
-    return isOfSystem && isHere;
+    return isHere && swHasSay(*record, (sw_uint)system);
 }
 
 // Joins the record at `at` to what is below it.
-typedef void JoinRecord(const swInputSet* set, uint32_t at, const Place* place, void* below);
+typedef void JoinRecord(const swInputSet* set, uint32_t at, int system, const Place* place, void* below);
 
-static void joinValue(const swInputSet* set, uint32_t at, const Place* place, void* below)
+static void joinValue(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
 {
     swInputValue* value = below;
-    *value = swBlendInput(set->records[at], *value, sampleRecord(set, at, place));
+    *value = swJoinInput(set->records[at], (sw_uint)system, *value, sampleRecord(set, at, place));
 }
 
-static void joinLooks(const swInputSet* set, uint32_t at, const Place* place, void* below)
+static void joinLooks(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
 {
     swWaveLooks* looks = below;
-    *looks =
-        swJoinLooks(set->words[at], set->records[at], *looks, place->cellX, place->cellZ, place->restX, place->restZ);
+    *looks = swJoinLooks(set->words[at], set->records[at], (sw_uint)system, *looks, place->cellX, place->cellZ,
+                         place->restX, place->restZ);
 }
 
 static void joinAll(const swInputSet* set, int field, int system, const Place* place, JoinRecord* join, void* below)
@@ -107,7 +105,7 @@ static void joinAll(const swInputSet* set, int field, int system, const Place* p
     {
         if (isMeant(&set->records[records[i]], system, place))
         {
-            join(set, records[i], place, below);
+            join(set, records[i], system, place, below);
         }
     }
     if (count <= COLLECTED)
@@ -119,7 +117,7 @@ static void joinAll(const swInputSet* set, int field, int system, const Place* p
     {
         if (isMeant(&set->records[next], system, place))
         {
-            join(set, next, place, below);
+            join(set, next, system, place, below);
         }
     }
 }
@@ -156,11 +154,9 @@ void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ
     }
 }
 
-bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach)
+bool swFindCellBox(swPosXZ point, double reach, swCellBox* box)
 {
-    swCellBox box;
     float rest;
-    bool fits = swFindCell(point.x - reach, &box.minX, &rest) && swFindCell(point.x + reach, &box.maxX, &rest) &&
-                swFindCell(point.z - reach, &box.minZ, &rest) && swFindCell(point.z + reach, &box.maxZ, &rest);
-    return !fits || swTouchesInputs(set, mask, &box);
+    return swFindCell(point.x - reach, &box->minX, &rest) && swFindCell(point.x + reach, &box->maxX, &rest) &&
+           swFindCell(point.z - reach, &box->minZ, &rest) && swFindCell(point.z + reach, &box->maxZ, &rest);
 }

@@ -17,5 +17,6 @@ void swFindInputValues(const swInputSet* set, int field, int system, int count, 
 // A system's waves at points in the sea: the weight of those that lie as ever, and those along splines.
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks);
 
-// Whether any input of the fields in `mask` may say something within `reach` metres of a point.
-bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach);
+// The cells within `reach` metres of a point; false where they do not fit 32 bits.
+bool swFindCellBox(swPosXZ point, double reach, swCellBox* box);
+

@@ -24,7 +24,7 @@ static swResult acquireRecord(swWaves* waves, swReplay* replay, int slot, int in
     swMeasuredRecord record = swMeasuredSea_GetRecord(replay->sea, index);
     swWaveSystemDef def = swMakeRecordDef(&replay->waves, &record.table);
     swDrift drift = swPlanDrift(waves, slot, &def, 0.0);
-    return swAcquireSet(waves, &def, &drift, set);
+    return swAcquireSet(waves, -1, &def, &drift, set);
 }
 
 static void releaseSets(swWaves* waves, swWaveSet* sets[2])

@@ -136,7 +136,7 @@ swResult swAddSystem(swWaves* waves, int slot, const swWaveSystemDef* def)
 {
     swWaveSet* set = NULL;
     swDrift drift = swPlanDrift(waves, slot, def, 0.0);
-    swResult result = swAcquireSet(waves, def, &drift, &set);
+    swResult result = swAcquireSet(waves, slot, def, &drift, &set);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -298,7 +298,7 @@ swResult swChangeSystem(swWaves* waves, int slot, const swWaveSystemDef* def, do
         swTurnSet(waves, newest, def, &drift); // a current that changes in every step costs nothing
     }
     swWaveSet* set = NULL;
-    swResult result = swAcquireSet(waves, def, &drift, &set);
+    swResult result = swAcquireSet(waves, slot, def, &drift, &set);
     if (result != SW_SUCCESS)
     {
         return result;
@@ -385,7 +385,7 @@ static float getRecordShare(const swRecordClock* records, double time, bool* isH
     return span > 0.0 && isfinite(span) ? (float)((seconds - records->first) / span) : 0.0f;
 }
 
-static void showSet(swShown* shown, const swWaveSet* set, float share, float weight, int slot)
+static void showSet(swShown* shown, swWaveSet* set, float share, float weight, int slot)
 {
     int i = 0;
     while (i < shown->count && shown->sets[i].set != set)

@@ -185,7 +185,7 @@ static swResult streamPlainSet(swWaves* waves, swStream* stream, swWaveSet** set
     if (result == SW_SUCCESS && swIsReading(stream))
     {
         bool isFine = !stream->isBroken && swCheckWaveSystemDef(&waves->memory->host, &def) == SW_SUCCESS;
-        result = isFine ? swAcquireSet(waves, &def, &drift, set) : SW_ERROR_FORMAT;
+        result = isFine ? swAcquireSet(waves, -1, &def, &drift, set) : SW_ERROR_FORMAT;
     }
     swFree(&waves->memory->host, arrays[0].floats, arrays[0].size);
     swFree(&waves->memory->host, arrays[1].floats, arrays[1].size);
@@ -259,6 +259,18 @@ swResult swStreamSets(swWaves* waves, swStream* stream, swSetList* list)
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }
 
+static bool isAmong(const swSetList* list, int count, const swWaveSet* set)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        if (list->sets[i] == set)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 // The sets by their identities; what stands behind them is what the module has. SW_ERROR_UNSUPPORTED if it has one not.
 swResult swFindSets(const swWaves* waves, swStream* stream, swSetList* found)
 {
@@ -274,7 +286,8 @@ swResult swFindSets(const swWaves* waves, swStream* stream, swSetList* found)
         stream->at += stream->isBroken ? 0 : size;
         for (int k = 0; k < own.count; ++k)
         {
-            found->sets[i] = own.sets[k]->identity == identity ? own.sets[k] : found->sets[i];
+            bool isFree = !isAmong(found, i, own.sets[k]); // local systems may have the same waves, each its own set
+            found->sets[i] = own.sets[k]->identity == identity && isFree ? own.sets[k] : found->sets[i];
         }
         if (found->sets[i] == NULL && !stream->isBroken)
         {

@@ -23,6 +23,9 @@
 #include "core/base/hash.h"
 #include "core/world/zone.h"
 
+// Slots that count also where they are empty; the others came later.
+#define FIRST_SLOTS 16
+
 // ---- the last step ----
 
 static void addTile(swHash* hash, const swTile* tile)
@@ -45,7 +48,11 @@ uint64_t swHashWorld(const swWorld* world)
     swAddHashDouble(&hash, world->time);
     for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS; ++slot)
     {
-        swAddHashSystem(&hash, &world->waves.systems[slot], frame->ticks);
+        const swWaveSystem* system = &world->waves.systems[slot];
+        if (slot < FIRST_SLOTS || system->partCount > 0)
+        {
+            swAddHashSystem(&hash, system, frame->ticks);
+        }
     }
     for (int i = 0; i < frame->tileCount && !world->waves.isChanged; ++i)
     {
