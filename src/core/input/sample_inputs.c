@@ -144,6 +144,36 @@ void swFindInputValues(const swInputSet* set, int field, int system, int count, 
     }
 }
 
+static swCellBox coverBoth(const Place* a, const Place* b)
+{
+    return (swCellBox){.minX = a->cellX < b->cellX ? a->cellX : b->cellX,
+                       .minZ = a->cellZ < b->cellZ ? a->cellZ : b->cellZ,
+                       .maxX = a->cellX > b->cellX ? a->cellX : b->cellX,
+                       .maxZ = a->cellZ > b->cellZ ? a->cellZ : b->cellZ};
+}
+
+void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
+                       float* values)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        swInputValue value = swGetFieldBelow((sw_uint)field);
+        Place there = findPlace(here[i]), atRest = findPlace(rest[i]);
+        swCellBox box = coverBoth(&there, &atRest);
+        uint32_t next = swFindNextInput(set, field, &box, 0);
+        for (; next != SW_NO_RECORD; next = swFindNextInput(set, field, &box, next + 1))
+        {
+            bool follows = (set->records[next].flags & SW_INPUT_FOLLOWS_WAVES) != 0;
+            const Place* place = follows ? &atRest : &there;
+            if (isMeant(&set->records[next], -1, place))
+            {
+                joinValue(set, next, -1, place, &value);
+            }
+        }
+        values[i] = value.value.x;
+    }
+}
+
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks)
 {
     for (int i = 0; i < count; ++i)
@@ -152,6 +182,55 @@ void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ
         Place place = findPlace(points[i]);
         joinAll(set, SW_INPUT_WAVES, system, &place, joinLooks, &looks[i]);
     }
+}
+
+// ---- displacement ----
+
+typedef struct Displaced
+{
+    swDisplaceRange range;
+    swInputValue waves;
+    swInputChannel height, level;
+} Displaced;
+
+static void joinWaves(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
+{
+    Displaced* displaced = below;
+    (void)system;
+    if (swIsDisplacing(set->records[at], displaced->range, true))
+    {
+        displaced->waves =
+            swDisplaceAtRest(set->records[at], displaced->range, displaced->waves, sampleRecord(set, at, place));
+    }
+}
+
+static void joinHeight(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
+{
+    Displaced* displaced = below;
+    (void)system;
+    if (swIsDisplacing(set->records[at], displaced->range, false))
+    {
+        displaced->height =
+            swDisplaceHeight(set->records[at], displaced->height, displaced->level, sampleRecord(set, at, place));
+    }
+}
+
+void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves)
+{
+    Displaced displaced = {.range = range, .waves = *waves};
+    Place place = findPlace(rest);
+    joinAll(set, SW_INPUT_DISPLACEMENT, -1, &place, joinWaves, &displaced);
+    *waves = displaced.waves;
+}
+
+void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height)
+{
+    swInputValue level;
+    swFindInputValues(set, SW_INPUT_LEVEL, -1, 1, &point, &level);
+    Displaced displaced = {.range = range, .height = *height, .level = {level.value.x, level.alongX.x, level.alongZ.x}};
+    Place place = findPlace(point);
+    joinAll(set, SW_INPUT_DISPLACEMENT, -1, &place, joinHeight, &displaced);
+    *height = displaced.height;
 }
 
 bool swFindCellBox(swPosXZ point, double reach, swCellBox* box)
