@@ -127,6 +127,7 @@ swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene
 void swAddInputKeys(swYamlMapping* mapping)
 {
     swAddYamlKey(mapping, "rasters", swKeepYamlNode);
+    swAddYamlKey(mapping, "meshes", swKeepYamlNode);
     swAddYamlKey(mapping, "splines", swKeepYamlNode);
     swAddYamlKey(mapping, "water_bodies", swKeepYamlNode);
     swAddYamlKey(mapping, "inputs", swKeepYamlNode);
@@ -142,6 +143,7 @@ swResult swReadSceneInputs(swYaml* yaml, const swYamlMapping* mapping, const cha
         const char* key;
         swResult (*read)(swYaml*, yaml_node_t*, const swSceneReader*);
     } lists[] = {{"rasters", swReadRasters},
+                 {"meshes", swReadMeshes},
                  {"splines", swReadSplines},
                  {"water_bodies", swReadWaterBodies},
                  {"inputs", swReadInputs}};
