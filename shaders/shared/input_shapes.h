@@ -8,6 +8,7 @@
 #include "shape_particles.h"
 #include "shape_plain.h"
 #include "shape_polygon.h"
+#include "shape_polyline.h"
 #include "shape_raster.h"
 #include "shape_spline.h"
 
@@ -33,6 +34,10 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     if (record.shape == SW_FORM_RASTER)
     {
         return swSampleRasterInput(words, record, own.x, own.z);
+    }
+    if (record.shape == SW_FORM_POLYLINE)
+    {
+        return swSamplePolyline(words, record, own.x, own.z);
     }
     if (record.shape == SW_FORM_SPLINE)
     {

@@ -15,6 +15,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/mesh_def.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/polygon.c
+    ${CMAKE_CURRENT_LIST_DIR}/polyline.c
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_def.c
     ${CMAKE_CURRENT_LIST_DIR}/sample_clip.c

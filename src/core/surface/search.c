@@ -21,6 +21,8 @@
 
 #include "core/surface/search.h"
 
+#include "core/surface/displace.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -449,5 +451,6 @@ void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swS
             writeHint(&searches[i], time, hints[i]);
         }
     }
+    swDisplaceHeights(query, count, found->rest, found->displacement, found->gradients);
     swFindLevels(query->places, query->ticks, count, found->rest, found->displacement, found->levels, found->gradients);
 }
