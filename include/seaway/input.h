@@ -134,8 +134,8 @@ typedef struct swWindWeight
     float speedBelow, speedAbove;
 
     /// Deviation of the heights of those systems, over that of this one. Where there is none: how heights go on there,
-    /// as (s / speed) (1 + b (s / speed - 1)) under a wind s: 0 grows with the wind, 1 with its square. Range [0, 1000].
-    /// Default 1.
+    /// as (s / speed) (1 + b (s / speed - 1)) under a wind s: 0 grows with the wind, 1 with its square. Range
+    /// [0, 1000]. Default 1.
     float heightBelow, heightAbove;
 } swWindWeight;
 
@@ -195,8 +195,8 @@ typedef struct swInputDef
     /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;
 
-    /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come. Of
-    /// unrelated waves energies add up, not heights, so the two weights have squares whose sum is 1; `blend` is not
+    /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come.
+    /// Of unrelated waves energies add up, not heights, so the two weights have squares whose sum is 1; `blend` is not
     /// looked at. Inputs that join later add to it. Default false.
     bool removesWaves;
 
