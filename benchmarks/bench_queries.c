@@ -375,7 +375,118 @@ static void MeasureMoments(Answers* answers)
     DestroyScenario(&scenario);
 }
 
-// bench_queries [THREADS]
+// ---- inputs ----
+
+enum
+{
+    INPUT_COUNT = 1000,
+    SHORE_SIDE = 64 // cells of the floor
+};
+
+// Shoals, levels and currents all around, none of which lies under the points.
+static bool AddInputsElsewhere(swWorld* world)
+{
+    const swInputField fields[3] = {SW_INPUT_FLOOR, SW_INPUT_LEVEL, SW_INPUT_FLOW};
+    swInputDef def = swDefaultInputDef();
+    def.shape = SW_SHAPE_CIRCLE;
+    def.size = (swVec3){200.0f, 0.0f, 200.0f};
+    def.feather = 50.0f;
+    def.value[0] = -2.0f;
+    for (int i = 0; i < INPUT_COUNT; ++i)
+    {
+        double side = i % 2 == 0 ? 2500.0 : -1500.0; // the points lie within 0 and 1000 m
+        def.field = fields[i % 3];
+        def.position.x = 300.0 * (i % 32) - 4500.0;
+        def.position.z = side + (side > 0.0 ? 300.0 : -300.0) * (i / 64);
+        swInputId id;
+        if (swCreateInput(world, &def, &id) != SW_SUCCESS)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+// A beach: 40 m deep in the west, 2 m above the water in the east.
+static bool AddShore(swWorld* world)
+{
+    static float heights[SHORE_SIDE * SHORE_SIDE];
+    for (int i = 0; i < SHORE_SIDE * SHORE_SIDE; ++i)
+    {
+        heights[i] = -40.0f + 42.0f * (float)(i % SHORE_SIDE) / (float)(SHORE_SIDE - 1);
+    }
+    swHost host = swDefaultHost();
+    swRasterDef rasterDef = swDefaultRasterDef();
+    rasterDef.width = rasterDef.height = SHORE_SIDE;
+    rasterDef.spacingX = rasterDef.spacingZ = 1100.0 / (SHORE_SIDE - 1);
+    rasterDef.x = rasterDef.z = -50.0;
+    rasterDef.values = heights;
+    swRaster* raster = NULL;
+    if (swCreateRaster(&host, &rasterDef, &raster) != SW_SUCCESS)
+    {
+        return false;
+    }
+    swInputDef def = swDefaultInputDef();
+    def.shape = SW_SHAPE_RASTER;
+    def.raster = raster;
+    swInputId id;
+    bool isFine = swCreateInput(world, &def, &id) == SW_SUCCESS;
+    swDestroyRaster(raster);
+    return isFine;
+}
+
+// Two seas take turns, so that a busy machine counts for both.
+static void CompareInputs(const char* name, bool (*add)(swWorld* world), bool arePatches, Answers* answers)
+{
+    ScenarioDef def = DefaultScenarioDef(SCENARIO_BREEZE);
+    Scenario plain, shaped;
+    if (CreateScenario(&def, &plain) != SW_SUCCESS)
+    {
+        return;
+    }
+    if (CreateScenario(&def, &shaped) == SW_SUCCESS)
+    {
+        double seconds[2][ROUNDS], ratios[ROUNDS];
+        swQueryStats stats;
+        bool isFine = add(shaped.world) && swWorld_Step(shaped.world, 0.0) == SW_SUCCESS;
+        Scatter(answers, 1000.0);
+        for (int i = 0; i < POINT_COUNT && arePatches; ++i)
+        {
+            const swPosXZ* first = &answers->points[i - i % 64]; // 64 points of a ship, on a lattice
+            answers->points[i].x = first->x + 4.0 * (i % 8);
+            answers->points[i].z = first->z + 4.0 * (i / 8 % 8);
+        }
+        for (int i = 0; i < ROUNDS && isFine; ++i)
+        {
+            double start = Now();
+            Ask(plain.world, QUESTION_HEIGHTS, answers, &stats);
+            double middle = Now();
+            Ask(shaped.world, QUESTION_HEIGHTS, answers, &stats);
+            seconds[0][i] = middle - start;
+            seconds[1][i] = Now() - middle;
+            ratios[i] = seconds[0][i] / seconds[1][i];
+        }
+        qsort(seconds[0], ROUNDS, sizeof(double), CompareDoubles);
+        qsort(seconds[1], ROUNDS, sizeof(double), CompareDoubles);
+        qsort(ratios, ROUNDS, sizeof(double), CompareDoubles);
+        double none = POINT_COUNT / seconds[0][0], some = POINT_COUNT / seconds[1][0];
+        printf("{\"bench\": \"inputs\", \"scene\": \"%s\", \"points_per_s\": %.0f, \"without_inputs\": %.0f, "
+               "\"ratio\": %.4f}\n",
+               name, some, none, ratios[ROUNDS / 2]);
+        fflush(stdout);
+        DestroyScenario(&shaped);
+    }
+    DestroyScenario(&plain);
+}
+
+static void MeasureInputs(Answers* answers)
+{
+    CompareInputs("open sea, 1000 inputs elsewhere", AddInputsElsewhere, false, answers);
+    CompareInputs("beach, points anywhere", AddShore, false, answers);
+    CompareInputs("beach, patches of 64 points", AddShore, true, answers);
+}
+
+// bench_queries [THREADS], or bench_queries inputs
 int main(int argumentCount, char** arguments)
 {
     Answers* answers = malloc(sizeof *answers);
@@ -383,6 +494,12 @@ int main(int argumentCount, char** arguments)
     {
         fprintf(stderr, "bench_queries: no memory\n");
         return 1;
+    }
+    if (argumentCount > 1 && strcmp(arguments[1], "inputs") == 0)
+    {
+        MeasureInputs(answers);
+        free(answers);
+        return 0;
     }
     for (int kind = SCENARIO_BREEZE; kind < SCENARIO_COUNT; ++kind)
     {
@@ -403,6 +520,7 @@ int main(int argumentCount, char** arguments)
     }
     MeasureMoments(answers);
     MeasurePatch(answers);
+    MeasureInputs(answers);
     free(answers);
     int threads = argumentCount > 1 ? atoi(arguments[1]) : 2;
     MeasureThreads(threads < 1 ? 1 : threads > MAX_THREADS ? MAX_THREADS : threads);

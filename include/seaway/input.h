@@ -7,6 +7,7 @@
 #include "math.h"
 #include "moment.h"
 #include "raster.h"
+#include "tide.h"
 
 /// @file
 /// Inputs: all that a host puts into the sea. An input is a shape (where), a field (what it says), and a blend (how it
@@ -188,9 +189,28 @@ typedef struct swInputDef
     /// x is the width where their points have none. Range [0, 1e6]. Default 100, 10, 100.
     swVec3 size;
 
+    /// Of SW_INPUT_LEVEL and SW_INPUT_FLOW: a tide, whose level or stream is added to `value`, see tide.h. It is that
+    /// of the step's time, or of a moment's. Default: none.
+    swTideConstituent tide[SW_MAX_TIDE];
+
     /// Colour, foam and displacement only: the input is carried to and fro by the waves, instead of staying put.
     /// Default false.
     bool followsWaves;
+
+    /// SW_INPUT_DISPLACEMENT knows two ways. Inputs that follow the waves join the waves' own displacement where
+    /// particles rest: they add to it, mix it with their value, or scale it, all three numbers. Those that stay put
+    /// change heights where particles are: SW_BLEND_ADD and SW_BLEND_MULTIPLY as counted from still water; all others
+    /// by absolute heights, value[1] above position.y: to set the height of the water, or to press it down below the
+    /// underside of a hull (SW_BLEND_MIN). A raster of one channel has heights. Queries and rays see all of it; how an
+    /// input moves is no part of velocities.
+    ///
+    /// Of SW_INPUT_DISPLACEMENT: length of the waves that it is like, m. Queries and slices whose shortest wave is longer
+    /// leave it out, as they leave out waves. Range [0, 1e6]. Default 0: it is never left out.
+    float wavelength;
+
+    /// Of circles and particles: the share falls from the middle to the edge as (1 - r^2)^2, r being 1 at the edge, and
+    /// `feather` is not looked at: a wave particle. Default false.
+    bool isBump;
 
     /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;

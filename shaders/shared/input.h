@@ -53,6 +53,8 @@
 #define SW_INPUT_ALONG_SPLINE 16u  // waves turn with the spline, see shape_spline.h
 #define SW_INPUT_CHANGES 8u        // its value, gain or place is another in each step
 #define SW_INPUT_REMOVES_WAVES 32u // of waves: what is below it of all systems goes by its share, see region.h
+#define SW_INPUT_IS_HEIGHT 256u    // of displacement: its raster has one channel, the height
+#define SW_INPUT_IS_BUMP 128u      // of circles and particles: see swCoverDisc()
 #define SW_INPUT_TAKES_WIND 64u    // of waves: its raster is a wind, see swFindWindWeight()
 
 SW_PARAMS(swInputRecord)
@@ -174,6 +176,10 @@ SW_FORMULA sw_uint swCountInputNumbers(sw_uint field)
 // Numbers that a record's shape brings.
 SW_FORMULA sw_uint swCountRecordNumbers(swInputRecord record)
 {
+    if ((record.flags & SW_INPUT_IS_HEIGHT) != 0u)
+    {
+        return 1u;
+    }
     return (record.flags & SW_INPUT_TAKES_WIND) != 0u ? 2u : swCountInputNumbers(record.field);
 }
 
@@ -229,6 +235,23 @@ SW_FORMULA sw_vec2 swFeatherInput(float inside, float feather)
         share.x = 0.0f;
     }
     return share;
+}
+
+// The share of a disc so far from its middle, and its derivative: by the feather, or a bump (1 - r^2)^2.
+SW_FORMULA sw_vec2 swCoverDisc(swInputRecord record, float distance, float radius)
+{
+    if ((record.flags & SW_INPUT_IS_BUMP) == 0u)
+    {
+        sw_vec2 cover = swFeatherInput(radius - distance, record.feather);
+        cover.y = -cover.y;
+        return cover;
+    }
+    float r = radius > 0.0f ? distance / radius : 1.0f;
+    float rest = r < 1.0f ? 1.0f - r * r : 0.0f;
+    sw_vec2 bump;
+    bump.x = rest * rest;
+    bump.y = radius > 0.0f ? -4.0f * rest * r / radius : 0.0f;
+    return bump;
 }
 
 // The share within a rectangle about (0, 0): both axes' feathers multiplied, so that it has no crease in the corners.
@@ -372,6 +395,13 @@ SW_FORMULA swInputValue swBlendInput(swInputRecord record, swInputValue below, s
     }
     swInputChannel x = swBlendChannel(record, swMakeChannel(below.value.x, below.alongX.x, below.alongZ.x),
                                       swMakeChannel(s.value.x, s.valueX.x, s.valueZ.x), share);
+    if (swCountInputNumbers(record.field) == 1u)
+    {
+        below.value.x = x.value;
+        below.alongX.x = x.alongX;
+        below.alongZ.x = x.alongZ;
+        return below;
+    }
     swInputChannel y = swBlendChannel(record, swMakeChannel(below.value.y, below.alongX.y, below.alongZ.y),
                                       swMakeChannel(s.value.y, s.valueX.y, s.valueZ.y), share);
     swInputChannel z = swBlendChannel(record, swMakeChannel(below.value.z, below.alongX.z, below.alongZ.z),

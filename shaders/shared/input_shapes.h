@@ -8,6 +8,7 @@
 #include "shape_particles.h"
 #include "shape_plain.h"
 #include "shape_polygon.h"
+#include "shape_polyline.h"
 #include "shape_raster.h"
 #include "shape_spline.h"
 
@@ -33,6 +34,10 @@ SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_
     if (record.shape == SW_FORM_RASTER)
     {
         return swSampleRasterInput(words, record, own.x, own.z);
+    }
+    if (record.shape == SW_FORM_POLYLINE)
+    {
+        return swSamplePolyline(words, record, own.x, own.z);
     }
     if (record.shape == SW_FORM_SPLINE)
     {
@@ -60,6 +65,12 @@ SW_FORMULA sw_vec2 swTurnInputGradient(swInputRecord record, float alongX, float
 SW_FORMULA swInputSample swFinishInputSample(swInputRecord record, swInputSample s)
 {
     s.share = s.share * record.weight;
+    if (record.sine == 0.0f && record.cosine == 1.0f)
+    {
+        s.shareX = s.shareX * record.weight;
+        s.shareZ = s.shareZ * record.weight;
+        return s;
+    }
     sw_vec2 g = swTurnInputGradient(record, s.shareX * record.weight, s.shareZ * record.weight);
     s.shareX = g.x;
     s.shareZ = g.y;

@@ -20,7 +20,8 @@ SW_FORMULA swInputChannel swAddPart(swInputChannel share, float value)
     return swMakeChannel(share.value * value, share.alongX * value, share.alongZ * value);
 }
 
-SW_FORMULA swParticleSum swAddParticle(SW_WORDS words, sw_uint at, float feather, float x, float z, swParticleSum sum)
+SW_FORMULA swParticleSum swAddParticle(SW_WORDS words, swInputRecord record, sw_uint at, float x, float z,
+                                       swParticleSum sum)
 {
     float dx = x - SW_WORD(words, at), dz = z - SW_WORD(words, at + 1u);
     float radius = SW_WORD(words, at + 2u);
@@ -31,8 +32,8 @@ SW_FORMULA swParticleSum swAddParticle(SW_WORDS words, sw_uint at, float feather
     }
     float distance = SW_INPUT_SQRT(square);
     float weight = SW_WORD(words, at + 3u);
-    sw_vec2 cover = swFeatherInput(radius - distance, feather);
-    float slope = distance > 0.0f ? -weight * cover.y / distance : 0.0f;
+    sw_vec2 cover = swCoverDisc(record, distance, radius);
+    float slope = distance > 0.0f ? weight * cover.y / distance : 0.0f;
     swInputChannel share = swMakeChannel(weight * cover.x, slope * dx, slope * dz);
     swInputChannel part = swAddPart(share, SW_WORD(words, at + 4u));
     sum.value.x = sum.value.x + part.value;
@@ -69,7 +70,7 @@ SW_FORMULA swInputSample swSampleParticles(SW_WORDS words, swInputRecord record,
     sum.open = swMakeChannel(1.0f, 0.0f, 0.0f);
     for (sw_uint i = 0u; i < record.extra0; ++i)
     {
-        sum = swAddParticle(words, i * SW_PARTICLE_WORDS, record.feather, x, z, sum);
+        sum = swAddParticle(words, record, i * SW_PARTICLE_WORDS, x, z, sum);
     }
     s.share = 0.0f;
     if (sum.share.value <= 0.0f)

@@ -9,12 +9,12 @@ SW_FORMULA swInputSample swSampleCircle(swInputRecord record, float x, float z)
 {
     swInputSample s = swBeginInputSample(record);
     float distance = SW_INPUT_SQRT(x * x + z * z);
-    sw_vec2 cover = swFeatherInput(0.5f * record.size.x - distance, record.feather);
+    sw_vec2 cover = swCoverDisc(record, distance, 0.5f * record.size.x);
     s.share = cover.x;
-    if (cover.y > 0.0f && distance > 0.0f)
+    if (cover.y < 0.0f && distance > 0.0f)
     {
-        s.shareX = -cover.y * (x / distance);
-        s.shareZ = -cover.y * (z / distance);
+        s.shareX = cover.y * (x / distance);
+        s.shareZ = cover.y * (z / distance);
     }
     return s;
 }

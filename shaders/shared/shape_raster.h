@@ -166,9 +166,18 @@ SW_FORMULA swInputSample swSampleRasterInput(SW_WORDS words, swInputRecord recor
     }
     sw_uint numbers = swCountRecordNumbers(record);
     swInputChannel c = swSampleRasterFrames(words, record, cells, 0u);
-    s.value.x = s.value.x + c.value;
-    s.valueX.x = c.alongX;
-    s.valueZ.x = c.alongZ;
+    if ((record.flags & SW_INPUT_IS_HEIGHT) != 0u)
+    {
+        s.value.y = s.value.y + c.value;
+        s.valueX.y = c.alongX;
+        s.valueZ.y = c.alongZ;
+    }
+    else
+    {
+        s.value.x = s.value.x + c.value;
+        s.valueX.x = c.alongX;
+        s.valueZ.x = c.alongZ;
+    }
     if (numbers > 1u)
     {
         c = swSampleRasterFrames(words, record, cells, 1u);

@@ -18,7 +18,7 @@ swResult swKeepYamlNode(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, v
 }
 
 swResult swAllocateYamlItems(swYaml* yaml, yaml_node_t* node, const char* what, int most, size_t size, void** items,
-                             int* count)
+                              int* count)
 {
     swResult result = swReadYamlList(yaml, node, what, most, count);
     if (*count == 0)
@@ -55,7 +55,7 @@ int swFindYamlName(const void* items, size_t size, int count, const char* name)
 }
 
 swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* mapping, const char* what,
-                         const void* items, size_t size, int index)
+                          const void* items, size_t size, int index)
 {
     if (node->type != YAML_MAPPING_NODE)
     {

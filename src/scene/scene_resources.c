@@ -55,7 +55,7 @@ swResult swReadRasters(swYaml* yaml, yaml_node_t* node, const swSceneReader* rea
 {
     swScene* scene = reader->scene;
     swResult result = swAllocateYamlItems(yaml, node, "rasters", SW_MAX_SCENE_RESOURCES, sizeof(swSceneRaster),
-                                          (void**)&scene->rasters, &scene->rasterCount);
+                                    (void**)&scene->rasters, &scene->rasterCount);
     for (int i = 0; i < scene->rasterCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readRaster(yaml, swGetYamlItem(yaml, node, i), reader, i));
@@ -77,7 +77,7 @@ static swResult readSplinePoint(swYaml* yaml, yaml_node_t* node, swSplinePoint* 
 static swResult readSplinePoints(swYaml* yaml, yaml_node_t* node, swSceneSpline* spline)
 {
     swResult result = swAllocateYamlItems(yaml, node, "points", SW_MAX_SPLINE_POINTS, sizeof(swSplinePoint),
-                                          (void**)&spline->points, &spline->pointCount);
+                                    (void**)&spline->points, &spline->pointCount);
     for (int i = 0; i < spline->pointCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readSplinePoint(yaml, swGetYamlItem(yaml, node, i), &spline->points[i]));
@@ -132,7 +132,7 @@ swResult swReadSplines(swYaml* yaml, yaml_node_t* node, const swSceneReader* rea
 {
     swScene* scene = reader->scene;
     swResult result = swAllocateYamlItems(yaml, node, "splines", SW_MAX_SCENE_RESOURCES, sizeof(swSceneSpline),
-                                          (void**)&scene->splines, &scene->splineCount);
+                                    (void**)&scene->splines, &scene->splineCount);
     for (int i = 0; i < scene->splineCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readSpline(yaml, swGetYamlItem(yaml, node, i), reader, i));

@@ -598,6 +598,38 @@ static void NoMemoryLeavesNothingBehind(void** state)
     swDestroySpline(NULL);
 }
 
+// Words in saved moments come from outside: whatever one of them is changed to, reading leads nowhere else.
+static void SpoiltWordsAreRefusedOrHarmless(void** state)
+{
+    (void)state;
+    swSplinePoint points[RING_POINTS];
+    MakeRing(points, 80.0);
+    swSpline* spline = CreateThrough(RING_POINTS, points, true, 30.0f);
+    assert_true(swAreSplineWordsGood(spline->words, spline->wordCount));
+    assert_false(swAreSplineWordsGood(spline->words, spline->wordCount - 1));
+    const float bad[6] = {-1.0f, 0.5f, 1e6f, NAN, INFINITY, 3.0f};
+    const swInputRecord record = MakeRecord(SW_FIELD_OF_LEVEL, 2.0f);
+    int refused = 0;
+    for (size_t i = 0; i < spline->wordCount; ++i)
+    {
+        float good = spline->words[i];
+        for (int k = 0; k < 6; ++k)
+        {
+            spline->words[i] = bad[k];
+            if (!swAreSplineWordsGood(spline->words, spline->wordCount))
+            {
+                refused += 1;
+                continue;
+            }
+            SampleAt(spline, &record, 70.0, 3.0);
+            FindWavesAt(spline, &record, 81.0, -3.0);
+        }
+        spline->words[i] = good;
+    }
+    assert_true(refused > 100);
+    swDestroySpline(spline);
+}
+
 static void AnyChangeHasAnotherHash(void** state)
 {
     (void)state;
@@ -742,6 +774,7 @@ int main(void)
         cmocka_unit_test(RampsGrowFromTheEnds),
         cmocka_unit_test(BadSplinesAreRefusedWithASentence),
         cmocka_unit_test(NoMemoryLeavesNothingBehind),
+        cmocka_unit_test(SpoiltWordsAreRefusedOrHarmless),
         cmocka_unit_test(AnyChangeHasAnotherHash),
         cmocka_unit_test(EachOfAThousandSplinesIsSoundEverywhere),
     };

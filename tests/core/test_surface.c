@@ -9,6 +9,7 @@
 
 #include "core/query/query_surface.h"
 #include "core/surface/search.h"
+#include "core/world/world.h"
 #include "scenarios/scenario.h"
 #include "support/scatter.h"
 
@@ -135,6 +136,24 @@ static float Attenuate(const void* context, const swWaveGroup* group, float dept
     return isDeep ? 1.0f : kd / root;
 }
 
+// A current of 2 m/s whose edge lies along z and swings.
+static void FindFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
+                     float (*gradients)[4])
+{
+    (void)context, (void)ticks;
+    for (int i = 0; i < count; ++i)
+    {
+        double x = points[i].x, z = points[i].z, t = tanh(0.04 * x + 0.5 * sin(0.03 * z)), slope = 1.0 - t * t;
+        velocities[i][0] = (float)(0.5 * t);
+        velocities[i][1] = (float)(1.0 + t);
+        double alongX = 0.04 * slope, alongZ = 0.015 * cos(0.03 * z) * slope;
+        gradients[i][0] = (float)(0.5 * alongX);
+        gradients[i][1] = (float)(0.5 * alongZ);
+        gradients[i][2] = (float)alongX;
+        gradients[i][3] = (float)alongZ;
+    }
+}
+
 // ---- seas ----
 
 typedef struct Sea
@@ -159,6 +178,7 @@ static void OpenSea(Sea* sea, float minWavelength, bool withFreeWaves)
         swWaveSystemId id;
         assert_int_equal(swCreateWaveSystem(sea->scenario.world, &free, &id), SW_SUCCESS);
     }
+    assert_int_equal(swCarryWaves(&sea->scenario.world->waves), SW_SUCCESS);
     assert_int_equal(swWorld_Step(sea->scenario.world, 33.0), SW_SUCCESS);
     sea->def = swDefaultQueryDef();
     sea->def.minWavelength = minWavelength;
@@ -399,6 +419,11 @@ static void GradientsOfPlacesEnterThoseOfTheSurface(void** state)
     const swPlaces level = {.level = FindLevel};
     const swPlaces all = {
         .level = FindLevel, .depth = FindDepth, .weight = FindLee, .warps = FindWarps, .attenuate = Attenuate};
+    const swPlaces flow = {.flow = FindFlow};
+    swPlaces everything = all;
+    everything.flow = FindFlow;
+    CheckGradients(&sea, &flow);
+    CheckGradients(&sea, &everything);
     CheckGradients(&sea, &weight);
     CheckGradients(&sea, &depth);
     CheckGradients(&sea, &warp);

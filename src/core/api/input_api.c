@@ -50,6 +50,7 @@ swResult swCreateInput(swWorld* world, const swInputDef* def, swInputId* idOut)
     SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
                "swCreateInput() needs a def made by swDefaultInputDef()");
     swResult result = checkDef(world, def);
+    result = result == SW_SUCCESS && def->field == SW_INPUT_FLOW ? swCarryWaves(&world->waves) : result;
     swId id = {0, 0};
     if (result == SW_SUCCESS)
     {
@@ -96,6 +97,7 @@ swResult swInput_Set(swWorld* world, swInputId id, const swInputDef* def)
     SW_REQUIRE(def != NULL && def->internalValue == SW_DEF_COOKIE, SW_ERROR_INVALID, &world->host,
                "swInput_Set() needs a def made by swDefaultInputDef()");
     swResult result = checkDef(world, def);
+    result = result == SW_SUCCESS && def->field == SW_INPUT_FLOW ? swCarryWaves(&world->waves) : result;
     if (result != SW_SUCCESS)
     {
         return result;

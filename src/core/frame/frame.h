@@ -117,6 +117,9 @@ typedef struct swTile
     const float* texels;      // [N + 3][N + 3][4], NULL without CPU queries
     const float* velocity;    // the same for the rates of displacement, NULL unless the world has them
     const float* acceleration;
+    // How alike the heights are a way apart: their correlation as component y, 1 at no way. Of a spectrum, not a time.
+    // NULL where no flow that varies carries waves.
+    const float* likeness;
 } swTile;
 
 // A wave that is no part of a tile: evaluated where it is asked for, with its exact wave vector. With

@@ -4,9 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/input/input_record.h"
 #include "core/input/polygon.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
+#include "core/input/tide.h"
 #include "shared/input.h"
 
 static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "displacement", "clip",
@@ -78,7 +80,13 @@ static const swField inputFields[] = {
                .kinds = PLACED),
     SW_NUMBERS(size, float, "m", SW_WITHIN(0.0, 1e6), SW_EACH(100.0, 10.0, 100.0), .key = "size_m", .label = "size",
                SW_KNOB(0.0, 1000.0), .kinds = SIZED),
+    SW_PARTS(tide, &swTideConstituentFields, .key = "tide", .label = "tide",
+             .tip = "Of a level or a flow: harmonics that are added to the value"),
     SW_SWITCH(followsWaves, false, .key = "follows_waves", .label = "follows waves"),
+    SW_NUMBER(wavelength, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "wavelength_m", .label = "like waves of",
+              .tip = "Of displacement: what has longer waves only leaves it out", .zero = "any",
+              SW_LOG_KNOB(0.1, 1000.0)),
+    SW_SWITCH(isBump, false, .key = "is_bump", .label = "a bump", .tip = "Falls from the middle as a wave particle"),
     SW_GIVEN(system, .key = NULL, .label = "wave system"),
     SW_SWITCH(removesWaves, false, .key = "removes_waves", .label = "removes waves",
               .tip = "Takes away the waves of all systems below it by its share"),
@@ -138,11 +146,11 @@ const char* swGetInputShapeWord(int shape)
 // ---- what the table cannot say ----
 
 // Shapes that can be made. A shape that is added is added here.
-static const uint32_t knownShapes = SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) |
-                                    SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) | SW_KIND(SW_SHAPE_RASTER) |
-                                    SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
-                                    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) |
-                                    SW_KIND(SW_SHAPE_PARTICLES) | SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_MESH);
+static const uint32_t knownShapes =
+    SW_KIND(SW_SHAPE_EVERYWHERE) | SW_KIND(SW_SHAPE_CIRCLE) | SW_KIND(SW_SHAPE_RECTANGLE) | SW_KIND(SW_SHAPE_POLYGON) |
+    SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_BOX) | SW_KIND(SW_SHAPE_ELLIPSOID) | SW_KIND(SW_SHAPE_CYLINDER) |
+    SW_KIND(SW_SHAPE_CAPSULE) | SW_KIND(SW_SHAPE_HULL) | SW_KIND(SW_SHAPE_SPLINE) | SW_KIND(SW_SHAPE_PARTICLES) |
+    SW_KIND(SW_SHAPE_FUNCTION) | SW_KIND(SW_SHAPE_POLYLINE) | SW_KIND(SW_SHAPE_MESH);
 
 // Shapes with a height: of clip alone.
 #define SOLID                                                                                                          \
@@ -184,6 +192,20 @@ static swResult checkKinds(const swHost* host, const swInputDef* def)
     if (def->followsWaves && !canFollow)
     {
         return refuse(host, SW_ERROR_UNSUPPORTED, def, "follows waves, which only colour, foam and displacement can");
+    }
+    bool isDisplacing = def->field == SW_INPUT_DISPLACEMENT;
+    if (def->wavelength > 0.0f && !isDisplacing)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def, "is like waves of a length, which only displacement can be");
+    }
+    if (def->isBump && def->shape != SW_SHAPE_CIRCLE && def->shape != SW_SHAPE_PARTICLES)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def, "is a bump, which only circles and particles can be");
+    }
+    if (isDisplacing && !def->followsWaves && (def->value[0] != 0.0f || def->value[2] != 0.0f))
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "moves water sideways from where it stays put; set followsWaves, or let value x and z be 0");
     }
     bool isOfWaves = def->field == SW_INPUT_WAVES;
     if ((def->removesWaves && !isOfWaves) || (def->windWeight.isUsed && !(isOfWaves && def->shape == SW_SHAPE_RASTER)))
@@ -245,6 +267,7 @@ static swResult checkRaster(const swHost* host, const swInputDef* def)
     }
     const swRaster* raster = def->raster;
     sw_uint numbers = def->windWeight.isUsed ? 2u : swCountInputNumbers((sw_uint)def->field);
+    numbers = def->field == SW_INPUT_DISPLACEMENT && raster->channels == 1 ? 1u : numbers; // heights
     if (raster->channels < (int)numbers)
     {
         return swFail(host, SW_ERROR_INVALID,
@@ -298,7 +321,7 @@ swResult swCheckInputValues(const swHost* host, const swInputDef* def)
 }
 
 // Each point by itself; a point is named by its place in the array.
-static swResult checkParticles(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
+static swResult checkPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
     if (count < 0 || count > SW_MAX_INPUT_POINTS || (count > 0 && points == NULL))
     {
@@ -330,9 +353,13 @@ static swResult checkParticles(const swHost* host, const swInputDef* def, int co
 
 swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count, const swInputPoint* points)
 {
-    if (def->shape == SW_SHAPE_PARTICLES)
+    if (def->shape == SW_SHAPE_POLYLINE && (count < 2 || points == NULL))
     {
-        return checkParticles(host, def, count, points);
+        return refuse(host, SW_ERROR_INVALID, def, "is a line through fewer than two points");
+    }
+    if (def->shape == SW_SHAPE_PARTICLES || def->shape == SW_SHAPE_POLYLINE)
+    {
+        return checkPoints(host, def, count, points);
     }
     if (def->shape != SW_SHAPE_POLYGON)
     {
@@ -352,6 +379,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     swResult result = swCheckDef(host, &swInputFields, def);
     result = result == SW_SUCCESS ? checkKinds(host, def) : result;
     result = result == SW_SUCCESS ? checkValues(host, def) : result;
+    if (result == SW_SUCCESS && swHasTide(def) && def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has a tide, which levels and flows can have");
+    }
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_HULL && def->hull == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no hull");

@@ -6,6 +6,7 @@
 
 #include "core/input/hull.h"
 #include "core/input/mesh.h"
+#include "core/input/polyline.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "core/math/scalar.h"
@@ -26,6 +27,10 @@ bool swFindCell(double place, int32_t* cell, float* rest)
 int swCountInputWords(const swInputDef* def)
 {
     int room = def->pointCapacity > def->pointCount ? def->pointCapacity : def->pointCount;
+    if (def->shape == SW_SHAPE_POLYLINE)
+    {
+        return swCountPolylineWords(room);
+    }
     if (def->shape == SW_SHAPE_PARTICLES)
     {
         return (int)SW_PARTICLE_WORDS * room;
@@ -50,6 +55,10 @@ static int writeParticles(const swInputDef* def, int pointCount, const swInputPo
 
 int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words)
 {
+    if (def->shape == SW_SHAPE_POLYLINE)
+    {
+        return swWritePolyline(pointCount, points, def->size.x, words);
+    }
     if (def->shape == SW_SHAPE_PARTICLES)
     {
         return writeParticles(def, pointCount, points, words);
@@ -139,6 +148,17 @@ static void placePolygon(const float* words, int count, swInputRecord* record)
     record->extra0 = (sw_uint)count;
 }
 
+static void placePolyline(const float* words, int count, swInputRecord* record)
+{
+    float bounds[4];
+    swBoundPolyline(count, words, bounds);
+    record->middleX = 0.5f * (bounds[0] + bounds[2]);
+    record->middleZ = 0.5f * (bounds[1] + bounds[3]);
+    record->halfX = 0.5f * (bounds[2] - bounds[0]);
+    record->halfZ = 0.5f * (bounds[3] - bounds[1]);
+    record->extra0 = (sw_uint)count;
+}
+
 // The box of all discs.
 static void placeParticles(const float* words, int count, swInputRecord* record)
 {
@@ -221,6 +241,12 @@ static swPosXZ placeShape(const swInputDef* def, const swInputData* data, swInpu
         int count;
         const float* words = swGetInputWords(data, &count);
         placePolygon(words, count / 2, record);
+        break;
+    }
+    case SW_SHAPE_POLYLINE:
+    {
+        int count;
+        placePolyline(swGetInputWords(data, &count), data->pointCount, record);
         break;
     }
     case SW_SHAPE_PARTICLES:
@@ -320,6 +346,10 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
         record->value.x = (float)((double)def->value[0] - seaLevel);
     }
     turnRecord(def, record);
+    bool isHeight = def->field == SW_INPUT_DISPLACEMENT && def->shape == SW_SHAPE_RASTER && def->raster->channels < 3;
+    record->flags |= isHeight ? SW_INPUT_IS_HEIGHT : 0u;
+    record->flags |= def->isBump ? SW_INPUT_IS_BUMP : 0u;
+    record->value.w = def->field == SW_INPUT_DISPLACEMENT ? def->wavelength : record->value.w;
     record->flags |= def->removesWaves ? SW_INPUT_REMOVES_WAVES : 0u;
     if (def->windWeight.isUsed)
     {
@@ -390,7 +420,7 @@ static bool isHullGood(const swInputRecord* record)
     return isSized && x * y * z + SW_HULL_HEAD <= record->wordCount;
 }
 
-bool swIsInputRecordGood(const swInputRecord* record)
+bool swIsInputRecordGood(const swInputRecord* record, const float* words)
 {
     if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
         record->wordCount > SW_MAX_RASTER_VALUES)
@@ -409,6 +439,11 @@ bool swIsInputRecordGood(const swInputRecord* record)
         return true;
     case SW_SHAPE_POLYGON:
         return record->extra0 >= 3 && record->extra0 <= SW_MAX_INPUT_POINTS && 2 * record->extra0 <= record->wordCount;
+    case SW_SHAPE_POLYLINE:
+        return record->extra0 >= 2 && record->extra0 <= SW_MAX_INPUT_POINTS &&
+               (sw_uint)swCountPolylineWords((int)record->extra0) <= record->wordCount;
+    case SW_SHAPE_SPLINE:
+        return swAreSplineWordsGood(words, record->wordCount);
     case SW_SHAPE_PARTICLES:
         return (uint64_t)record->extra0 * SW_PARTICLE_WORDS <= record->wordCount;
     case SW_SHAPE_HULL:
@@ -427,7 +462,8 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
 {
     float low = 0.0f, high = 0.0f;
     bool isMeshOfFloor = def->shape == SW_SHAPE_MESH && def->field == SW_INPUT_FLOOR;
-    bool isUnknown = def->shape == SW_SHAPE_FUNCTION || def->shape == SW_SHAPE_SPLINE ||
+    bool isUnknown = def->shape == SW_SHAPE_FUNCTION ||
+                     (def->shape == SW_SHAPE_SPLINE && def->field != SW_INPUT_LEVEL) ||
                      (def->shape == SW_SHAPE_MESH && !isMeshOfFloor);
     if (isMeshOfFloor)
     {
@@ -439,6 +475,13 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
         low = def->raster->least;
         high = def->raster->most;
     }
+    if (def->shape == SW_SHAPE_SPLINE)
+    {
+        // Heights of points count from where the input is, which may lie anywhere above or below the sea.
+        swGetSplineHeights(def->spline, &low, &high);
+        low = fminf(0.0f, low);
+        high = fmaxf(0.0f, high);
+    }
     for (int i = 0; def->shape != SW_SHAPE_POLYGON && data != NULL && i < data->pointCount; ++i)
     {
         for (int k = 0; k < 4; ++k)
@@ -447,7 +490,7 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
             high = fmaxf(high, data->points[i].value[k]);
         }
     }
-    bool isScaled = def->shape == SW_SHAPE_RASTER || isMeshOfFloor;
+    bool isScaled = def->shape == SW_SHAPE_RASTER || def->shape == SW_SHAPE_SPLINE || isMeshOfFloor;
     float a = isScaled ? def->gain * low : low, b = isScaled ? def->gain * high : high;
     *least = isUnknown ? -LARGEST_VALUE : fminf(a, b);
     *most = isUnknown ? LARGEST_VALUE : fmaxf(a, b);
@@ -455,9 +498,24 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
 
 // ---- time ----
 
-bool swDoesInputChange(const swInputDef* def)
+bool swHasTide(const swInputDef* def)
+{
+    bool hasTide = false;
+    for (int i = 0; i < SW_MAX_TIDE; ++i)
+    {
+        hasTide = hasTide || def->tide[i].amplitude != 0.0f || def->tide[i].amplitudeAcross != 0.0f;
+    }
+    return hasTide;
+}
+
+static bool isPlayed(const swInputDef* def)
 {
     return def->shape == SW_SHAPE_RASTER && def->raster->frames > 1 && def->framesPerSecond > 0.0f;
+}
+
+bool swDoesInputChange(const swInputDef* def)
+{
+    return isPlayed(def) || swHasTide(def);
 }
 
 // The frame of a raster that is played, and the share of the next.
@@ -481,6 +539,16 @@ void swSetInputTime(const swInputDef* def, double time, swInputRecord* record)
     if (swDoesInputChange(def))
     {
         record->flags |= SW_INPUT_CHANGES;
+    }
+    if (isPlayed(def))
+    {
         playRaster(def, time, record);
+    }
+    if (swHasTide(def))
+    {
+        float x, z;
+        swGetTide(SW_MAX_TIDE, def->tide, time, &x, &z);
+        record->value.x = def->value[0] + x;
+        record->value.y = def->field == SW_INPUT_FLOW ? def->value[1] + z : record->value.y;
     }
 }

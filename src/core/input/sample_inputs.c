@@ -154,11 +154,58 @@ void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ
     }
 }
 
-bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach)
+// ---- displacement ----
+
+typedef struct Displaced
 {
-    swCellBox box;
+    swDisplaceRange range;
+    swInputValue waves;
+    swInputChannel height, level;
+} Displaced;
+
+static void joinWaves(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
+{
+    Displaced* displaced = below;
+    (void)system;
+    if (swIsDisplacing(set->records[at], displaced->range, true))
+    {
+        displaced->waves =
+            swDisplaceAtRest(set->records[at], displaced->range, displaced->waves, sampleRecord(set, at, place));
+    }
+}
+
+static void joinHeight(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
+{
+    Displaced* displaced = below;
+    (void)system;
+    if (swIsDisplacing(set->records[at], displaced->range, false))
+    {
+        displaced->height =
+            swDisplaceHeight(set->records[at], displaced->height, displaced->level, sampleRecord(set, at, place));
+    }
+}
+
+void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves)
+{
+    Displaced displaced = {.range = range, .waves = *waves};
+    Place place = findPlace(rest);
+    joinAll(set, SW_INPUT_DISPLACEMENT, -1, &place, joinWaves, &displaced);
+    *waves = displaced.waves;
+}
+
+void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height)
+{
+    swInputValue level;
+    swFindInputValues(set, SW_INPUT_LEVEL, -1, 1, &point, &level);
+    Displaced displaced = {.range = range, .height = *height, .level = {level.value.x, level.alongX.x, level.alongZ.x}};
+    Place place = findPlace(point);
+    joinAll(set, SW_INPUT_DISPLACEMENT, -1, &place, joinHeight, &displaced);
+    *height = displaced.height;
+}
+
+bool swFindCellBox(swPosXZ point, double reach, swCellBox* box)
+{
     float rest;
-    bool fits = swFindCell(point.x - reach, &box.minX, &rest) && swFindCell(point.x + reach, &box.maxX, &rest) &&
-                swFindCell(point.z - reach, &box.minZ, &rest) && swFindCell(point.z + reach, &box.maxZ, &rest);
-    return !fits || swTouchesInputs(set, mask, &box);
+    return swFindCell(point.x - reach, &box->minX, &rest) && swFindCell(point.x + reach, &box->maxX, &rest) &&
+           swFindCell(point.z - reach, &box->minZ, &rest) && swFindCell(point.z + reach, &box->maxZ, &rest);
 }

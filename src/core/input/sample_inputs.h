@@ -4,6 +4,7 @@
 // The fields that inputs make, at points in the sea. The GPU's twin is shaders/lib/inputs.glsl.
 
 #include "core/input/input_index.h"
+#include "shared/displace.h"
 #include "shared/ribbon_looks.h"
 
 // Bits of a mask of fields.
@@ -17,5 +18,11 @@ void swFindInputValues(const swInputSet* set, int field, int system, int count, 
 // A system's waves at points in the sea: the weight of those that lie as ever, and those along splines.
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks);
 
-// Whether any input of the fields in `mask` may say something within `reach` metres of a point.
-bool swIsNearInputs(const swInputSet* set, uint32_t mask, swPosXZ point, double reach);
+// Inputs of displacement at a point: those that follow the waves join the waves' own where they rest, the others change a
+// height above still water where it is.
+void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves);
+void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height);
+
+// The cells within `reach` metres of a point; false where they do not fit 32 bits.
+bool swFindCellBox(swPosXZ point, double reach, swCellBox* box);
+

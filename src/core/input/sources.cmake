@@ -15,6 +15,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/mesh_def.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/polygon.c
+    ${CMAKE_CURRENT_LIST_DIR}/polyline.c
     ${CMAKE_CURRENT_LIST_DIR}/raster.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_def.c
     ${CMAKE_CURRENT_LIST_DIR}/sample_clip.c
@@ -27,4 +28,5 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/water_bodies.c
     ${CMAKE_CURRENT_LIST_DIR}/water_body_def.c
     ${CMAKE_CURRENT_LIST_DIR}/wind.c
-    ${CMAKE_CURRENT_LIST_DIR}/wind_def.c)
+    ${CMAKE_CURRENT_LIST_DIR}/wind_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/tide.c)

@@ -275,3 +275,18 @@ float swGetFastestSplineFlow(const swSpline* spline)
     }
     return most;
 }
+
+// Between points, both run within those of the points.
+void swGetSplineHeights(const swSpline* spline, float* least, float* most)
+{
+    float low = INFINITY, high = -INFINITY, lowLevel = INFINITY, highLevel = -INFINITY;
+    for (int i = 0; i < spline->def.pointCount; ++i)
+    {
+        low = fminf(low, (float)spline->points[i].y);
+        high = fmaxf(high, (float)spline->points[i].y);
+        lowLevel = fminf(lowLevel, spline->points[i].level);
+        highLevel = fmaxf(highLevel, spline->points[i].level);
+    }
+    *least = low + lowLevel;
+    *most = high + highLevel;
+}

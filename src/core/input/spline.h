@@ -38,6 +38,12 @@ struct swSpline
 void swRetainSpline(const swSpline* spline);
 void swReleaseSpline(const swSpline* spline);
 
+// Whether words that come from outside are such that reading them leads nowhere else.
+bool swAreSplineWordsGood(const float* words, size_t count);
+
+// Between which levels of still water lie along it: heights of points and of water above them, m.
+void swGetSplineHeights(const swSpline* spline, float* least, float* most);
+
 float swGetFastestSplineFlow(const swSpline* spline); // m/s, either way
 
 // From one point to the next.

@@ -370,3 +370,65 @@ swResult swMakeSplineWords(swSpline* spline, const swSplineSpan* spans, swSpline
     swFree(&spline->host, scratch, size);
     return result;
 }
+
+// ---- words from outside ----
+
+// A whole number that a float says, from `least` to `most`.
+static bool readWhole(float word, size_t least, size_t most, size_t* whole)
+{
+    bool isWithin = word >= (float)least && word <= (float)most && floorf(word) == word;
+    *whole = isWithin ? (size_t)word : 0;
+    return isWithin;
+}
+
+static bool areKnotsGood(const float* knots, size_t segments, size_t spans)
+{
+    for (size_t i = 0; i <= segments; ++i)
+    {
+        size_t span;
+        const float* knot = knots + i * SW_KNOT_WORDS;
+        if (!readWhole(knot[SW_KNOT_SPAN], 0, spans - 1, &span) || !(knot[SW_KNOT_STEP] > 0.0f))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool areListsGood(const float* words, size_t cells, size_t cellCount, size_t count, size_t segments)
+{
+    size_t before = cells + cellCount + 1, start, segment;
+    for (size_t i = 0; i <= cellCount; ++i)
+    {
+        if (!readWhole(words[cells + i], before, count, &start))
+        {
+            return false;
+        }
+        before = start;
+    }
+    for (size_t i = cells + cellCount + 1; i < before; ++i)
+    {
+        if (!readWhole(words[i], 0, segments - 1, &segment))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool swAreSplineWordsGood(const float* words, size_t count)
+{
+    size_t segments, columns, rows, spans, knots, cells;
+    if (count < SW_RIBBON_HEAD || count > 1u << 24 || !readWhole(words[SW_RIBBON_SEGMENTS], 1, count, &segments) ||
+        !readWhole(words[SW_RIBBON_COLUMNS], 1, count, &columns) ||
+        !readWhole(words[SW_RIBBON_ROWS], 1, count, &rows) ||
+        !readWhole(words[SW_RIBBON_SPANS], SW_RIBBON_HEAD, SW_RIBBON_HEAD, &spans) ||
+        !readWhole(words[SW_RIBBON_KNOTS], spans + SW_SPAN_WORDS, count, &knots) ||
+        !readWhole(words[SW_RIBBON_CELLS], knots, count, &cells))
+    {
+        return false;
+    }
+    bool isFull = knots + (segments + 1) * SW_KNOT_WORDS == cells && columns * rows < count - cells;
+    return isFull && areKnotsGood(words + knots, segments, (knots - spans) / SW_SPAN_WORDS) &&
+           areListsGood(words, cells, columns * rows, count, segments);
+}

@@ -131,8 +131,9 @@ static bool wantsGradients(const swSurfaceSamples* samples)
     return samples->normal != NULL || samples->jacobian != NULL;
 }
 
-// How particles that rest at `rest` move.
-static void sampleMotion(const swQuery* query, const swSurfaceSamples* samples, const Block* block, const swPosXZ* rest)
+// How particles that rest at `rest`, and are at the block's places, move: by the waves, and with the flow there.
+static void sampleMotion(const swQuery* query, const swSurfaceSamples* samples, const Block* block, const swPosXZ* rest,
+                         const swPosXZ* places)
 {
     float velocity[SW_QUERY_BLOCK][4];
     float acceleration[SW_QUERY_BLOCK][4];
@@ -141,6 +142,10 @@ static void sampleMotion(const swQuery* query, const swSurfaceSamples* samples, 
         .acceleration = samples->acceleration != NULL ? acceleration : NULL,
     };
     swEvaluate(query, block->count, rest, &evaluation);
+    if (samples->velocity != NULL)
+    {
+        swAddFlow(query->places, query->ticks, block->count, places, velocity);
+    }
     writeVectors(samples->velocity, block, velocity);
     writeVectors(samples->acceleration, block, acceleration);
 }
@@ -161,7 +166,7 @@ static void querySurfaceBlock(const swQuery* query, const Block* block, const sw
     writeClips(query, samples, block, found.rest, found.displacement, found.levels);
     if (samples->velocity != NULL || samples->acceleration != NULL)
     {
-        sampleMotion(query, samples, block, found.rest);
+        sampleMotion(query, samples, block, found.rest, block->places);
         found.evaluations += block->count;
     }
     swCountFound(stats, &found, block->count, query->def->tolerance);
@@ -213,7 +218,13 @@ static void queryParticleBlock(const swQuery* query, const Block* block, const s
     writeClips(query, samples, block, block->places, displacement, levels);
     if (samples->velocity != NULL || samples->acceleration != NULL)
     {
-        sampleMotion(query, samples, block, block->places);
+        swPosXZ places[SW_QUERY_BLOCK];
+        for (int i = 0; i < block->count; ++i)
+        {
+            places[i] = (swPosXZ){block->places[i].x + (double)displacement[i][0],
+                                  block->places[i].z + (double)displacement[i][2]};
+        }
+        sampleMotion(query, samples, block, block->places, places);
     }
     for (int i = 0; i < block->count && slopes != NULL; ++i)
     {

@@ -109,7 +109,7 @@ static int fillBlock(const swQuery* query, int first, int count, const swPos* po
     return point;
 }
 
-static void searchBlock(const swQuery* query, float bottom, Block* block, swQueryStats* stats)
+__attribute__((noinline)) static void searchBlock(const swQuery* query, float bottom, Block* block, swQueryStats* stats)
 {
     swFound found;
     found.gradients = NULL;
@@ -168,19 +168,26 @@ static void writeBlock(const Block* block, const swDepthSums* sums, const swVolu
     }
 }
 
-static void queryBlock(const swQuery* query, float bottom, Block* block, const swVolumeSamples* samples,
-                       swQueryStats* stats)
+// Not inlined: what it needs shall not be on the stack together with what the search needs.
+__attribute__((noinline)) static void answerBlock(const swQuery* query, const Block* block,
+                                                  const swVolumeSamples* samples)
 {
     float velocity[SW_QUERY_BLOCK][4] = {{0.0f}};
     float acceleration[SW_QUERY_BLOCK][4] = {{0.0f}};
     float head[SW_QUERY_BLOCK] = {0.0f};
     const swDepthSums sums = {velocity, acceleration, head};
-    searchBlock(query, bottom, block, stats);
     if (samples->velocity != NULL || samples->acceleration != NULL || samples->pressureHead != NULL)
     {
         sumBlock(query, block, &sums);
     }
     writeBlock(block, &sums, samples);
+}
+
+static void queryBlock(const swQuery* query, float bottom, Block* block, const swVolumeSamples* samples,
+                       swQueryStats* stats)
+{
+    searchBlock(query, bottom, block, stats);
+    answerBlock(query, block, samples);
 }
 
 void swQueryVolume(const swQuery* query, int count, const swPos* points, const swVolumeSamples* samples,

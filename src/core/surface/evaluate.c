@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/surface/displace.h"
 #include "core/surface/evaluate_shaped.h"
 #include "core/surface/input_places.h"
 #include "shared/surface_normal.h"
@@ -326,6 +327,11 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
     else
     {
         evaluateFrame(query, count, rest, out);
+    }
+    swDisplaceWaves(query, count, rest, out);
+    if (out->displacement != NULL && (out->levels != NULL || out->withHeights))
+    {
+        swDisplaceHeights(query, count, rest, out->displacement, out->gradients);
     }
     if (out->levels != NULL)
     {

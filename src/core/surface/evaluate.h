@@ -58,6 +58,7 @@ typedef struct swEvaluation
     float (*gradients)[8];    // as swSampleTiles() has them; with the level's slope where levels are asked for
     float (*velocity)[4];
     float (*acceleration)[4];
+    bool withHeights;        // inputs that stay put change heights, as they do where levels are asked for
     float shortest, longest; // only waves between, m: tiles by their longest, see swTileChoice; 0 is no bound
 } swEvaluation;
 

@@ -15,6 +15,9 @@
 
 typedef swPointSums Sums[SW_PLACE_BLOCK];
 
+// Points that are looked up together: as many as kernels work on at once, to spare the stack.
+#define LOOK_BLOCK 8
+
 // ---- one group of waves ----
 
 // Horizontal displacement from a warp's axes to the sea's. Even and odd columns of texels are apart in the sums.
@@ -50,38 +53,35 @@ static void chain(const float way[4], swPointSums* own)
     }
 }
 
-// Add a look at waves, `own`, to all.
-static void addCopy(const swPlaceBlock* block, const swCopy* copy, bool withSlopes, swPointSums* own, swPointSums* all)
+// Add a look at waves to all, `own` and `all` being those of the block's point i.
+static void addCopy(const swCopy* copy, int i, bool withSlopes, swPointSums* own, swPointSums* all)
 {
-    for (int i = 0; i < block->count; ++i)
+    if (withSlopes)
     {
-        if (withSlopes)
-        {
-            chain(copy->way[i], &own[i]);
-        }
-        if (copy->warps != NULL)
-        {
-            turn(&copy->warps[i], withSlopes, &own[i]);
-        }
-        float weight = copy->weight[i];
-        for (int c = 0; c < 8; ++c)
-        {
-            all[i].value[c] += weight * own[i].value[c];
-        }
-        for (int c = 0; c < 8 && withSlopes; ++c)
-        {
-            all[i].alongX[c] += weight * own[i].alongX[c] + copy->alongX[i] * own[i].value[c];
-            all[i].alongZ[c] += weight * own[i].alongZ[c] + copy->alongZ[i] * own[i].value[c];
-        }
+        chain(copy->way[i], own);
+    }
+    if (copy->warps != NULL)
+    {
+        turn(&copy->warps[i], withSlopes, own);
+    }
+    float weight = copy->weight[i];
+    for (int c = 0; c < 8; ++c)
+    {
+        all->value[c] += weight * own->value[c];
+    }
+    for (int c = 0; c < 8 && withSlopes; ++c)
+    {
+        all->alongX[c] += weight * own->alongX[c] + copy->alongX[i] * own->value[c];
+        all->alongZ[c] += weight * own->alongZ[c] + copy->alongZ[i] * own->value[c];
     }
 }
 
-// Waves of a group one by one, in the form that tiles have, added to `own`.
+// Waves of a group one by one, in the form that tiles have, added to `own`; of at most LOOK_BLOCK points.
 static void sumGroup(const swQuery* query, const swWaveGroup* group, int field, int count, const swPosXZ* points,
                      bool withSlopes, swPointSums* own)
 {
-    float values[SW_PLACE_BLOCK][4] = {{0.0f}};
-    float gradients[SW_PLACE_BLOCK][8] = {{0.0f}};
+    float values[LOOK_BLOCK][4] = {{0.0f}};
+    float gradients[LOOK_BLOCK][8] = {{0.0f}};
     const swSurfaceSums sums = {
         .displacement = field == 0 ? values : NULL,
         .gradients = withSlopes ? gradients : NULL,
@@ -125,22 +125,47 @@ static void look(const swQuery* query, const swWaveGroup* group, int field, int 
     }
 }
 
+static int countLook(const swPlaceBlock* block, int first)
+{
+    return block->count - first < LOOK_BLOCK ? block->count - first : LOOK_BLOCK;
+}
+
+static void addLook(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes,
+                    const swPlaceBlock* block, const swCopy* copy, swPointSums* all)
+{
+    for (int first = 0; first < block->count; first += LOOK_BLOCK)
+    {
+        swPointSums own[LOOK_BLOCK];
+        int count = countLook(block, first);
+        memset(own, 0, sizeof own);
+        look(query, group, field, count, copy->source + first, withSlopes, own);
+        for (int i = 0; i < count; ++i)
+        {
+            addCopy(copy, first + i, withSlopes, &own[i], &all[first + i]);
+        }
+    }
+}
+
 static void addGroup(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes, swPlaceBlock* block,
                      swPointSums* all)
 {
-    if (swIsGroupPlain(block, group))
+    bool isPlain = swIsGroupPlain(block, group);
+    for (int first = 0; first < block->count && isPlain; first += LOOK_BLOCK)
     {
-        look(query, group, field, block->count, block->rest, withSlopes, all);
+        look(query, group, field, countLook(block, first), block->rest + first, withSlopes, all + first);
+    }
+    if (isPlain)
+    {
         return;
     }
-    swShape shape;
-    Sums own;
-    swFindShape(block, group, &shape);
-    for (int i = 0; i < shape.copyCount; ++i)
+    for (int i = 0; i < swCountLooks(block, group); ++i)
     {
-        memset(own, 0, sizeof own);
-        look(query, group, field, block->count, shape.copies[i].source, withSlopes, own);
-        addCopy(block, &shape.copies[i], withSlopes, own, all);
+        swLook found;
+        swFindLook(block, group, i, &found);
+        for (int c = 0; c < found.copyCount; ++c)
+        {
+            addLook(query, group, field, withSlopes, block, &found.copies[c], all);
+        }
     }
 }
 
@@ -230,29 +255,38 @@ static bool findPlainPoints(const swQuery* query, const swWaveSumJob* asked, swP
     return areAll;
 }
 
-// Whether a point's waves are shaped depends on the point alone, so that its bits do not depend on its neighbours.
-void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+// Evaluates the points that are shaped, and says of all whether they are. Not inlined: what it needs shall not be on
+// the stack together with what other points need.
+__attribute__((noinline)) static void evaluateShapedPoints(const swQuery* query, int count, const swPosXZ* rest,
+                                                           const swEvaluation* out, bool* isPlain)
 {
-    const swPlaces* places = query->places;
-    if (places->localSystems == 0 && (swFindTouchedFields(places, query->ticks, count, rest) & ~SW_TOUCHES_LEVEL) == 0)
-    {
-        swEvaluatePlain(query, count, rest, out);
-        return;
-    }
-    bool isPlain[SW_QUERY_BLOCK + 1];
-    isPlain[count] = false;
     for (int first = 0; first < count; first += SW_PLACE_BLOCK)
     {
         int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
         const swWaveSumJob asked = swMakeSumJob(query, out, some, rest + first);
         swPlaceBlock block;
-        swBeginPlaces(&block, places, query->kernels, query->ticks, some, rest + first);
+        swBeginPlaces(&block, query->places, query->kernels, query->ticks, some, rest + first);
         if (!findPlainPoints(query, &asked, &block, isPlain + first))
         {
             const swEvaluation own = skipPoints(out, first);
             evaluateBlock(query, &asked, &block, &own);
         }
     }
+}
+
+// Whether a point's waves are shaped depends on the point alone, so that its bits do not depend on its neighbours.
+void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    const swPlaces* places = query->places;
+    if (places->localSystems == 0 &&
+        (swFindTouchedFields(places, query->ticks, count, rest, 0.0) & ~SW_TOUCHES_LEVEL) == 0)
+    {
+        swEvaluatePlain(query, count, rest, out);
+        return;
+    }
+    bool isPlain[SW_QUERY_BLOCK + 1];
+    isPlain[count] = false;
+    evaluateShapedPoints(query, count, rest, out, isPlain);
     for (int begin = 0; begin < count; ++begin)
     {
         int end = begin;

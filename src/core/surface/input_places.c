@@ -2,6 +2,7 @@
 #include "core/surface/input_places.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/input/sample_inputs.h"
 #include "shared/depth_share.h"
@@ -18,7 +19,7 @@ static uint32_t findFields(uint32_t touches)
 static const uint32_t allTouches[4] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP,
                                        SW_TOUCHES_FLOW};
 
-static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points)
+static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points, double around)
 {
     (void)ticks;
     double minX = points[0].x, maxX = points[0].x, minZ = points[0].z, maxZ = points[0].z;
@@ -30,11 +31,16 @@ static uint32_t findTouched(const void* context, int64_t ticks, int count, const
         maxZ = points[i].z > maxZ ? points[i].z : maxZ;
     }
     const swPosXZ middle = {0.5 * (minX + maxX), 0.5 * (minZ + maxZ)};
-    double reach = fmax(maxX - middle.x, maxZ - middle.z);
+    double reach = fmax(maxX - middle.x, maxZ - middle.z) + around;
+    swCellBox box;
+    if (!swFindCellBox(middle, reach, &box))
+    {
+        return SW_TOUCHES_ALL;
+    }
     uint32_t touched = 0;
     for (int i = 0; i < 4; ++i)
     {
-        touched |= swIsNearInputs(context, findFields(allTouches[i]), middle, reach) ? allTouches[i] : 0;
+        touched |= swTouchesInputs(context, findFields(allTouches[i]), &box) ? allTouches[i] : 0;
     }
     return touched;
 }
@@ -68,11 +74,17 @@ static void findLevel(const void* context, int system, int64_t ticks, int count,
 void swFindInputDepths(const swInputSet* set, int count, const swPosXZ* points, float* depths, float (*gradients)[2])
 {
     float floors[SW_PLACE_BLOCK], slopes[SW_PLACE_BLOCK][2];
+    bool hasLevel = swHasInputs(set, SW_INPUT_LEVEL);
+    memset(depths, 0, (size_t)count * sizeof *depths);
+    memset(gradients, 0, (size_t)count * sizeof *gradients);
     for (int first = 0; first < count; first += SW_PLACE_BLOCK)
     {
         int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
         findNumbers(set, SW_INPUT_FLOOR, -1, some, points + first, floors, slopes);
-        findNumbers(set, SW_INPUT_LEVEL, -1, some, points + first, depths + first, gradients + first);
+        if (hasLevel)
+        {
+            findNumbers(set, SW_INPUT_LEVEL, -1, some, points + first, depths + first, gradients + first);
+        }
         for (int i = 0; i < some; ++i)
         {
             bool isThere = floors[i] > 0.5f * SW_NO_FLOOR;

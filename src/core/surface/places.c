@@ -4,16 +4,18 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/surface/carry.h"
+
 // ---- a block of points ----
 
-uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points)
+uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, double reach)
 {
     uint32_t there = (places->level != NULL ? SW_TOUCHES_LEVEL : 0) |
                      (places->depth != NULL && places->attenuate != NULL ? SW_TOUCHES_DEPTH : 0) |
                      (places->weight != NULL ? SW_TOUCHES_WEIGHT : 0) | (places->warps != NULL ? SW_TOUCHES_WARP : 0) |
                      (places->flow != NULL ? SW_TOUCHES_FLOW : 0);
     bool isAsked = there != 0 && places->touched != NULL;
-    return isAsked ? there & places->touched(places->context, ticks, count, points) : there;
+    return isAsked ? there & places->touched(places->context, ticks, count, points, reach) : there;
 }
 
 static void findDepths(swPlaceBlock* block)
@@ -62,7 +64,7 @@ void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKern
     block->count = count;
     block->rest = rest;
     block->system = -1;
-    block->touched = swFindTouchedFields(places, ticks, count, rest);
+    block->touched = swFindTouchedFields(places, ticks, count, rest, 0.0);
     findDepths(block);
     findFlow(block);
 }
@@ -227,24 +229,32 @@ static void attenuate(const swPlaceBlock* block, const swWaveGroup* group, swCop
     }
 }
 
-void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape)
+int swCountLooks(swPlaceBlock* block, const swWaveGroup* group)
 {
     findSystem(block, group->system);
-    bool isDeep = !isAttenuated(block, group);
-    shape->copyCount = 0;
-    if (!block->isGone)
+    return (block->isGone ? 0 : 1) + block->warpCount;
+}
+
+void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, swLook* look)
+{
+    findSystem(block, group->system);
+    int warp = block->isGone ? index : index - 1;
+    look->copyCount = 1;
+    if (warp < 0)
     {
-        placePlain(block, &shape->copies[shape->copyCount++]);
+        placePlain(block, &look->copies[0]);
     }
-    for (int w = 0; w < block->warpCount; ++w)
+    else
     {
-        placeWarped(block, block->warps[w], &shape->copies[shape->copyCount++]);
+        placeWarped(block, block->warps[warp], &look->copies[0]);
     }
-    shape->isPlain =
-        !block->isGone && block->warpCount == 0 && isDeep && !block->isWeighted && !(block->touched & SW_TOUCHES_FLOW);
-    for (int i = 0; i < shape->copyCount && !isDeep; ++i)
+    if (isAttenuated(block, group))
     {
-        attenuate(block, group, &shape->copies[i]);
+        attenuate(block, group, &look->copies[0]);
+    }
+    if ((block->touched & SW_TOUCHES_FLOW) != 0)
+    {
+        swCarryLook(block, group, look);
     }
 }
 

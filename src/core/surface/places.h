@@ -21,8 +21,8 @@
 #define SW_TOUCHES_FLOW 16u
 #define SW_TOUCHES_ALL 31u
 
-// The fields that may say something about some of the points. Cheap, and on the safe side.
-typedef uint32_t swFindTouched(const void* context, int64_t ticks, int count, const swPosXZ* points);
+// The fields that may say something within `reach` metres of some of the points. Cheap, and on the safe side.
+typedef uint32_t swFindTouched(const void* context, int64_t ticks, int count, const swPosXZ* points, double reach);
 
 // Values at points in the sea, and their gradients. `system` is that of the waves in question, of `level` and `depth`
 // -1.
@@ -82,7 +82,7 @@ struct swWaveGroup
     const swFreeWave* waves;
 };
 
-// One look at waves: where, and how much of them counts.
+// Where waves are looked up, and how much of them counts.
 typedef struct swCopy
 {
     const swWarp* warps; // by which sideways displacement is turned, or NULL
@@ -92,18 +92,14 @@ typedef struct swCopy
     float alongX[SW_PLACE_BLOCK], alongZ[SW_PLACE_BLOCK]; // of the weight
 } swCopy;
 
-// Plainly and by warps, each twice where a flow carries waves.
-#define SW_MAX_COPIES (2 * (1 + SW_MAX_WARPS))
-
-// What shapes waves at some points.
-typedef struct swShape
+// Waves as they lie in the sea's coordinates or in a warp's: two copies where a flow carries them.
+typedef struct swLook
 {
-    int copyCount; // 0: none of the waves are there
-    bool isPlain;  // one copy, as the waves are
-    swCopy copies[SW_MAX_COPIES];
-} swShape;
+    int copyCount;
+    swCopy copies[2];
+} swLook;
 
-// Begin with the points (at most SW_PLACE_BLOCK), then ask for one shape after another.
+// Begin with the points (at most SW_PLACE_BLOCK), then ask for one look after another.
 typedef struct swPlaceBlock
 {
     const swPlaces* places;
@@ -130,13 +126,15 @@ void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKern
                    const swPosXZ* rest);
 
 // Fields that may say something at any number of points.
-uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points);
+uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, double reach);
 
 // Whether all waves of a group are as they would be with no places; a group that is nowhere near is not.
 bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group);
 // Leave isPlain[] of points where they are, and set it to false of all others. Returns whether it is still true of all.
 bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain);
-void swFindShape(swPlaceBlock* block, const swWaveGroup* group, swShape* shape);
+// Looks at a group of waves: plainly, unless none are there so, and by each warp. One by one, to spare the stack.
+int swCountLooks(swPlaceBlock* block, const swWaveGroup* group);
+void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, swLook* look);
 
 // Free waves from the first on that are shaped alike.
 swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves);

@@ -21,6 +21,8 @@
 
 #include "core/surface/search.h"
 
+#include "core/surface/displace.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -416,9 +418,25 @@ __attribute__((noinline)) static int runSearches(const swQuery* query, int count
     return evaluations;
 }
 
+// Whether nothing shapes the water as far around a block as its searches may come: it is then found out once, instead
+// of at each of the places that they try. Water that nothing shapes has the same bits either way.
+static bool isPlainAround(const swQuery* query, int count, const swPosXZ* points)
+{
+    const swPlaces* places = query->places;
+    double reach = 256.0 + 16.0 * (double)query->sideways;
+    return places->localSystems == 0 && swFindTouchedFields(places, query->ticks, count, points, reach) == 0;
+}
+
 void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swSurfaceHint* const* hints,
                      swFound* found)
 {
+    swQuery plain;
+    if (query->places != NULL && isPlainAround(query, count, points))
+    {
+        plain = *query;
+        plain.places = NULL;
+        query = &plain;
+    }
     swSearch searches[SW_QUERY_BLOCK];
     found->evaluations = beginSearches(query, count, points, hints, searches);
     found->evaluations += runSearches(query, count, points, searches, found);
@@ -433,5 +451,6 @@ void swFindParticles(const swQuery* query, int count, const swPosXZ* points, swS
             writeHint(&searches[i], time, hints[i]);
         }
     }
+    swDisplaceHeights(query, count, found->rest, found->displacement, found->gradients);
     swFindLevels(query->places, query->ticks, count, found->rest, found->displacement, found->levels, found->gradients);
 }

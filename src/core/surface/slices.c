@@ -50,7 +50,8 @@ static void sampleBlock(const swSliceJob* job, int row, int column, int count)
         points[i].z = (double)(slice->firstZ + row) * slice->texel;
     }
     size_t first = ((size_t)row * (size_t)job->resolution + (size_t)column) * 4;
-    const swEvaluation evaluation = {.displacement = (float(*)[4])(job->displacement + first), .gradients = gradients};
+    const swEvaluation evaluation = {
+        .displacement = (float(*)[4])(job->displacement + first), .gradients = gradients, .withHeights = true};
     swEvaluate(&job->query, count, points, &evaluation);
     float* derivatives = job->derivatives + first;
     for (int i = 0; i < count; ++i)

@@ -46,6 +46,7 @@ static void addTile(swTileList* list, const swShownSet* shown, const swBandModes
         .texels = set->texels[SW_TEXELS_DISPLACEMENT][index],
         .velocity = set->texels[SW_TEXELS_VELOCITY][index],
         .acceleration = set->texels[SW_TEXELS_ACCELERATION][index],
+        .likeness = set->texels[SW_TEXELS_LIKENESS][index],
     };
     swScaleStrain(&tile->strain, square);
     swPosXZ shift = swGetTileShift(tile, ticks);
@@ -55,6 +56,7 @@ static void addTile(swTileList* list, const swShownSet* shown, const swBandModes
     {
         list->texels[list->tileCount][field] = set->texels[field][index];
     }
+    list->isLikenessMade[list->tileCount] = set->likenessVersion == set->version;
     list->tileCount += 1;
 }
 
@@ -110,7 +112,26 @@ void swListSet(swTileList* list, const swShownSet* shown, const swBandModes* ban
     }
 }
 
-// Field index % SW_TEXELS_COUNT of a pair: displacement, velocity, acceleration.
+// A tile whose texels, as swTransformTiles() makes them with SW_LIKENESS, are 1 at no way.
+static swTile scaleToLikeness(const swTile* tile)
+{
+    swTile scaled = *tile;
+    double sum = swSumTilePowers(tile);
+    scaled.weight = sum > 0.0 ? (float)(0.5 / sum) : 0.0f;
+    return scaled;
+}
+
+static void transformLikeness(const swTileList* list, const swWaveKernels* kernels, const swTilePair* pair,
+                              void* scratch)
+{
+    bool isPair = pair->second >= 0;
+    swTile first = scaleToLikeness(&list->tiles[pair->first]);
+    swTile second = scaleToLikeness(&list->tiles[isPair ? pair->second : pair->first]);
+    swTransformTiles(kernels, &first, list->texels[pair->first][SW_TEXELS_LIKENESS], isPair ? &second : NULL,
+                     isPair ? list->texels[pair->second][SW_TEXELS_LIKENESS] : NULL, 0, SW_LIKENESS, scratch);
+}
+
+// Field index % SW_TEXELS_COUNT of a pair.
 void swTransformListed(const swTileList* list, const swWaveKernels* kernels, int64_t ticks, int index, void* scratch)
 {
     const swTilePair* pair = &list->pairs[index / SW_TEXELS_COUNT];
@@ -118,6 +139,14 @@ void swTransformListed(const swTileList* list, const swWaveKernels* kernels, int
     float* first = list->texels[pair->first][field];
     if (first == NULL)
     {
+        return;
+    }
+    if (field == SW_TEXELS_LIKENESS)
+    {
+        if (!list->isLikenessMade[pair->first])
+        {
+            transformLikeness(list, kernels, pair, scratch);
+        }
         return;
     }
     bool isPair = pair->second >= 0;

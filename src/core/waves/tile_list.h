@@ -10,19 +10,20 @@ typedef struct swWaveSet swWaveSet;
 #define SW_MAX_WAVE_PARTS 4
 #define SW_MAX_SHOWN_SETS (SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_PARTS)
 
-// Fields of a tile on the CPU: displacement and its derivatives by time.
+// Fields of a tile on the CPU: displacement and its derivatives by time, and what swTile::likeness is.
 enum
 {
     SW_TEXELS_DISPLACEMENT,
     SW_TEXELS_VELOCITY,
     SW_TEXELS_ACCELERATION,
+    SW_TEXELS_LIKENESS,
     SW_TEXELS_COUNT
 };
 
 // A set, once, however many systems and parts show it.
 typedef struct swShownSet
 {
-    const swWaveSet* set;
+    swWaveSet* set;
     float weight; // of all systems and parts together
     int system;   // slot of the first of them that has weight
     float share;  // of a mix
@@ -47,6 +48,7 @@ typedef struct swTileList
     int tileCount;
     swTile tiles[SW_MAX_TILES];
     float* texels[SW_MAX_TILES][SW_TEXELS_COUNT]; // of the tiles, to write; NULL where there are none
+    bool isLikenessMade[SW_MAX_TILES];            // of an earlier time, and still good
     int pairCount;
     swTilePair pairs[SW_MAX_TILES];
     int waveCount;

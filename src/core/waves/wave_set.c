@@ -124,30 +124,32 @@ static bool copyDef(const swHost* host, const swWaveSystemDef* def, swWaveSet* s
     return true;
 }
 
-static bool allocateTexels(swWaves* waves, swWaveSet* set)
+bool swAllocateTexels(swWaves* waves, swWaveSet* set)
 {
     size_t size = getTexelBytes(set->def.resolution);
-    for (int band = 0; band < SW_SET_TILES; ++band)
+    for (int i = 0; i < SW_TEXELS_COUNT * SW_SET_TILES; ++i)
     {
-        if (set->bands[band].modeCount == 0)
+        int field = i % SW_TEXELS_COUNT, band = i / SW_TEXELS_COUNT;
+        float** texels = &set->texels[field][band];
+        if (set->bands[band].modeCount > 0 && waves->hasTexels[field] && *texels == NULL)
         {
-            continue;
-        }
-        set->tileCount += 1;
-        for (int field = 0; field < SW_TEXELS_COUNT; ++field)
-        {
-            if (!waves->hasTexels[field])
-            {
-                continue;
-            }
-            set->texels[field][band] = swAllocateZero(&waves->memory->host, size);
-            if (set->texels[field][band] == NULL)
+            *texels = swAllocateZero(&waves->memory->host, size);
+            if (*texels == NULL)
             {
                 return false;
             }
         }
     }
     return true;
+}
+
+static bool allocateTexels(swWaves* waves, swWaveSet* set)
+{
+    for (int band = 0; band < SW_SET_TILES; ++band)
+    {
+        set->tileCount += set->bands[band].modeCount > 0 ? 1 : 0;
+    }
+    return swAllocateTexels(waves, set);
 }
 
 // One part of the scratch for each worker, large enough for tiles of that resolution.

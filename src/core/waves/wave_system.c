@@ -385,7 +385,7 @@ static float getRecordShare(const swRecordClock* records, double time, bool* isH
     return span > 0.0 && isfinite(span) ? (float)((seconds - records->first) / span) : 0.0f;
 }
 
-static void showSet(swShown* shown, const swWaveSet* set, float share, float weight, int slot)
+static void showSet(swShown* shown, swWaveSet* set, float share, float weight, int slot)
 {
     int i = 0;
     while (i < shown->count && shown->sets[i].set != set)

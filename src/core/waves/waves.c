@@ -85,6 +85,26 @@ void swDeriveWaves(swWaves* waves, swFrame* frame)
     frame->wind = swFindWindOfWaves(waves, &shown);
 }
 
+swResult swCarryWaves(swWaves* waves)
+{
+    if (waves->hasTexels[SW_TEXELS_LIKENESS] || !waves->hasTexels[SW_TEXELS_DISPLACEMENT])
+    {
+        return SW_SUCCESS;
+    }
+    waves->hasTexels[SW_TEXELS_LIKENESS] = true;
+    bool isDone = true;
+    for (int slot = 0; slot < SW_MAX_WAVE_SYSTEMS && isDone; ++slot)
+    {
+        for (int i = 0; i < waves->systems[slot].partCount && isDone; ++i)
+        {
+            swWaveSet* set = waves->systems[slot].parts[i].set;
+            isDone = swAllocateTexels(waves, set) && (set->to == NULL || swAllocateTexels(waves, set->to));
+        }
+    }
+    waves->hasTexels[SW_TEXELS_LIKENESS] = isDone; // what was taken goes with its sets
+    return isDone ? SW_SUCCESS : swFailMemory(waves->memory, "waves that a flow carries");
+}
+
 static void transform(void* context, int begin, int end, int worker)
 {
     swWaves* waves = context;
@@ -97,8 +117,13 @@ static void transform(void* context, int begin, int end, int worker)
 
 void swTransformWaves(swWaves* waves)
 {
-    if (waves->hasTexels[SW_TEXELS_DISPLACEMENT])
+    if (!waves->hasTexels[SW_TEXELS_DISPLACEMENT])
     {
-        swParallelFor(&waves->memory->host, transform, waves, swCountTransforms(&waves->list), 1);
+        return;
+    }
+    swParallelFor(&waves->memory->host, transform, waves, swCountTransforms(&waves->list), 1);
+    for (int i = 0; i < waves->listedCount && waves->hasTexels[SW_TEXELS_LIKENESS]; ++i)
+    {
+        waves->listed[i]->likenessVersion = waves->listed[i]->version;
     }
 }

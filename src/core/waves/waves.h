@@ -21,9 +21,10 @@ struct swWaveSet
     struct swWaveSet* nextRetired;
     int useCount; // parts, and mixes made of it
     uint32_t version;
-    uint64_t hash;       // of its waves at weight 1, or of what a mix is made from; part of digests
-    uint64_t identity;   // the same and all else that decides what the set answers; by it saved sets are known
-    swWaveSystemDef def; // its table and components are in `copies`
+    uint32_t likenessVersion; // for which the texels of likeness were made
+    uint64_t hash;            // of its waves at weight 1, or of what a mix is made from; part of digests
+    uint64_t identity;        // the same and all else that decides what the set answers; by it saved sets are known
+    swWaveSystemDef def;      // its table and components are in `copies`
     swDrift drift;
     void* copies;
     size_t copiesSize;
@@ -98,7 +99,7 @@ typedef struct swWaves
 
     swTileList list; // of the last step
     int listedCount;
-    const swWaveSet* listed[SW_MAX_SHOWN_SETS];
+    swWaveSet* listed[SW_MAX_SHOWN_SETS];
 } swWaves;
 
 // waves.c
@@ -112,7 +113,11 @@ void swTransformWaves(swWaves* waves);
 // What is seen at any time, past or future, by the changes that are under way.
 void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* shown);
 
+// From now on tiles have their likeness: a flow that varies may carry the waves.
+swResult swCarryWaves(swWaves* waves);
+
 // wave_set.c
+bool swAllocateTexels(swWaves* waves, swWaveSet* set); // those that it lacks
 // One that is there, or a new one. A local system shares its waves with no other, since places weigh them apart: of
 // such only those of the system at `slot` itself are taken; -1: a new one.
 swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** set);

@@ -599,6 +599,20 @@ swIsa swGetWaveKernelsIsa(const swWaveKernels* kernels)
     return kernels->isa;
 }
 
+double swSumTilePowers(const swTile* tile)
+{
+    double sum = 0.0;
+    for (int i = 0; i < tile->modeCount; ++i)
+    {
+        const swMode* m = &tile->modes[i];
+        double response = (double)tile->response[m->qx < 0 ? -m->qx : m->qx] * (double)tile->response[m->qz];
+        sum += response * response *
+               ((double)m->pr * (double)m->pr + (double)m->pi * (double)m->pi + (double)m->qr * (double)m->qr +
+                (double)m->qi * (double)m->qi);
+    }
+    return sum;
+}
+
 size_t swGetTileScratchSize(int resolution)
 {
     // As layOutScratch() in waves_kernels.inl: six fields of panels and of columns, work and three planes.

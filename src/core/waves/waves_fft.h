@@ -76,6 +76,13 @@ size_t swGetTileScratchSize(int resolution);
 void swTransformTiles(const swWaveKernels* kernels, const swTile* a, float* texelsA, const swTile* b, float* texelsB,
                       int64_t ticks, int derivative, void* scratch);
 
+// Instead of a derivative: no field of a time, but the inverse transform of each wave's power, which is the correlation
+// of the tile's heights by the way between two places, as the vertical component.
+#define SW_LIKENESS 3
+
+// Of the powers, with the spline's response taken out: half the value of the texels' spline at no way, at weight 1.
+double swSumTilePowers(const swTile* tile);
+
 // Which tiles of a list count, and which of their texels. Tiles count whose longest wave is in (shortest, longest],
 // where 0 is no bound.
 typedef struct swTileChoice

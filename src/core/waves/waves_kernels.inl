@@ -175,6 +175,22 @@ static void placeSpectra(const Scratch* s, int firstField, const swMode* modes, 
     }
 }
 
+// Modes whose amplitudes are the powers of the tile's, at rest. Amplitudes were divided by the spline's response once,
+// so that of their squares one is left to multiply with.
+static void copyPowers(const swTile* tile, const swMode* modes, int count, swMode* powers)
+{
+    memset(powers, 0, MODE_CHUNK * sizeof(swMode));
+    for (int i = 0; i < count; ++i)
+    {
+        const swMode* m = modes + i;
+        int qx = m->qx < 0 ? -m->qx : m->qx;
+        powers[i].qx = m->qx;
+        powers[i].qz = m->qz;
+        powers[i].pr = (m->pr * m->pr + m->pi * m->pi + m->qr * m->qr + m->qi * m->qi) *
+                       (tile->response[qx] * tile->response[m->qz]);
+    }
+}
+
 // First axis of a tile's three fields: spectra at `ticks`, and their transforms along x.
 static void transformRows(const Scratch* s, int firstField, const swTile* tile, int64_t ticks, int derivative)
 {
@@ -192,15 +208,20 @@ static void transformRows(const Scratch* s, int firstField, const swTile* tile, 
         const swMode* modes = tile->modes + first;
         int count = tile->modeCount - first < MODE_CHUNK ? tile->modeCount - first : MODE_CHUNK;
         swMode padded[MODE_CHUNK];
-        if (count % SW_WIDTH != 0)
+        if (derivative == SW_LIKENESS)
+        {
+            copyPowers(tile, modes, count, padded);
+            modes = padded;
+        }
+        else if (count % SW_WIDTH != 0)
         {
             memset(padded, 0, sizeof padded);
             memcpy(padded, modes, (size_t)count * sizeof(swMode));
             modes = padded;
         }
         ModeSpectra spectra;
-        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight, derivative,
-                       &spectra);
+        computeSpectra(modes, (count + SW_WIDTH - 1) / SW_WIDTH * SW_WIDTH, tileTicks, tile->weight,
+                       derivative == SW_LIKENESS ? 0 : derivative, &spectra);
         placeSpectra(s, firstField, modes, count, &spectra);
     }
     for (int field = firstField; field < firstField + 3; ++field)

@@ -21,6 +21,10 @@
 #define SUM_POINTS 64
 #define SUM_FLOATS 2048
 
+// Waves that their places shape come for few points, with more on the stack above them.
+#define FEW_POINTS 8
+#define FEW_FLOATS 288
+
 // Outputs that a point of the surface collects, in order; how many depends on the kind.
 enum
 {
@@ -83,7 +87,8 @@ static inline int countOutputs(SumKind kind)
 typedef struct BlockSums
 {
     SumKind kind;
-    float lanes[SUM_FLOATS];
+    int room; // floats
+    float* lanes;
 } BlockSums;
 
 static inline float* getLanes(BlockSums* sums, int point)
@@ -394,8 +399,9 @@ static int listReached(float wavelength, int count, const float* heights, int re
     return reachedCount;
 }
 
-static void addTileToBlock(const swTile* tile, int64_t ticks, int count, const swPosXZ* points, const float* heights,
-                           BlockSums* sums)
+// Not inlined, and so the next one: their chunks shall not both be on the stack.
+__attribute__((noinline)) static void addTileToBlock(const swTile* tile, int64_t ticks, int count,
+                                                     const swPosXZ* points, const float* heights, BlockSums* sums)
 {
     int reached[SUM_POINTS];
     int reachedCount = listReached(tile->maxWavelength, count, heights, reached);
@@ -430,8 +436,8 @@ static void addTileToBlock(const swTile* tile, int64_t ticks, int count, const s
     }
 }
 
-static void addFreeToBlock(int waveCount, const swFreeWave* waves, int64_t ticks, int count, const swPosXZ* points,
-                           const float* heights, BlockSums* sums)
+__attribute__((noinline)) static void addFreeToBlock(int waveCount, const swFreeWave* waves, int64_t ticks, int count,
+                                                     const swPosXZ* points, const float* heights, BlockSums* sums)
 {
     for (int first = 0; first < waveCount;)
     {
@@ -478,11 +484,12 @@ static void writeBlock(BlockSums* sums, const swWaveSumJob* job, int first, int 
 }
 
 // Tiles, or free waves where there are none; the surface, or the water below.
-static void sumWaves(const swWaveSumJob* job)
+static inline void sumBlocks(const swWaveSumJob* job, int room, float* lanes)
 {
-    BlockSums sums = {.kind = job->surface != NULL ? chooseSurface(job->surface) : SUM_BELOW};
+    BlockSums sums = {
+        .kind = job->surface != NULL ? chooseSurface(job->surface) : SUM_BELOW, .room = room, .lanes = lanes};
     int pointFloats = countOutputs(sums.kind) * SUM_LANES;
-    int most = SUM_FLOATS / pointFloats < SUM_POINTS ? SUM_FLOATS / pointFloats : SUM_POINTS;
+    int most = sums.room / pointFloats < SUM_POINTS ? sums.room / pointFloats : SUM_POINTS;
     for (int first = 0; first < job->count; first += most)
     {
         int count = job->count - first < most ? job->count - first : most;
@@ -499,4 +506,26 @@ static void sumWaves(const swWaveSumJob* job)
         addFreeToBlock(job->waveCount, job->waves, job->ticks, count, points, heights, &sums);
         writeBlock(&sums, job, first, count);
     }
+}
+
+__attribute__((noinline)) static void sumFew(const swWaveSumJob* job)
+{
+    float lanes[FEW_FLOATS];
+    sumBlocks(job, FEW_FLOATS, lanes);
+}
+
+__attribute__((noinline)) static void sumMany(const swWaveSumJob* job)
+{
+    float lanes[SUM_FLOATS];
+    sumBlocks(job, SUM_FLOATS, lanes);
+}
+
+static void sumWaves(const swWaveSumJob* job)
+{
+    if (job->count <= FEW_POINTS)
+    {
+        sumFew(job);
+        return;
+    }
+    sumMany(job);
 }

@@ -169,6 +169,8 @@ static void fillTile(Fill* fill, const float* response, int index)
     tile->texels = texels[SW_TEXELS_DISPLACEMENT];
     tile->velocity = texels[SW_TEXELS_VELOCITY];
     tile->acceleration = texels[SW_TEXELS_ACCELERATION];
+    tile->likeness = texels[SW_TEXELS_LIKENESS];
+    list->isLikenessMade[index] = false;
 }
 
 static void fillSet(Fill* fill, const swShownSet* shown)
@@ -495,7 +497,8 @@ static bool mapTile(const swOwnMoment* moment, const StoredTile* stored, swTile*
     return tile->response != NULL && tile->modes != NULL &&
            mapTexels(moment, stored, SW_TEXELS_DISPLACEMENT, &tile->texels) &&
            mapTexels(moment, stored, SW_TEXELS_VELOCITY, &tile->velocity) &&
-           mapTexels(moment, stored, SW_TEXELS_ACCELERATION, &tile->acceleration) && areModesGood(tile);
+           mapTexels(moment, stored, SW_TEXELS_ACCELERATION, &tile->acceleration) &&
+           mapTexels(moment, stored, SW_TEXELS_LIKENESS, &tile->likeness) && areModesGood(tile);
 }
 
 // All tiles have the same fields, as those of a world.

@@ -155,7 +155,8 @@ bool swCheckStoredInputs(const void* place, size_t size, int* recordCount)
     for (int i = 0; i < head.recordCount; ++i)
     {
         size_t words = getWordsSize(records[i].wordCount);
-        if (words > head.size - used || !swIsInputRecordGood(&records[i]))
+        const float* first = (const void*)((const char*)place + used);
+        if (words > head.size - used || !swIsInputRecordGood(&records[i], first))
         {
             return false;
         }

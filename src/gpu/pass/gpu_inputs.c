@@ -183,6 +183,15 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded
+    bool hasRibbons = set != NULL && set->ribbonSystems != 0;
+    if (hasRibbons && !inputs->isTold)
+    {
+        swLog(
+            &gpuWorld->gpu->host, SW_LOG_WARNING,
+            "waves along splines do not turn with the line on the device yet, as they do in the core: there they have "
+            "the ribbon's weight only");
+        inputs->isTold = true;
+    }
     return inputs->isBrought ? bringInputs(gpuWorld->gpu, set, inputs) : SW_SUCCESS;
 }
 

@@ -32,6 +32,7 @@ typedef struct swGpuInputs
 
     // Set by each swGpuWorld_Record(), valid for this frame.
     bool isAuthored; // there are inputs: otherwise nothing is held
+    bool isTold;     // that waves along splines do not turn here
     bool isBrought;
     swUpload headUpload, recordsUpload, nodesUpload;
     swBuffer staging; // of words, retired in the frame that copies them
