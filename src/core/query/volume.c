@@ -14,6 +14,7 @@
 #include "core/query/volume.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/frame/asked.h"
 #include "core/math/scalar.h"
@@ -262,6 +263,19 @@ static void writeBlock(const Block* block, const swDepthSums* sums, const swVolu
     }
 }
 
+// A flow is that of the surface, down to the bottom; the air has none.
+static void addFlow(const swQuery* query, const Block* block, float (*velocity)[4])
+{
+    swAddFlow(query->places, query->ticks, block->count, block->points, velocity);
+    for (int i = 0; i < block->count; ++i)
+    {
+        if (!block->isWet[i])
+        {
+            memset(velocity[i], 0, sizeof velocity[i]);
+        }
+    }
+}
+
 // Not inlined: what it needs shall not be on the stack together with what the search needs.
 __attribute__((noinline)) static void answerBlock(const swQuery* query, const Block* block,
                                                   const swVolumeSamples* samples)
@@ -273,6 +287,10 @@ __attribute__((noinline)) static void answerBlock(const swQuery* query, const Bl
     if (samples->velocity != NULL || samples->acceleration != NULL || samples->pressureHead != NULL)
     {
         sumBlock(query, block, &sums);
+    }
+    if (samples->velocity != NULL)
+    {
+        addFlow(query, block, velocity);
     }
     writeBlock(block, &sums, samples);
 }
