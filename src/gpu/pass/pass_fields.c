@@ -44,6 +44,17 @@ static uint32_t countRows(const swGpuView* view)
     return (uint32_t)view->resolution / SW_SLICE_HEIGHT;
 }
 
+void swFillFieldSlices(const swStackFrame* stack, swFieldSlice slices[SW_MAX_SLICES])
+{
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        const swSlice* slice = &stack->slices[i];
+        swSplitSeaPlace((double)slice->firstX * slice->texel, &slices[i].cellX, &slices[i].restX);
+        swSplitSeaPlace((double)slice->firstZ * slice->texel, &slices[i].cellZ, &slices[i].restZ);
+        slices[i].texel = (float)slice->texel;
+    }
+}
+
 static bool isSamePlace(const swSlice* a, const swSlice* b)
 {
     return a->firstX == b->firstX && a->firstZ == b->firstZ && a->texel == b->texel;
@@ -67,13 +78,10 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewStat
                                    SW_MEMORY_DEVICE, "blocks of fields", &state->blocks);
     bool isStill = before == state->blocks.handle && isMadeStill(gpuWorld, view, &state->made);
     state->made.isThere = false; // until it is recorded
+    swFillFieldSlices(stack, slices);
     for (int i = 0; i < stack->sliceCount; ++i)
     {
-        const swSlice* slice = &stack->slices[i];
-        swSplitSeaPlace((double)slice->firstX * slice->texel, &slices[i].cellX, &slices[i].restX);
-        swSplitSeaPlace((double)slice->firstZ * slice->texel, &slices[i].cellZ, &slices[i].restZ);
-        slices[i].texel = (float)slice->texel;
-        slices[i].isKept = isStill && isSamePlace(slice, &state->made.slices[i]) ? 1 : 0;
+        slices[i].isKept = isStill && isSamePlace(&stack->slices[i], &state->made.slices[i]) ? 1 : 0;
     }
     state->constants = (swFieldsConstants){.withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0};
     return result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, slices, sizeof(slices), &state->slices) : result;
