@@ -361,3 +361,13 @@ typedef struct swFieldSamples
 /// @return how many places could not be answered
 SW_API int swMoment_QueryFields(const swMoment* moment, int count, const swPosXZ* points,
                                 const swFieldSamples* samples);
+
+/// Capture the sea floor of the world's last step on a lattice: a raster that stands for all floor inputs there, to be
+/// kept in a file (see swWriteRaster()) or used anew, as often as the host likes. NaN where there is no floor.
+/// @param def the lattice, in the host's coordinates; its values are not looked at
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY
+SW_API swResult swBakeFloor(const swWorld* world, const swRasterDef* def, swRaster** raster);
+
+/// A hash of all that decides what swBakeFloor() makes: the floor inputs as they are now, with the bits of their
+/// rasters and meshes, and the lattice. A file that was made from another hash is stale.
+SW_API uint64_t swWorld_HashFloor(const swWorld* world, const swRasterDef* def);
