@@ -21,6 +21,7 @@ static const VerbEntry verbs[] = {
     {"query", RunQuery, "heights, displacements and normals at points, as CSV"},
     {"stats", RunStats, "measure the sea state of a scene beside what was asked"},
     {"spectrum", RunSpectrum, "read, print and plot a measured sea state"},
+    {"bake", RunBake, "capture the sea floor of a scene in a file"},
     {"check", RunCheck, "find mistakes in a scene file"},
     {"bench", RunBench, "time steps, queries and passes on this machine"},
     {"devices", RunDevices, "list Vulkan devices and what each lacks"},

@@ -8,4 +8,4 @@
 // A verb gets its own arguments: arguments[0] is its name.
 typedef int VerbFcn(int argumentCount, char** arguments);
 
-VerbFcn RunView, RunRender, RunQuery, RunStats, RunSpectrum, RunCheck, RunBench, RunDevices;
+VerbFcn RunView, RunRender, RunQuery, RunStats, RunSpectrum, RunCheck, RunBench, RunDevices, RunBake;

@@ -97,6 +97,9 @@ SW_API swResult swCreatePicture(swRenderer* renderer, const swPictureDef* def, s
 /// At any time: what frames in flight use of it goes when they are done. NULL is allowed.
 SW_API void swDestroyPicture(swPicture* picture);
 
+/// Kinds of water that a shot may have beside its own.
+#define SW_MAX_BODY_WATERS 255
+
 /// What a picture shows in one frame.
 typedef struct swShot
 {
@@ -117,6 +120,11 @@ typedef struct swShot
     /// Both or none; default none: nothing is seen through the water.
     VkImageView opaqueColor;
     VkImageView opaqueDepth;
+
+    /// Water of bodies that have another look than the sea, see swWaterBodyDef::look: look n is bodyWaters[n - 1]. Their
+    /// roughness by the wind is the sea's. Range of the count [0, SW_MAX_BODY_WATERS]. Default none.
+    const swWaterDef* bodyWaters;
+    int bodyWaterCount;
 } swShot;
 
 /// After swGpuWorld_Record() and outside of rendering: sky tables, culling, indirect arguments.

@@ -7,6 +7,7 @@
 #include "math.h"
 #include "moment.h"
 #include "raster.h"
+#include "tide.h"
 
 /// @file
 /// Inputs: all that a host puts into the sea. An input is a shape (where), a field (what it says), and a blend (how it
@@ -134,8 +135,8 @@ typedef struct swWindWeight
     float speedBelow, speedAbove;
 
     /// Deviation of the heights of those systems, over that of this one. Where there is none: how heights go on there,
-    /// as (s / speed) (1 + b (s / speed - 1)) under a wind s: 0 grows with the wind, 1 with its square. Range [0, 1000].
-    /// Default 1.
+    /// as (s / speed) (1 + b (s / speed - 1)) under a wind s: 0 grows with the wind, 1 with its square. Range
+    /// [0, 1000]. Default 1.
     float heightBelow, heightAbove;
 } swWindWeight;
 
@@ -188,6 +189,10 @@ typedef struct swInputDef
     /// x is the width where their points have none. Range [0, 1e6]. Default 100, 10, 100.
     swVec3 size;
 
+    /// Of SW_INPUT_LEVEL and SW_INPUT_FLOW: a tide, whose level or stream is added to `value`, see tide.h. It is that
+    /// of the step's time, or of a moment's. Default: none.
+    swTideConstituent tide[SW_MAX_TIDE];
+
     /// Colour, foam and displacement only: the input is carried to and fro by the waves, instead of staying put.
     /// Default false.
     bool followsWaves;
@@ -210,8 +215,8 @@ typedef struct swInputDef
     /// Of SW_INPUT_WAVES: the system whose waves it weighs. Default null: all systems.
     swWaveSystemId system;
 
-    /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come. Of
-    /// unrelated waves energies add up, not heights, so the two weights have squares whose sum is 1; `blend` is not
+    /// Of SW_INPUT_WAVES: the waves of all systems that are there below it go by the same share by which its own come.
+    /// Of unrelated waves energies add up, not heights, so the two weights have squares whose sum is 1; `blend` is not
     /// looked at. Inputs that join later add to it. Default false.
     bool removesWaves;
 
@@ -356,3 +361,13 @@ typedef struct swFieldSamples
 /// @return how many places could not be answered
 SW_API int swMoment_QueryFields(const swMoment* moment, int count, const swPosXZ* points,
                                 const swFieldSamples* samples);
+
+/// Capture the sea floor of the world's last step on a lattice: a raster that stands for all floor inputs there, to be
+/// kept in a file (see swWriteRaster()) or used anew, as often as the host likes. NaN where there is no floor.
+/// @param def the lattice, in the host's coordinates; its values are not looked at
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY
+SW_API swResult swBakeFloor(const swWorld* world, const swRasterDef* def, swRaster** raster);
+
+/// A hash of all that decides what swBakeFloor() makes: the floor inputs as they are now, with the bits of their
+/// rasters and meshes, and the lattice. A file that was made from another hash is stale.
+SW_API uint64_t swWorld_HashFloor(const swWorld* world, const swRasterDef* def);

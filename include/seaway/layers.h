@@ -28,7 +28,9 @@ typedef enum swLayersBinding
     SW_LAYERS_BINDING_PLACES,       ///< sampler2DArray, nearest; one texel where nothing is authored
     SW_LAYERS_BINDING_DISPLACEMENT, ///< sampler2DArray, nearest
     SW_LAYERS_BINDING_DERIVATIVES,  ///< sampler2DArray, linear
-    SW_LAYERS_BINDING_FOAM          ///< sampler2DArray, linear where the device can filter 32-bit floats, else nearest
+    SW_LAYERS_BINDING_FOAM,         ///< sampler2DArray, linear where the device can filter 32-bit floats, else nearest
+    SW_LAYERS_BINDING_WAKE_FOAM,    ///< likewise; one texel where no input makes foam
+    SW_LAYERS_BINDING_SHORE_FOAM    ///< likewise; one texel where there is no floor
 } swLayersBinding;
 
 /// The layout of the set, for pipeline layouts. It belongs to the device and is the same for all views.

@@ -50,17 +50,31 @@ typedef struct swSceneWaves
 #define SW_MAX_SCENE_RESOURCES 256
 #define SW_MAX_SCENE_INPUTS 4096
 
-/// A raster that inputs of the scene name. The scene owns it.
+/// A raster that inputs of the scene name: a file, or a made-up island. The scene owns it.
 typedef struct swSceneRaster
 {
     char name[64];
     char file[512];      ///< relative to the scene's folder
     char variable[64];   ///< of def.variable; empty: NULL
+    bool isOptional;     ///< a file that is not there leaves out the inputs that name it, with a warning
     swRasterFileDef def; ///< how the file was read
-    swRaster* raster;    ///< NULL until it is read
-    int item;            ///< which of the file's rasters it is, from 1 on
-    int line;            ///< of the file, where it begins; 0: none
+    bool isIsland;       ///< made of `island` instead of a file
+    swIslandDef island;
+    swRaster* raster; ///< NULL until it is read, and of an optional file that is not there
+    int item;         ///< which of the file's rasters it is, from 1 on
+    int line;         ///< of the file, where it begins; 0: none
 } swSceneRaster;
+
+/// A mesh that inputs of the scene name. The scene owns it.
+typedef struct swSceneMesh
+{
+    char name[64];
+    char file[512];    ///< relative to the scene's folder
+    swMeshFileDef def; ///< how the file was read
+    swMesh* mesh;      ///< NULL until it is read
+    int item;          ///< which of the file's meshes it is, from 1 on
+    int line;          ///< of the file, where it begins; 0: none
+} swSceneMesh;
 
 /// A spline that inputs of the scene name. The scene owns it.
 typedef struct swSceneSpline
@@ -79,6 +93,7 @@ typedef struct swSceneInput
 {
     swInputDef def;
     int waves;            ///< index of the scene's waves that it weighs; -1: none
+    bool isLeftOut;       ///< its raster is an optional file that is not there
     swInputPoint* points; ///< def.points points here; NULL if there are none
     int pointCount;
     int item; ///< which of the file's inputs it is, from 1 on
@@ -116,6 +131,8 @@ typedef struct swScene
     swSceneView views[SW_MAX_SCENE_VIEWS];
     int rasterCount;
     swSceneRaster* rasters;
+    int meshCount;
+    swSceneMesh* meshes;
     int splineCount;
     swSceneSpline* splines;
     int waterBodyCount;
@@ -220,7 +237,7 @@ typedef struct swSceneSea
     swWaveSystemId systems[SW_MAX_WAVE_SYSTEMS];
     swSeaReplay* replays[SW_MAX_WAVE_SYSTEMS]; ///< NULL where nothing is replayed
     int inputCount;
-    swInputId* inputs; ///< in the scene's order; NULL if there are none
+    swInputId* inputs; ///< in the scene's order; null handles of those that are left out. NULL if there are none
     int waterBodyCount;
     swWaterBodyId* waterBodies; ///< in the scene's order; NULL if there are none
     int inputRoom, waterBodyRoom;

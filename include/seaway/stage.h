@@ -204,7 +204,7 @@ SW_API void swStage_DestroyTerrain(swStage* stage, swStageTerrain* terrain);
 SW_API void swStageTerrain_Refresh(swStageTerrain* terrain);
 
 /// Before swPicture_Prepare() of the shot: samples what its camera sees, makes the targets' opaque images the first
-/// time, and has the shot show them through the water.
+/// time, and has the shot show them through the water. A camera that sees no floor at all leaves the shot without.
 /// @return SW_ERROR_INVALID, SW_ERROR_UNSUPPORTED, SW_ERROR_NO_MEMORY, SW_ERROR_DEVICE
 SW_API swResult swStageTerrain_Prepare(swStageTerrain* terrain, swStageTargets* targets, swShot* shot);
 

@@ -66,6 +66,8 @@ typedef enum swLayer
     SW_LAYER_DISPLACEMENT, ///< 4 floats a texel: x, y, z, 0
     SW_LAYER_DERIVATIVES,  ///< 4 floats a texel: gx, gz, J, 0, see swView_GetDerivatives()
     SW_LAYER_FOAM,         ///< 1 float a texel
+    SW_LAYER_WAKE_FOAM,    ///< 1 float a texel: foam of inputs and wakes
+    SW_LAYER_SHORE_FOAM,   ///< 1 float a texel: foam of shores
     SW_LAYER_COUNT
 } swLayer;
 
@@ -73,7 +75,8 @@ SW_API int swView_GetSliceCount(const swView* view);
 SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
 
 /// CPU layers of a slice as [resolution][resolution] rows of z; NULL unless enableCpuLayers.
-/// Displacement: 4 floats a texel (x, y, z, 0). Foam: 1 float a texel, [0, 1].
+/// Displacement: 4 floats a texel (x, y, z, 0). Foam: 1 float a texel, [0, 1]: of whitecaps; that of inputs and wakes,
+/// and that of shores, have lives and layers of their own, which are NULL also while nothing makes such foam.
 /// Derivatives: 4 floats (gx, gz, J, 0), the unnormalised normal of the displaced surface: J is the determinant of the
 /// horizontal Jacobian, (-gx, J, -gz) points along the normal, and (gx, gz) / J is the slope. Smooth also where it
 /// folds.
@@ -83,3 +86,5 @@ SW_API const float* swView_GetPlaces(const swView* view, int slice);
 SW_API const float* swView_GetDisplacement(const swView* view, int slice);
 SW_API const float* swView_GetDerivatives(const swView* view, int slice);
 SW_API const float* swView_GetFoam(const swView* view, int slice);
+SW_API const float* swView_GetWakeFoam(const swView* view, int slice);
+SW_API const float* swView_GetShoreFoam(const swView* view, int slice);

@@ -48,6 +48,19 @@ typedef struct swFoamDef
     /// never.
     float threshold;
 
+    /// How far foam reaches from the water's edge, m, whatever the slope of the floor is there: by the depth over its
+    /// gradient. Range [0, 1000]. Default 3; 0: shores make none.
+    float shoreWidth;
+
+    /// Foam that shores make at the water's edge, per second. Range [0, 100]. Default 0.6.
+    float shoreRate;
+
+    /// How fast the foam of shores fades, as fadeRate. Range [0.01, 10]. Default 0.3.
+    float shoreFadeRate;
+
+    /// How fast the foam of inputs (see SW_INPUT_FOAM) and of wakes fades, as fadeRate. Range [0.01, 10]. Default 0.1.
+    float wakeFadeRate;
+
     /// Set by swDefaultFoamDef().
     int internalValue;
 } swFoamDef;

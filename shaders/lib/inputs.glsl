@@ -74,4 +74,28 @@ swInputValue fieldAt(uint field, uint system, SeaPlace place)
     }
     return value;
 }
+
+// A field of the water's own: inputs that follow the waves count where the water rests, the others where it is.
+// `system` is none.
+vec4 fieldOnWater(uint field, SeaPlace here, SeaPlace rest)
+{
+    swInputValue value = swGetFieldBelow(field);
+    ivec2 low = min(here.cell, rest.cell);
+    ivec2 high = max(here.cell, rest.cell);
+    uint i = findInput(field, low, high, 0);
+    while (i != SW_NO_RECORD)
+    {
+        swInputRecord record = inputRecords[i];
+        SeaPlace place = here;
+        if ((record.flags & SW_INPUT_FOLLOWS_WAVES) != 0)
+        {
+            place = rest;
+        }
+        swInputSample s =
+            swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y, 0.0);
+        value = swBlendInput(record, value, s);
+        i = findInput(field, low, high, i + 1);
+    }
+    return value.value;
+}
 #endif

@@ -224,6 +224,47 @@ vec4 sampleSlices(sampler2DArray layer, SurfaceGrid grid, SlicePair pair, vec2 p
     return sum;
 }
 
+// Depth of still water where something is, m, how high it stands, and the level's slopes along x and z.
+struct Standing
+{
+    float depth, level;
+    vec2 slope;
+};
+
+Standing sampleStanding(sampler2DArray places, swMeshSlice slice, uint index, vec2 place, float texel)
+{
+    vec2 most = vec2(textureSize(places, 0).xy) - 1.0;
+    vec2 at = vec2(swMeshTexel(place.x, slice.originX, slice.texelX, slice.scale),
+                   swMeshTexel(place.y, slice.originZ, slice.texelZ, slice.scale));
+    at = clamp(at, vec2(0.0), most);
+    ivec2 low = ivec2(min(floor(at), most - 1.0));
+    vec2 f = at - vec2(low);
+    vec4 a = texelFetch(places, ivec3(low, int(index)), 0);
+    vec4 b = texelFetch(places, ivec3(low.x + 1, low.y, int(index)), 0);
+    vec4 c = texelFetch(places, ivec3(low.x, low.y + 1, int(index)), 0);
+    vec4 d = texelFetch(places, ivec3(low + 1, int(index)), 0);
+    vec4 middle = mix(mix(a, b, f.x), mix(c, d, f.x), f.y);
+    vec2 slope = vec2(mix(b.w - a.w, d.w - c.w, f.y), mix(c.w - a.w, d.w - b.w, f.x)) / texel;
+    return Standing(middle.x, middle.w, slope);
+}
+
+// `place` is that of the water itself, not of its rest; `texel` that of the finest slice, m.
+Standing standingAt(SurfaceGrid grid, float level, vec2 place, float texel, sampler2DArray places)
+{
+    float last = float(grid.ringCount - 1);
+    uint first = uint(min(floor(level), last));
+    float next = min(float(first), last) < last ? clamp(level - float(first), 0.0, 1.0) : 0.0;
+    Standing fine = sampleStanding(places, meshSlice(first), first, place, texel * meshSlice(first).scale);
+    if (next <= 0.0)
+    {
+        return fine;
+    }
+    Standing coarse =
+        sampleStanding(places, meshSlice(first + 1), first + 1, place, texel * meshSlice(first + 1).scale);
+    return Standing(mix(fine.depth, coarse.depth, next), mix(fine.level, coarse.level, next),
+                    mix(fine.slope, coarse.slope, next));
+}
+
 // `place` is in finest steps from the mesh's anchor, `rest` the same in metres.
 Slopes slopesAt(SurfaceGrid grid, SlicePair pair, vec2 place, vec2 rest, Footprint footprint,
                 sampler2DArray derivatives, sampler2DArray detail, bool isFast)

@@ -55,22 +55,32 @@ float depthShown(Lens lens, sampler2D depthImage, vec2 uv, vec3 surface, vec3 vi
     return isThere && !isInFront ? max(surface.y - found.y, 0.0) : 1e9;
 }
 
-// What stands right behind the surface: where the bent line is hidden on the screen.
-Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface)
+// Where the bent line is hidden on the screen: what stands right behind the surface, which is as deep, but the line
+// gets there by a shorter way. `bent` is the line by one metre of depth. Where `known`, the depth that is known
+// otherwise, is less, that counts, and the ground in front has the colour of what is hidden by it.
+Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface, vec3 bent, float known)
 {
     vec2 uv = screenOf(lens, surface);
     vec3 found;
     bool isThere = opaqueAt(lens, depthImage, uv, found);
-    return Sunken(textureLod(colorImage, uv, 0.0).rgb, max(surface.y - found.y, 0.0), length(found - surface), isThere);
+    float depth = max(surface.y - found.y, 0.0);
+    if (known < 1e9 && (!isThere || known < depth))
+    {
+        depth = max(known, 0.0);
+        uv = screenOf(lens, surface + bent * depth);
+        isThere = true;
+    }
+    return Sunken(textureLod(colorImage, uv, 0.0).rgb, depth, depth * length(bent), isThere);
 }
 
 const float shallowestStep = 0.25; // m; twice as deep with each
 const int depthSteps = 9;          // the last at 64 m, where a sixtieth of clear water's bluest light comes back
 const int depthCuts = 4;
 
-// `surface` is the place of the water's surface, `view` the unit vector from it to the camera, `normal` the surface's.
+// `surface` is the place of the water's surface, `view` the unit vector from it to the camera, `normal` the surface's;
+// `known` is the depth of the water there as far as it is known otherwise, see seenStraight().
 Sunken seenThrough(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface, vec3 view, vec3 normal,
-                   float index)
+                   float index, float known)
 {
     vec3 bent = refract(-view, normal, 1.0 / index);
     bent /= max(-bent.y, 0.05); // by one metre of depth
@@ -85,7 +95,7 @@ Sunken seenThrough(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 s
     }
     if (!sunken.isThere)
     {
-        return seenStraight(lens, colorImage, depthImage, surface);
+        return seenStraight(lens, colorImage, depthImage, surface, bent, known);
     }
     for (int i = 0; i < depthCuts; ++i)
     {

@@ -28,7 +28,9 @@ layout(std430, set = SW_LAYERS_SET, binding = 0) readonly buffer swLayersBlock
 layout(set = SW_LAYERS_SET, binding = 1) uniform sampler2DArray swPlacesLayer; // depth, its slopes along x, z, level
 layout(set = SW_LAYERS_SET, binding = 2) uniform sampler2DArray swDisplacementLayer; // x, y, z, m
 layout(set = SW_LAYERS_SET, binding = 3) uniform sampler2DArray swDerivativesLayer;  // gx, gz, J
-layout(set = SW_LAYERS_SET, binding = 4) uniform sampler2DArray swFoamLayer;         // [0, 1]
+layout(set = SW_LAYERS_SET, binding = 4) uniform sampler2DArray swFoamLayer;         // [0, 1], of whitecaps
+layout(set = SW_LAYERS_SET, binding = 5) uniform sampler2DArray swWakeFoamLayer;     // of inputs and wakes
+layout(set = SW_LAYERS_SET, binding = 6) uniform sampler2DArray swShoreFoamLayer;    // of shores
 
 // Two slices at a place, and how much of each is shown; the rest is level water.
 struct swLayerPair
@@ -105,7 +107,10 @@ vec4 swNormalAt(vec2 rest)
 // Cover of foam, [0, 1].
 float swFoamAt(vec2 rest)
 {
-    return swReadLayer(swFoamLayer, swFindLayers(rest), rest, vec4(swLayers.foamAtRest)).x;
+    swLayerPair pair = swFindLayers(rest);
+    float bare = 1.0 - swReadLayer(swFoamLayer, pair, rest, vec4(swLayers.foamAtRest)).x;
+    bare *= 1.0 - swReadLayer(swWakeFoamLayer, pair, rest, vec4(0.0)).x;
+    return 1.0 - bare * (1.0 - swReadLayer(swShoreFoamLayer, pair, rest, vec4(0.0)).x);
 }
 
 // Depth of still water where a particle rests, m; 1e30 where there is no floor.

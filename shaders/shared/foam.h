@@ -45,6 +45,20 @@ SW_PARAMS(swFoamSliceParams)
 };
 SW_PARAMS_SIZE(swFoamSliceParams, 32);
 
+// Foam that inputs and shores make, over one frame, the same for all slices.
+SW_PARAMS(swMadeFoamParams)
+{
+    float wakeFadeRate;  // per second
+    float shoreFadeRate; // per second
+    float shoreWidth;    // m
+    float shoreRate;     // per second
+    float dt;            // s
+    sw_uint isSteady;    // 1: no texel has a past
+    sw_uint isWake;      // 1: what inputs make, 0: what shores make
+    sw_uint unused;
+};
+SW_PARAMS_SIZE(swMadeFoamParams, 32);
+
 // E[max(x + n, 0)] of a standard normal n. The tail is the density over a cubic fitted to the exact ratio: its relative
 // error stays below 0.5 % down to x = -5, where foam in a light breeze is decided.
 SW_FORMULA float swFoamExcess(float x)
@@ -78,6 +92,33 @@ SW_FORMULA float swFoamFold(float jacobian, float threshold, swFoamRest rest)
     return slope * spread * swFoamExcess(inside / spread);
 }
 
+// ---- foam of the shore ----
+
+// The gentlest slope of the depth from which a distance to the edge is told.
+#define SW_SHORE_LEAST_SLOPE 1e-4f
+
+// How far the water's edge is, m, from the depth of still water and its slopes along x and z: exact over an even slope,
+// so that a band of foam is as wide over a steep shore as over a flat one. On land it is 0.
+SW_FORMULA float swFindShoreDistance(float depth, float slopeX, float slopeZ)
+{
+    float steep = SW_FOAM_SQRT(slopeX * slopeX + slopeZ * slopeZ);
+    float slope = steep > SW_SHORE_LEAST_SLOPE ? steep : SW_SHORE_LEAST_SLOPE;
+    return depth > 0.0f ? depth / slope : 0.0f;
+}
+
+// Foam that is born there, per second: `rate` at the edge, none from `width` on, smooth at both ends.
+SW_FORMULA float swFindShoreBirth(float distance, float width, float rate)
+{
+    if (!(distance < width))
+    {
+        return 0.0f;
+    }
+    float t = 1.0f - distance / width;
+    return rate * t * t * (3.0f - 2.0f * t);
+}
+
+// ---- a step ----
+
 // The steady state under a constant birth rate = growth fold.
 SW_FORMULA float swFoamSteady(float birth, float fadeRate)
 {
@@ -88,6 +129,18 @@ SW_FORMULA float swFoamStep(float foam, float birth, float fadeRate, float dt)
 {
     float steady = swFoamSteady(birth, fadeRate);
     return foam + (steady - foam) * (1.0f - SW_FOAM_EXP(-(birth + fadeRate) * dt)); // exactly `foam` at dt = 0
+}
+
+// Foam that inputs or shores make, after a step. What has no past begins without what inputs make, and with all that
+// a shore has in the end.
+SW_FORMULA float swMadeFoamStep(float foam, bool hasPast, float birth, swMadeFoamParams params)
+{
+    if (params.isWake != 0u)
+    {
+        return swFoamStep(hasPast ? foam : 0.0f, birth, params.wakeFadeRate, params.dt);
+    }
+    return hasPast ? swFoamStep(foam, birth, params.shoreFadeRate, params.dt)
+                   : swFoamSteady(birth, params.shoreFadeRate);
 }
 
 // What a texel without a past begins with: the foam that fresh folds make here, over the mean of the sea's. The mean

@@ -56,6 +56,7 @@
 #define SW_INPUT_IS_HEIGHT 256u    // of displacement: its raster has one channel, the height
 #define SW_INPUT_IS_BUMP 128u      // of circles and particles: see swCoverDisc()
 #define SW_INPUT_TAKES_WIND 64u    // of waves: its raster is a wind, see swFindWindWeight()
+#define SW_INPUT_IS_OF_BODY 128u   // it is a part of a body of water
 
 SW_PARAMS(swInputRecord)
 {

@@ -28,9 +28,23 @@ SW_PARAMS(swMeshTile)
     sw_uint ring;
     sw_int x, z; // first vertex within the block
     sw_int width, height;
-    sw_uint pad;
+    sw_int body; // of the picture's list, the one that it is a part of; SW_NO_MESH_BODY: of none
 };
 SW_PARAMS_SIZE(swMeshTile, 24);
+
+#define SW_NO_MESH_BODY (-1)
+
+// A body of water. It is drawn by itself: the tiles that meet it are drawn once more, at its level, and each pixel of
+// them stays inside of its shore. So a level ends at the shore, however coarse the mesh is.
+SW_PARAMS(swMeshBody)
+{
+    float lowX, lowZ, highX, highZ; // bounds, metres from the anchor
+    float level;                    // of still water above sea level, m
+    sw_int number;                  // that the field BODY has in it
+    sw_uint look;                   // of the picture's list
+    sw_uint setsLevel;              // 0: it has the level that other inputs say
+};
+SW_PARAMS_SIZE(swMeshBody, 32);
 
 // Blend into the next ring at a vertex `x`, `z` of the block. `viewX`, `viewZ` are the viewer's place in steps of this
 // ring from the block's first vertex, `quads` is a quarter of the block's side. The block is centred on the viewer's

@@ -83,9 +83,20 @@ SW_PARAMS(swPictureParams)
 
     float cloudWayX; // 1 or -1: which way the clouds run there, see swMirrorClouds()
     float cloudWayZ;
-    float unused0, unused1;
+    sw_int anchorCellX; // of the sea, see shared/input.h, that the mesh's anchor is in
+    sw_int anchorCellZ;
+
+    float anchorRestX; // where in that cell, m
+    float anchorRestZ;
+    sw_uint bodyCount; // of water, that may be seen
+    sw_uint firstHole; // record of the first input that cuts or leaves, of those that count
+
+    float lowestLevel; // of still water above sea level, m
+    float highestLevel;
+    sw_uint isDry; // 1: there is no water but where inputs from firstHole on leave some
+    sw_uint unused0;
 };
-SW_PARAMS_SIZE(swPictureParams, 320);
+SW_PARAMS_SIZE(swPictureParams, 352);
 SW_PARAMS_VEC3(swPictureParams, rayX);
 SW_PARAMS_VEC3(swPictureParams, rayY);
 SW_PARAMS_VEC3(swPictureParams, forward);
@@ -105,6 +116,21 @@ SW_FORMULA float swMirrorClouds(float place)
     return place > SW_CLOUD_EDGE ? 2.0f * SW_CLOUD_EDGE - place
                                  : (place < -SW_CLOUD_EDGE ? -2.0f * SW_CLOUD_EDGE - place : place);
 }
+
+// One kind of water.
+SW_PARAMS(swPictureLook)
+{
+    sw_vec3 absorption; // 1/m
+    float index;        // of refraction
+    sw_vec3 scattering; // 1/m
+    float unused0;
+    sw_vec3 foamAlbedo;
+    float unused1;
+};
+SW_PARAMS_SIZE(swPictureLook, 48);
+SW_PARAMS_VEC3(swPictureLook, absorption);
+SW_PARAMS_VEC3(swPictureLook, scattering);
+SW_PARAMS_VEC3(swPictureLook, foamAlbedo);
 
 // A tile of waves as the fragment shader reads it: its layer of slopes, and where the mesh's anchor lies in it.
 SW_PARAMS(swDetailParams)

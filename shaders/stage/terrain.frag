@@ -28,14 +28,14 @@ layout(location = 2) in float known;
 layout(location = 0) out vec4 color;
 
 const vec3 sand = vec3(0.60, 0.52, 0.39);
-const vec3 grass = vec3(0.105, 0.145, 0.045);
-const vec3 scrub = vec3(0.20, 0.19, 0.085);
+const vec3 grass = vec3(0.068, 0.105, 0.034);
+const vec3 scrub = vec3(0.15, 0.135, 0.065);
 const vec3 rock = vec3(0.25, 0.23, 0.205);
 
 // Noise by place, of octaves from `wavelength` down to what a pixel shows.
 float noiseAt(vec2 place, float wavelength, float pixel)
 {
-    return fractalNoise(place / wavelength, 8, 2.0 * pixel / wavelength);
+    return fractalNoise(place / wavelength, 6, 1.5 * pixel / wavelength);
 }
 
 // What wet ground sends back: light is caught in the film of water, so that it is seen darker [Lekner 1988].
@@ -44,19 +44,35 @@ vec3 wetted(vec3 albedo)
     return albedo * 0.55 / (1.0 - 0.45 * albedo);
 }
 
-vec3 groundAlbedo(vec2 place, float height, float steepness, float pixel)
+// Noise of the ground at a place: patches of some ten metres, and what is between them.
+struct Relief
 {
-    float patches = noiseAt(place, 40.0, pixel);
-    float grain = noiseAt(place.yx + 7.0, 5.0, pixel);
-    vec3 bare = sand * (1.0 + 0.25 * grain + 0.12 * patches);
-    float wet = 1.0 - smoothstep(0.6, 1.0, height / push.wetHeight + 0.5 * patches + 0.2 * grain);
+    float patches, tufts, grain;
+};
+
+Relief reliefAt(vec2 place, float pixel)
+{
+    return Relief(noiseAt(place, 45.0, pixel), noiseAt(place.yx + 7.0, 9.0, pixel), noiseAt(place + 3.0, 1.1, pixel));
+}
+
+// How much grows at a height above where waves reach, on a slope.
+float growthAt(Relief relief, float height, float steepness)
+{
+    float begins = height - 2.2 + 3.0 * relief.patches + 2.2 * relief.tufts;
+    return smoothstep(-0.4, 0.6, begins) * (1.0 - smoothstep(0.55, 0.8, steepness));
+}
+
+vec3 groundAlbedo(Relief relief, float height, float steepness)
+{
+    float wet = 1.0 - smoothstep(0.55, 1.0, height + 0.4 * relief.patches + 0.15 * relief.tufts);
+    vec3 bare = sand * (1.0 + 0.12 * relief.patches + 0.10 * relief.tufts + 0.14 * relief.grain);
     bare = mix(bare, wetted(bare), wet);
-    vec3 green = mix(grass, scrub, smoothstep(-0.2, 0.4, patches + 0.6 * grain)) * (1.0 + 0.8 * grain);
-    float grown = smoothstep(1.6, 2.8, height / push.wetHeight + 2.2 * patches + 1.2 * grain);
-    vec3 stone = rock * (1.0 + 0.9 * grain + 0.5 * patches);
+    float dry = smoothstep(-0.25, 0.35, relief.patches + 0.8 * relief.tufts);
+    vec3 green = mix(grass, scrub, dry) * (1.0 + 0.9 * relief.tufts + 0.5 * relief.grain);
+    vec3 stone = rock * (1.0 + 0.5 * relief.patches + 0.9 * relief.tufts + 0.5 * relief.grain);
     stone = mix(stone, wetted(stone), wet);
-    float bed = smoothstep(0.5, 0.75, steepness + 0.3 * patches + 0.25 * grain);
-    return clamp(mix(mix(bare, green, grown), stone, bed), 0.0, 1.0);
+    float bed = smoothstep(0.5, 0.75, steepness + 0.25 * relief.patches + 0.25 * relief.tufts);
+    return clamp(mix(mix(bare, green, growthAt(relief, height, steepness)), stone, bed), 0.0, 1.0);
 }
 
 void main()
@@ -70,10 +86,15 @@ void main()
     vec3 view = -position / range;
     vec2 place = position.xz + vec2(push.placeX, push.placeZ);
     float height = position.y - picture.seaY;
-    float footprint = pixel / max(view.y, 0.15);
-    vec3 albedo = groundAlbedo(place, height, length(slopes), footprint);
+    float footprint = pixel / max(dot(view, normalize(vec3(-slopes.x, 1.0, -slopes.y))), 0.25);
+    Relief relief = reliefAt(place, footprint);
+    float steepness = length(slopes);
+    float rise = height / push.wetHeight;
+    vec3 albedo = groundAlbedo(relief, rise, steepness);
     vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
-    float open = 0.5 + 0.5 * normal.y;
+    // Between tufts there is less light.
+    float open =
+        (0.5 + 0.5 * normal.y) * mix(1.0, clamp(0.8 + 0.9 * relief.tufts, 0.4, 1.0), growthAt(relief, rise, steepness));
     vec3 level = light.sun.rgb * max(picture.sun.y, 0.0) + light.sky.rgb;
     vec3 illuminance = light.sun.rgb * max(dot(normal, picture.sun), 0.0) * smoothstep(-0.02, 0.05, picture.sun.y) +
                        light.sky.rgb * open + 0.25 * level * (1.0 - open);

@@ -5,8 +5,9 @@
 SW_REMARK(NO_VIEWS, "no_views", WARNING, "the scene has no views, so it cannot be drawn", "add one under views")
 SW_REMARK(FLAT, "flat", WARNING, "no waves of the scene have energy, so its sea is flat",
           "list some under waves, with a height and a weight")
-SW_REMARK(NO_REGION, "no_region", WARNING, "a local wave system is weighed by no input, so its waves are nowhere",
-          "add an input with the field waves, or let the system be everywhere")
+SW_REMARK(NO_REGION, "no_region", WARNING,
+          "no input weighs a local wave system, and no body of water has it, so its waves are nowhere",
+          "add an input with the field waves, name it in a body of water, or let it be everywhere")
 SW_REMARK(OTHER_WIND, "other_wind", WARNING, "waves are of another wind than the scene's",
           "let them take the wind, or give both the same speed")
 SW_REMARK(FOAM_FILTER, "foam_filter", WARNING,

@@ -116,6 +116,10 @@ static void checkRegions(Checker* checker)
         {
             isWeighed = isWeighed || scene->inputs[j].waves == i;
         }
+        for (int j = 0; j < scene->waterBodyCount; ++j)
+        {
+            isWeighed = isWeighed || scene->waterBodies[j].waves == i;
+        }
         if (!isWeighed)
         {
             tellOf(checker, REMARK_NO_REGION, scene->waves[i].line, "waves", i, NULL);

@@ -65,10 +65,14 @@ const swFields* swGetSceneViewFields(void)
 
 static const char* const coordinateWords[] = {"by_file", "metres", "degrees", NULL};
 
+static const char* const numberWords[] = {"float32", "int16", "uint16", NULL};
+
 #define SW_DEF swSceneRaster
 static const swField rasterFields[] = {
     SW_TEXT(name, .key = "name", .label = "name"),
     SW_TEXT(file, .key = "file", .label = "file", .tip = "Relative to the scene file"),
+    SW_SWITCH(isOptional, false, .key = "is_optional", .label = "optional",
+              .tip = "If the file is not there, inputs that name it are left out, with a warning"),
     SW_TEXT(variable, .key = "variable", .label = "variable", .tip = "Of netCDF; the channel of an image"),
     SW_CHOICE(def.coordinates, coordinateWords, coordinateWords, SW_RASTER_BY_FILE, .key = "coordinates",
               .label = "coordinates", .tip = "What the file's are"),
@@ -82,6 +86,22 @@ static const swField rasterFields[] = {
     SW_NUMBER(def.north, "m", SW_WITHIN(-1e9, 1e9), -INFINITY, .key = "north_m", .label = "north"),
     SW_NUMBER(def.south, "m", SW_WITHIN(-1e9, 1e9), INFINITY, .key = "south_m", .label = "south"),
     SW_SWITCH(def.isDepth, false, .key = "is_depth", .label = "depths", .tip = "The numbers count downwards"),
+    SW_NUMBER(def.offset, "m", SW_WITHIN(-1e6, 1e6), 0.0, .key = "offset_m", .label = "offset",
+              .tip = "A number n of the file is offset plus scale times n"),
+    SW_NUMBER(def.scale, "m", SW_WITHIN(-1e6, 1e6), 1.0, .key = "scale_m", .label = "scale"),
+    SW_NUMBER(def.missing, "", SW_WITHIN(-1e30, 1e30), NAN, .key = "missing", .label = "missing",
+              .tip = "The number by which the file means that nothing is known"),
+    SW_NUMBER(def.spacingEast, "", SW_ABOVE(0.0, 1e6), NAN, .key = "spacing_east", .label = "spacing east",
+              .tip = "Of images and files without a heading, in the file's coordinates"),
+    SW_NUMBER(def.spacingNorth, "", SW_ABOVE(0.0, 1e6), NAN, .key = "spacing_north", .label = "spacing north"),
+    SW_NUMBER(def.imageEast, "", SW_WITHIN(-1e9, 1e9), NAN, .key = "image_east", .label = "first cell east",
+              .tip = "Where the middle of the north-western cell lies"),
+    SW_NUMBER(def.imageNorth, "", SW_WITHIN(-1e9, 1e9), NAN, .key = "image_north", .label = "first cell north"),
+    SW_NUMBER(def.rawWidth, "", SW_WITHIN(0.0, 16384.0), 0.0, .key = "raw_width", .label = "raw width",
+              .tip = "Numbers along a row of a file without a heading", .zero = "a file with a heading"),
+    SW_NUMBER(def.rawHeight, "", SW_WITHIN(0.0, 16384.0), 0.0, .key = "raw_height", .label = "raw height"),
+    SW_CHOICE(def.numbers, numberWords, numberWords, SW_RASTER_FLOAT32, .key = "numbers", .label = "numbers",
+              .tip = "Of a file without a heading"),
 };
 #undef SW_DEF
 
@@ -90,6 +110,28 @@ static const swFields raster = SW_PART_FIELDS(swSceneRaster, "rasters", "raster"
 const swFields* swGetSceneRasterFields(void)
 {
     return &raster;
+}
+
+static const char* const upWords[] = {"y", "z", NULL};
+
+#define SW_DEF swSceneMesh
+static const swField meshFields[] = {
+    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_TEXT(file, .key = "file", .label = "file", .tip = "Relative to the scene file"),
+    SW_CHOICE(def.up, upWords, upWords, SW_MESH_Y_UP, .key = "up", .label = "up",
+              .tip = "The file's axis that points up"),
+    SW_NUMBER(def.scale, "m", SW_WITHIN(1e-6, 1e6), 1.0, .key = "scale_m", .label = "scale",
+              .tip = "Metres of one of the file's lengths"),
+    SW_NUMBER(def.highest, "m", SW_WITHIN(-1e6, 1e6), 1e6, .key = "highest_m", .label = "highest",
+              .tip = "What lies above is left out"),
+};
+#undef SW_DEF
+
+static const swFields mesh = SW_PART_FIELDS(swSceneMesh, "meshes", "mesh", meshFields);
+
+const swFields* swGetSceneMeshFields(void)
+{
+    return &mesh;
 }
 
 #define SW_DEF swInputPoint

@@ -81,7 +81,7 @@ typedef struct Need
 
 static const Need needs[] = {
     {SW_SHAPE_RASTER, "raster"},    {SW_SHAPE_POLYGON, "points"}, {SW_SHAPE_POLYLINE, "points"},
-    {SW_SHAPE_PARTICLES, "points"}, {SW_SHAPE_SPLINE, "spline"},
+    {SW_SHAPE_PARTICLES, "points"}, {SW_SHAPE_SPLINE, "spline"},  {SW_SHAPE_MESH, "mesh"},
 };
 
 static bool isNeeded(swInputShape shape, const char* key)
@@ -99,7 +99,7 @@ static bool isNeeded(swInputShape shape, const char* key)
 // Keys that are missing, and keys that say nothing beside the others.
 static swResult checkKeys(swYaml* yaml, yaml_node_t* node, const InputKeys* keys)
 {
-    static const char* const others[] = {"raster", "points", "spline"};
+    static const char* const others[] = {"raster", "points", "spline", "mesh"};
     const swInputDef* def = &keys->input->def;
     const char* shape = swFields_Find(swGetInputFields(), "shape")->words[def->shape];
     swResult result = SW_SUCCESS;
@@ -171,9 +171,13 @@ static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene
     swResult result =
         findResource(yaml, keys, "raster", scene->rasters, sizeof(swSceneRaster), scene->rasterCount, &index);
     keys->input->def.raster = index >= 0 ? scene->rasters[index].raster : NULL;
+    keys->input->isLeftOut = index >= 0 && scene->rasters[index].isOptional && scene->rasters[index].raster == NULL;
     result = swKeepFailure(
         result, findResource(yaml, keys, "spline", scene->splines, sizeof(swSceneSpline), scene->splineCount, &index));
     keys->input->def.spline = index >= 0 ? scene->splines[index].spline : NULL;
+    result = swKeepFailure(
+        result, findResource(yaml, keys, "mesh", scene->meshes, sizeof(swSceneMesh), scene->meshCount, &index));
+    keys->input->def.mesh = index >= 0 ? scene->meshes[index].mesh : NULL;
     return result;
 }
 
@@ -190,6 +194,7 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     swAddYamlFields(&keys.mapping, swGetInputFields(), 0, "inputs");
     swAddYamlKey(&keys.mapping, "waves", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "raster", swKeepYamlNode);
+    swAddYamlKey(&keys.mapping, "mesh", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "spline", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "points", swKeepYamlNode);
     swResult result = swReadYamlMapping(yaml, node, &keys.mapping, &input->def);
@@ -273,6 +278,11 @@ swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* s
 {
     for (int i = 0; i < scene->inputCount; ++i)
     {
+        sea->inputCount = i + 1;
+        if (scene->inputs[i].isLeftOut)
+        {
+            continue;
+        }
         swInputDef def = scene->inputs[i].def;
         def.system = scene->inputs[i].waves >= 0 ? sea->systems[scene->inputs[i].waves] : def.system;
         swResult result = swCreateInput(world, &def, &sea->inputs[i]);
@@ -281,7 +291,6 @@ swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* s
             swLog(&scene->host, SW_LOG_ERROR, "Input %d of the scene '%s' could not be created.", i + 1, scene->name);
             return result;
         }
-        sea->inputCount = i + 1;
     }
     return SW_SUCCESS;
 }

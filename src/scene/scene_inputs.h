@@ -16,6 +16,7 @@ void swFreeSceneInputs(swScene* scene);
 
 // Tables of what is no def.
 const swFields* swGetSceneRasterFields(void); // of swSceneRaster
+const swFields* swGetSceneMeshFields(void);   // of swSceneMesh
 const swFields* swGetInputPointFields(void);  // of swInputPoint
 
 // Put a scene's inputs into a world whose wave systems the sea has. On failure the sea has those that were made.

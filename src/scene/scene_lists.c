@@ -18,7 +18,7 @@ swResult swKeepYamlNode(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, v
 }
 
 swResult swAllocateYamlItems(swYaml* yaml, yaml_node_t* node, const char* what, int most, size_t size, void** items,
-                              int* count)
+                             int* count)
 {
     swResult result = swReadYamlList(yaml, node, what, most, count);
     if (*count == 0)
@@ -55,7 +55,7 @@ int swFindYamlName(const void* items, size_t size, int count, const char* name)
 }
 
 swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* mapping, const char* what,
-                          const void* items, size_t size, int index)
+                         const void* items, size_t size, int index)
 {
     if (node->type != YAML_MAPPING_NODE)
     {
@@ -127,6 +127,7 @@ swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene
 void swAddInputKeys(swYamlMapping* mapping)
 {
     swAddYamlKey(mapping, "rasters", swKeepYamlNode);
+    swAddYamlKey(mapping, "meshes", swKeepYamlNode);
     swAddYamlKey(mapping, "splines", swKeepYamlNode);
     swAddYamlKey(mapping, "water_bodies", swKeepYamlNode);
     swAddYamlKey(mapping, "inputs", swKeepYamlNode);
@@ -142,6 +143,7 @@ swResult swReadSceneInputs(swYaml* yaml, const swYamlMapping* mapping, const cha
         const char* key;
         swResult (*read)(swYaml*, yaml_node_t*, const swSceneReader*);
     } lists[] = {{"rasters", swReadRasters},
+                 {"meshes", swReadMeshes},
                  {"splines", swReadSplines},
                  {"water_bodies", swReadWaterBodies},
                  {"inputs", swReadInputs}};

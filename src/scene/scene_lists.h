@@ -34,6 +34,7 @@ swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene
 
 // scene_resources.c
 swResult swReadRasters(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+swResult swReadMeshes(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 swResult swReadSplines(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeSceneResources(swScene* scene);
 

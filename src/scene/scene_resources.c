@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rasters and splines of a scene file, which its inputs name.
+// Rasters, meshes and splines of a scene file, which its inputs name.
 
 #include <stdio.h>
 #include <string.h>
@@ -17,12 +17,29 @@ static void joinPath(const char* folder, const char* file, char path[SW_MAX_PATH
 
 // ---- rasters ----
 
+// Whether a file that may be missing is; told as a warning.
+static bool isLeftOut(swYaml* yaml, const swSceneRaster* raster, const char* path)
+{
+    bool isMissing = raster->isOptional && !swHasFile(path);
+    if (isMissing)
+    {
+        swLog(yaml->host, SW_LOG_WARNING, "%s:%d: %s is not there; inputs of the raster '%s' are left out.", yaml->name,
+              raster->line, raster->file, raster->name);
+    }
+    return isMissing;
+}
+
 static swResult openRaster(swYaml* yaml, const yaml_node_t* node, const swSceneReader* reader, swSceneRaster* raster)
 {
     char path[SW_MAX_PATH];
     joinPath(reader->folder, raster->file, path);
     raster->def.variable = raster->variable[0] != '\0' ? raster->variable : NULL;
-    swResult result = reader->opensNone ? SW_SUCCESS : swReadRaster(yaml->host, path, &raster->def, &raster->raster);
+    if (reader->opensNone || (!raster->isIsland && isLeftOut(yaml, raster, path)))
+    {
+        return SW_SUCCESS;
+    }
+    swResult result = raster->isIsland ? swCreateIsland(yaml->host, &raster->island, &raster->raster)
+                                       : swReadRaster(yaml->host, path, &raster->def, &raster->raster);
     return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
                ? result
                : swFailYaml(yaml, node, SW_MISTAKE_BAD_FILE,
@@ -30,35 +47,120 @@ static swResult openRaster(swYaml* yaml, const yaml_node_t* node, const swSceneR
                             raster->file);
 }
 
+static swResult readIsland(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
+{
+    swSceneRaster* raster = target;
+    swYamlMapping mapping;
+    raster->isIsland = true;
+    swBeginYamlMapping(&mapping, key->key);
+    swAddYamlFields(&mapping, swGetIslandFields(), 0, "island");
+    return swReadYamlMapping(yaml, node, &mapping, &raster->island);
+}
+
+// A file or an island, and keys that go with it.
+static swResult checkSource(swYaml* yaml, yaml_node_t* node, const swYamlMapping* mapping)
+{
+    const yaml_node_t *file = swGetYamlNode(mapping, "file"), *island = swGetYamlNode(mapping, "island");
+    if (file == NULL && island == NULL)
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
+                          "the raster has no file; name the one that holds its numbers, or give it an island.");
+    }
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < mapping->count && island != NULL; ++i)
+    {
+        const swYamlKey* key = &mapping->keys[i];
+        if (key->node != NULL && key->node != island && strcmp(key->key, "name") != 0)
+        {
+            result = swFailYaml(yaml, key->node, SW_MISTAKE_NO_EFFECT, "%s has no effect on an island; remove it.",
+                                key->key);
+        }
+    }
+    return result;
+}
+
 static swResult readRaster(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader, int index)
 {
     swSceneRaster* raster = &reader->scene->rasters[index];
     swFillDef(swGetSceneRasterFields(), raster);
     raster->def = swDefaultRasterFileDef();
+    raster->island = swDefaultIslandDef();
     raster->item = index + 1;
     raster->line = (int)node->start_mark.line + 1;
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "a raster");
     swAddYamlFields(&mapping, swGetSceneRasterFields(), 0, "rasters");
+    swAddYamlKey(&mapping, "island", readIsland);
     swResult result = swReadYamlMapping(yaml, node, &mapping, raster);
+    if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
+    {
+        return result;
+    }
     result = swKeepFailure(
         result, swCheckYamlName(yaml, node, &mapping, "raster", reader->scene->rasters, sizeof(swSceneRaster), index));
-    if (node->type == YAML_MAPPING_NODE && swGetYamlNode(&mapping, "file") == NULL)
-    {
-        result = swKeepFailure(result, swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
-                                                  "the raster has no file; name the one that holds its numbers."));
-    }
-    return result == SW_SUCCESS ? openRaster(yaml, swGetYamlNode(&mapping, "file"), reader, raster) : result;
+    result = swKeepFailure(result, checkSource(yaml, node, &mapping));
+    yaml_node_t* file = swGetYamlNode(&mapping, "file");
+    return result == SW_SUCCESS ? openRaster(yaml, file != NULL ? file : node, reader, raster) : result;
 }
 
 swResult swReadRasters(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader)
 {
     swScene* scene = reader->scene;
     swResult result = swAllocateYamlItems(yaml, node, "rasters", SW_MAX_SCENE_RESOURCES, sizeof(swSceneRaster),
-                                    (void**)&scene->rasters, &scene->rasterCount);
+                                          (void**)&scene->rasters, &scene->rasterCount);
     for (int i = 0; i < scene->rasterCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readRaster(yaml, swGetYamlItem(yaml, node, i), reader, i));
+    }
+    return result;
+}
+
+// ---- meshes ----
+
+static swResult openMesh(swYaml* yaml, const yaml_node_t* node, const swSceneReader* reader, swSceneMesh* mesh)
+{
+    char path[SW_MAX_PATH];
+    joinPath(reader->folder, mesh->file, path);
+    swResult result = reader->opensNone ? SW_SUCCESS : swReadMesh(yaml->host, path, &mesh->def, &mesh->mesh);
+    return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
+               ? result
+               : swFailYaml(yaml, node, SW_MISTAKE_BAD_FILE,
+                            "the mesh '%s' cannot be read from %s; the message before says why.", mesh->name,
+                            mesh->file);
+}
+
+static swResult readMesh(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader, int index)
+{
+    swSceneMesh* mesh = &reader->scene->meshes[index];
+    mesh->def = swDefaultMeshFileDef();
+    mesh->item = index + 1;
+    mesh->line = (int)node->start_mark.line + 1;
+    swYamlMapping mapping;
+    swBeginYamlMapping(&mapping, "a mesh");
+    swAddYamlFields(&mapping, swGetSceneMeshFields(), 0, "meshes");
+    swResult result = swReadYamlMapping(yaml, node, &mapping, mesh);
+    if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
+    {
+        return result;
+    }
+    result = swKeepFailure(
+        result, swCheckYamlName(yaml, node, &mapping, "mesh", reader->scene->meshes, sizeof(swSceneMesh), index));
+    if (swGetYamlNode(&mapping, "file") == NULL)
+    {
+        result = swKeepFailure(result, swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
+                                                  "the mesh has no file; name the one that holds its triangles."));
+    }
+    return result == SW_SUCCESS ? openMesh(yaml, node, reader, mesh) : result;
+}
+
+swResult swReadMeshes(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader)
+{
+    swScene* scene = reader->scene;
+    swResult result = swAllocateYamlItems(yaml, node, "meshes", SW_MAX_SCENE_RESOURCES, sizeof(swSceneMesh),
+                                          (void**)&scene->meshes, &scene->meshCount);
+    for (int i = 0; i < scene->meshCount && !swIsYamlOver(yaml, result); ++i)
+    {
+        result = swKeepFailure(result, readMesh(yaml, swGetYamlItem(yaml, node, i), reader, i));
     }
     return result;
 }
@@ -77,7 +179,7 @@ static swResult readSplinePoint(swYaml* yaml, yaml_node_t* node, swSplinePoint* 
 static swResult readSplinePoints(swYaml* yaml, yaml_node_t* node, swSceneSpline* spline)
 {
     swResult result = swAllocateYamlItems(yaml, node, "points", SW_MAX_SPLINE_POINTS, sizeof(swSplinePoint),
-                                    (void**)&spline->points, &spline->pointCount);
+                                          (void**)&spline->points, &spline->pointCount);
     for (int i = 0; i < spline->pointCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readSplinePoint(yaml, swGetYamlItem(yaml, node, i), &spline->points[i]));
@@ -132,7 +234,7 @@ swResult swReadSplines(swYaml* yaml, yaml_node_t* node, const swSceneReader* rea
 {
     swScene* scene = reader->scene;
     swResult result = swAllocateYamlItems(yaml, node, "splines", SW_MAX_SCENE_RESOURCES, sizeof(swSceneSpline),
-                                    (void**)&scene->splines, &scene->splineCount);
+                                          (void**)&scene->splines, &scene->splineCount);
     for (int i = 0; i < scene->splineCount && !swIsYamlOver(yaml, result); ++i)
     {
         result = swKeepFailure(result, readSpline(yaml, swGetYamlItem(yaml, node, i), reader, i));
@@ -152,9 +254,15 @@ void swFreeSceneResources(swScene* scene)
         swDestroySpline(spline->spline);
         swFree(&scene->host, spline->points, (size_t)spline->pointCount * sizeof(swSplinePoint));
     }
+    for (int i = 0; i < scene->meshCount; ++i)
+    {
+        swDestroyMesh(scene->meshes[i].mesh);
+    }
+    swFree(&scene->host, scene->meshes, (size_t)scene->meshCount * sizeof(swSceneMesh));
     swFree(&scene->host, scene->splines, (size_t)scene->splineCount * sizeof(swSceneSpline));
     swFree(&scene->host, scene->rasters, (size_t)scene->rasterCount * sizeof(swSceneRaster));
-    scene->rasterCount = scene->splineCount = 0;
+    scene->rasterCount = scene->meshCount = scene->splineCount = 0;
+    scene->meshes = NULL;
     scene->rasters = NULL;
     scene->splines = NULL;
 }

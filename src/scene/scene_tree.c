@@ -43,12 +43,6 @@ static bool isReadBack(swWavesWriter* writer)
     swHost host = writer->scene->host;
     host.log = sayNothing;
     swTree tree = swBeginTree(&host, SW_TREE_MAPPING);
-    static const char* const unchanged[] = {"rasters", "splines", "water_bodies",
-                                            "inputs"}; // an empty list stays as it is
-    for (int i = 0; i < 4 && !tree.isBroken; ++i)
-    {
-        swAddTreeNode(&tree, 0, SW_TREE_LIST, unchanged[i]);
-    }
     int list = swAddTreeNode(&tree, 0, SW_TREE_LIST, "waves");
     int item = swAddTreeNode(&tree, list, SW_TREE_MAPPING, NULL);
     swFillWavesTree(&tree, item, writer);
@@ -172,6 +166,16 @@ static void addView(swTree* tree, int list, const swSceneView* view)
     }
 }
 
+// Lists that stay as they stand in the file: an empty list says so.
+static void addUnchanged(swTree* tree)
+{
+    static const char* const lists[] = {"rasters", "meshes", "splines", "water_bodies", "inputs"};
+    for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && !tree->isBroken; ++i)
+    {
+        swAddTreeNode(tree, 0, SW_TREE_LIST, lists[i]);
+    }
+}
+
 swTree swMakeSceneTree(const swScene* scene, bool isAsRead)
 {
     const char* sections[SW_SCENE_MAX_SECTIONS];
@@ -187,12 +191,7 @@ swTree swMakeSceneTree(const swScene* scene, bool isAsRead)
             swAddFields(&tree, node, part.fields, (const char*)scene + part.offset, sections[i]);
         }
     }
-    static const char* const unchanged[] = {"rasters", "splines", "water_bodies",
-                                            "inputs"}; // an empty list stays as it is
-    for (int i = 0; i < 4 && !tree.isBroken; ++i)
-    {
-        swAddTreeNode(&tree, 0, SW_TREE_LIST, unchanged[i]);
-    }
+    addUnchanged(&tree);
     int list = swAddTreeNode(&tree, 0, SW_TREE_LIST, "waves");
     for (int i = 0; i < scene->wavesCount && !tree.isBroken; ++i)
     {

@@ -81,7 +81,10 @@ swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
     {
         for (int i = 0; i < sea->inputCount; ++i)
         {
-            swDestroyInput(world, sea->inputs[i]);
+            if (!scene->inputs[i].isLeftOut && swInput_IsValid(world, sea->inputs[i]))
+            {
+                swDestroyInput(world, sea->inputs[i]);
+            }
         }
         for (int i = 0; i < sea->waterBodyCount; ++i)
         {

@@ -308,7 +308,12 @@ static swResult checkNames(const swScene* scene, const char* path)
     }
     for (int i = 0; i < scene->rasterCount && result == SW_SUCCESS; ++i)
     {
-        result = checkFileName(scene, path, folder, scene->rasters[i].file);
+        const swSceneRaster* raster = &scene->rasters[i];
+        result = raster->isOptional ? SW_SUCCESS : checkFileName(scene, path, folder, raster->file);
+    }
+    for (int i = 0; i < scene->meshCount && result == SW_SUCCESS; ++i)
+    {
+        result = checkFileName(scene, path, folder, scene->meshes[i].file);
     }
     return result;
 }

@@ -37,6 +37,8 @@ struct swStage
 // A sentence in the log and the swResult that a VkResult means; VK_SUCCESS gives SW_SUCCESS.
 swResult swCheckStage(const swStage* stage, VkResult result, const char* what);
 
+// Whether the prepared shot shows any of it; `terrain` may be NULL.
+bool swIsTerrainSeen(const swStageTerrain* terrain);
 // Inside of rendering to targets of a picture's default formats.
 void swDrawTerrain(const swStageTerrain* terrain, VkCommandBuffer commands, const swPicture* picture);
 

@@ -243,11 +243,11 @@ void swStage_DrawPicture(swStage* stage, VkCommandBuffer commands, swPicture* pi
     SW_REQUIRE_VOID(picture != NULL && targets != NULL && isImage(&targets->hdr) && isImage(&targets->depth) &&
                         isImage(&targets->output),
                     &stage->host, "swStage_DrawPicture() needs a picture and targets");
-    SW_REQUIRE_VOID(terrain == NULL || isImage(&targets->opaqueDepth), &stage->host,
+    bool hasLand = swIsTerrainSeen(terrain);
+    SW_REQUIRE_VOID(!hasLand || isImage(&targets->opaqueDepth), &stage->host,
                     "swStage_DrawPicture() needs targets that swStageTerrain_Prepare() has seen");
     swStage_UseImage(stage, commands, &targets->hdr, SW_STAGE_USE_DISCARD, SW_STAGE_USE_COLOR_TARGET);
     swStage_UseImage(stage, commands, &targets->depth, SW_STAGE_USE_DISCARD, SW_STAGE_USE_DEPTH_TARGET);
-    bool hasLand = terrain != NULL;
     if (hasLand)
     {
         drawOpaque(stage, commands, picture, targets, terrain);

@@ -338,23 +338,29 @@ swResult swStageTerrain_Prepare(swStageTerrain* terrain, swStageTargets* targets
     const swPos* eye = &shot->camera.position;
     SW_REQUIRE(fabs(eye->x) < 1e12 && fabs(eye->y) < 1e12 && fabs(eye->z) < 1e12, SW_ERROR_INVALID,
                &terrain->stage->host, "swStageTerrain_Prepare() needs a camera within 1e12 m of the origin");
-    swResult result = createOpaque(terrain->stage, targets);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
     double eyeHeight = fabs(eye->y);
     terrain->slot = (terrain->slot + 1) % SW_STAGE_MAX_SLOTS;
     terrain->tileCount = swChooseTerrain(&terrain->tiles, &shot->camera, eyeHeight, terrain->chosen[terrain->slot].data,
                                          SW_TERRAIN_MOST_TILES);
+    swResult result = terrain->tileCount > 0 ? createOpaque(terrain->stage, targets) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
     terrain->push = (swTerrainPush){.cameraY = (float)eye->y,
                                     .eyeHeight = (float)eyeHeight,
                                     .wetHeight = 1.0f,
                                     .placeX = wrapPlace(eye->x),
                                     .placeZ = wrapPlace(eye->z)};
-    shot->opaqueColor = targets->opaqueColor.view;
-    shot->opaqueDepth = targets->opaqueDepth.view;
+    bool isSeen = terrain->tileCount > 0;
+    shot->opaqueColor = isSeen ? targets->opaqueColor.view : VK_NULL_HANDLE;
+    shot->opaqueDepth = isSeen ? targets->opaqueDepth.view : VK_NULL_HANDLE;
     return SW_SUCCESS;
+}
+
+bool swIsTerrainSeen(const swStageTerrain* terrain)
+{
+    return terrain != NULL && terrain->tileCount > 0;
 }
 
 static void pushDescriptors(const swStageTerrain* terrain, VkCommandBuffer commands, const swPictureSources* sources)

@@ -186,7 +186,8 @@ static void PrintSection(FILE* out, const char* section)
         swGetOctaveTextFields(), swGetOctaveFields(),        swGetOctavesFields(),     swGetWaveSystemFields(),
         swGetWorldFields(),      swGetWaveComponentFields(), swGetViewFields(),        swGetSkyFields(),
         swGetWaterFields(),      swGetInputFields(),         swGetSceneRasterFields(), swGetInputPointFields(),
-        swGetSplineFields(),     swGetSplinePointFields(),   swGetWaterBodyFields(),
+        swGetSplineFields(),     swGetSplinePointFields(),   swGetWaterBodyFields(),   swGetIslandFields(),
+        swGetSceneMeshFields(),
     };
     swBeginYamlMapping(&mapping, section);
     for (size_t i = 0; i < sizeof(tables) / sizeof(tables[0]); ++i)

@@ -302,6 +302,53 @@ static void WavesHaveTheirShareInAllDirections(void** state)
     swDestroyWorld(world);
 }
 
+// ---- baking ----
+
+static void ABakedFloorIsTheFloorAndKnowsWhenItIsStale(void** state)
+{
+    (void)state;
+    swWorld* world = MakeWorld(3.0);
+    swMesh* mesh = MakeBlock(5.0f);
+    swInputDef def = MakeMeshInput(mesh, (swPos){0.0, -12.0, 0.0});
+    swInputId id = Add(world, &def);
+    Step(world);
+    swRasterDef lattice = swDefaultRasterDef();
+    lattice.width = 31;
+    lattice.height = 17;
+    lattice.x = -60.0;
+    lattice.z = -32.0;
+    lattice.spacingX = lattice.spacingZ = 4.0;
+    swRaster* raster = NULL;
+    assert_int_equal(swBakeFloor(world, &lattice, &raster), SW_SUCCESS);
+    const float* heights = swRaster_GetValues(raster);
+    for (int i = 0; i < 31 * 17; ++i)
+    {
+        float height = FloorAt(world, -60.0 + 4.0 * (i % 31), -32.0 + 4.0 * (i / 31));
+        assert_true(isinf(height) ? isnan(heights[i]) : heights[i] == height);
+    }
+    swDestroyRaster(raster);
+    uint64_t hash = swWorld_HashFloor(world, &lattice);
+    swInputDef foam = swDefaultInputDef();
+    foam.field = SW_INPUT_FOAM;
+    Add(world, &foam);
+    assert_true(swWorld_HashFloor(world, &lattice) == hash); // foam is no floor
+    swInput_Move(world, id, (swPos){0.0, -11.0, 0.0}, (swAngles){0});
+    assert_true(swWorld_HashFloor(world, &lattice) != hash);
+    swInput_Move(world, id, (swPos){0.0, -12.0, 0.0}, (swAngles){0});
+    assert_true(swWorld_HashFloor(world, &lattice) == hash);
+    swMesh* other = MakeBlock(20.0f);
+    def.mesh = other;
+    assert_int_equal(swInput_Set(world, id, &def), SW_SUCCESS);
+    assert_true(swWorld_HashFloor(world, &lattice) != hash);
+    lattice.x = -61.0;
+    def.mesh = mesh;
+    assert_int_equal(swInput_Set(world, id, &def), SW_SUCCESS);
+    assert_true(swWorld_HashFloor(world, &lattice) != hash);
+    swDestroyMesh(mesh);
+    swDestroyMesh(other);
+    swDestroyWorld(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -312,6 +359,7 @@ int main(void)
         cmocka_unit_test(InANestTheFinestCountsAndJoinsAreSmooth),
         cmocka_unit_test(ANestThatFailsLeavesNothing),
         cmocka_unit_test(WavesHaveTheirShareInAllDirections),
+        cmocka_unit_test(ABakedFloorIsTheFloorAndKnowsWhenItIsStale),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

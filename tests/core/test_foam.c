@@ -289,6 +289,93 @@ static void StepsOfAnyLengthComeToTheSame(void** state)
     assert_float_equal(many, swFoamStep(0.2f, BIRTH, FADE, 2.0f), 1e-5f);
 }
 
+static void ShoreFoamIsAsWideOnAnySlope(void** state)
+{
+    (void)state;
+    const float slopes[] = {0.005f, 0.05f, 0.5f, 3.0f};
+    const float width = 4.0f, rate = 0.7f;
+    for (int i = 0; i < 4; ++i)
+    {
+        for (float along = 0.0f; along < 8.0f; along += 0.5f)
+        {
+            float depth = slopes[i] * along;
+            float distance = swFindShoreDistance(depth, 0.6f * slopes[i], -0.8f * slopes[i]);
+            assert_float_equal(distance, along, 1e-4f * (along + 1.0f));
+            float birth = swFindShoreBirth(distance, width, rate);
+            assert_true(along < width - 0.1f ? birth > 0.0f : birth < 0.001f * rate);
+        }
+    }
+    assert_float_equal(swFindShoreBirth(0.0f, width, rate), rate, 1e-6f);
+    assert_true(swFindShoreDistance(-2.0f, 0.1f, 0.0f) == 0.0f);  // land
+    assert_true(swFindShoreDistance(0.3f, 0.0f, 0.0f) > 1000.0f); // a shoal without an edge
+    assert_true(swFindShoreBirth(1e30f, width, rate) == 0.0f);    // no floor
+    assert_true(swFindShoreBirth(NAN, width, rate) == 0.0f);
+    assert_true(swFindShoreBirth(0.0f, 0.0f, rate) == 0.0f); // none is wanted
+}
+
+// What a world's foam of inputs and of shores is after two seconds of frames of any length.
+static void GetMadeFoam(const double* frames, int count, float* wake, float* shore)
+{
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world = NULL;
+    swView* view = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = 2;
+    viewDef.resolution = RESOLUTION;
+    viewDef.enableCpuLayers = true;
+    assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+    swInputDef floor = swDefaultInputDef(), maker = swDefaultInputDef();
+    floor.shape = SW_SHAPE_CIRCLE;
+    floor.size = (swVec3){12.0f, 0.0f, 12.0f};
+    floor.feather = 5.0f;
+    floor.value[0] = 2.0f;
+    maker.field = SW_INPUT_FOAM;
+    maker.value[0] = 0.4f;
+    swInputId id;
+    assert_int_equal(swCreateInput(world, &floor, &id), SW_SUCCESS);
+    assert_int_equal(swCreateInput(world, &maker, &id), SW_SUCCESS);
+    assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
+    double time = 0.0;
+    for (int i = 0; time < 2.0 - 1e-9; ++i)
+    {
+        double dt = fmin(frames[i % count], 2.0 - time);
+        time += dt;
+        assert_int_equal(swWorld_Step(world, dt), SW_SUCCESS);
+    }
+    *wake = swView_GetWakeFoam(view, 0)[0];
+    *shore = 0.0f;
+    for (int i = 0; i < TEXELS; ++i)
+    {
+        *shore += swView_GetShoreFoam(view, 0)[i] / TEXELS;
+    }
+    swDestroyView(view);
+    swDestroyWorld(world);
+}
+
+static void MadeFoamIsTheSameAtAnyRateOfFrames(void** state)
+{
+    (void)state;
+    const double even[3] = {1.0 / 30.0, 1.0 / 60.0, 1.0 / 144.0}, uneven[5] = {0.01, 0.13, 0.002, 0.05, 0.3};
+    float wake[4], shore[4];
+    for (int i = 0; i < 3; ++i)
+    {
+        GetMadeFoam(&even[i], 1, &wake[i], &shore[i]);
+    }
+    GetMadeFoam(uneven, 5, &wake[3], &shore[3]);
+    double b = 0.4, f = 0.1; // the closed form from 0, with the step of a thirtieth that may be missing
+    double full = b / (b + f) * (1.0 - exp(-(b + f) * 2.0)),
+           less = b / (b + f) * (1.0 - exp(-(b + f) * (2.0 - 1.0 / 30.0)));
+    for (int i = 0; i < 4; ++i)
+    {
+        print_message("foam of an input %.5f, of a shore %.5f\n", (double)wake[i], (double)shore[i]);
+        assert_true(fabs((double)wake[i] - full) < 1e-4 || fabs((double)wake[i] - less) < 1e-4);
+        assert_float_equal(shore[i], shore[0], 1e-5f);
+        assert_true(shore[i] > 0.001f && shore[i] < 1.0f);
+    }
+}
+
 static void AFoldThatIsKnownIsExact(void** state)
 {
     (void)state;
@@ -725,6 +812,8 @@ int main(void)
         cmocka_unit_test(FoamSurvivesAChangeOfScale),
         cmocka_unit_test(AFarTeleportStartsFromTheSteadyState),
         cmocka_unit_test(TheExcessIsThatOfAGaussian),
+        cmocka_unit_test(ShoreFoamIsAsWideOnAnySlope),
+        cmocka_unit_test(MadeFoamIsTheSameAtAnyRateOfFrames),
         cmocka_unit_test(StepsOfAnyLengthComeToTheSame),
         cmocka_unit_test(AFoldThatIsKnownIsExact),
         cmocka_unit_test(CoverByWindLiesBetweenTheTwoLaws),

@@ -704,7 +704,7 @@ static void DefsOutOfRangeAreRefused(void** state)
     (void)state;
     WriteBytes("0 0 1\n", 6);
     swRasterFileDef def = swDefaultRasterFileDef();
-    def.scale = NAN;
+    def.scale = (double)NAN;
     CheckRefused(&def, SW_ERROR_INVALID, "both are within 1e6");
     def = swDefaultRasterFileDef();
     def.spacingEast = 0.0;
@@ -713,7 +713,7 @@ static void DefsOutOfRangeAreRefused(void** state)
     def.numbers = SW_RASTER_NUMBERS_COUNT;
     CheckRefused(&def, SW_ERROR_INVALID, "numbers is 3");
     def = swDefaultRasterFileDef();
-    def.imageEast = INFINITY;
+    def.imageEast = (double)INFINITY;
     CheckRefused(&def, SW_ERROR_INVALID, "infinite place");
 }
 

@@ -439,6 +439,33 @@ static void SlopesKnowTheGradientsOfWeights(void** state)
     swDestroyWorld(world);
 }
 
+// Eight local systems are no sea of eight times the energy.
+static void WhitecapsOfAWindMapAreThoseOfItsStrongestWind(void** state)
+{
+    (void)state;
+    swWorld* world = MakeWorld();
+    swRaster* raster = MakeMap(20000.0);
+    swWindSeaDef def = MakeWindSea(raster);
+    swWindSea sea;
+    assert_int_equal(swCreateWindSea(world, &def, &sea), SW_SUCCESS);
+    swDestroyRaster(raster);
+    swWorld* single = MakeWorld();
+    swWaveSystemDef own = MakeSystem(0.0f, 0.0f, 0.2f, 9);
+    own.spectrum.windSpeed = 12.0f;
+    AddSystem(single, &own);
+    assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
+    assert_int_equal(swWorld_Step(single, 0.0), SW_SUCCESS);
+    swFoamState map = swWorld_GetFoamState(world), one = swWorld_GetFoamState(single);
+    print_message("wind %.2f and %.2f m/s, cover %.4f and %.4f, threshold %.3f and %.3f\n", (double)map.windSpeed,
+                  (double)one.windSpeed, (double)map.cover, (double)one.cover, (double)map.threshold,
+                  (double)one.threshold);
+    assert_true(fabsf(map.windSpeed - one.windSpeed) < 0.5f);
+    assert_true(fabsf(map.cover / one.cover - 1.0f) < 0.1f && fabsf(map.threshold - one.threshold) < 0.05f);
+    swDestroyWindSea(world, &sea);
+    swDestroyWorld(world);
+    swDestroyWorld(single);
+}
+
 static void WhatIsNoWindSeaIsRefused(void** state)
 {
     (void)state;
@@ -477,6 +504,7 @@ int main(void)
         cmocka_unit_test(RegionsRemoveWhatIsOrderedBeforeThem),
         cmocka_unit_test(AWindMapTurnsAndScalesTheSea),
         cmocka_unit_test(SlopesKnowTheGradientsOfWeights),
+        cmocka_unit_test(WhitecapsOfAWindMapAreThoseOfItsStrongestWind),
         cmocka_unit_test(WhatIsNoWindSeaIsRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

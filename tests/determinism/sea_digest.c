@@ -275,8 +275,58 @@ static swResult MakeDigest(const Run* run, uint64_t* digest)
     return result;
 }
 
+// A wind that has gusts and turns from place to place, with a sea that follows it and removes the other; a particle that
+// follows the waves, and a plate that presses them down.
+static swResult AddRegions(swWorld* world)
+{
+    static const float winds[2 * 3 * 2] = {9.0f, 1.0f, 7.0f, 6.0f, -2.0f, 8.0f, 10.0f, 0.0f, 6.0f, 7.0f, 0.0f, 5.0f};
+    swHost host = swDefaultHost();
+    swWindDef wind = swDefaultWindDef();
+    wind.speed = 9.0f;
+    wind.gustStrength = 0.12f;
+    swResult result = swWorld_SetWind(world, &wind, 30.0);
+    swRasterDef map = swDefaultRasterDef();
+    map.width = 3;
+    map.height = 2;
+    map.channels = 2;
+    map.x = map.z = -150.0;
+    map.spacingX = map.spacingZ = 300.0;
+    map.values = winds;
+    swRaster* raster = NULL;
+    result = result != SW_SUCCESS ? result : swCreateRaster(&host, &map, &raster);
+    swWindSeaDef sea = swDefaultWindSeaDef();
+    sea.raster = raster;
+    sea.waves.resolution = 32;
+    sea.waves.tileWaves = 8;
+    sea.waves.minWavelength = 4.0f;
+    sea.waves.seed = 11;
+    sea.feather = 40.0f;
+    sea.removesWaves = true;
+    sea.headingCount = 8;
+    swWindSea made;
+    result = result != SW_SUCCESS ? result : swCreateWindSea(world, &sea, &made);
+    swDestroyRaster(raster);
+    swInputId id;
+    swInputDef bump = swDefaultInputDef();
+    bump.field = SW_INPUT_DISPLACEMENT;
+    bump.shape = SW_SHAPE_CIRCLE;
+    bump.blend = SW_BLEND_ADD;
+    bump.isBump = bump.followsWaves = true;
+    bump.value[0] = 0.5f;
+    bump.value[1] = 1.0f;
+    result = result != SW_SUCCESS ? result : swCreateInput(world, &bump, &id);
+    swInputDef plate = bump;
+    plate.isBump = plate.followsWaves = false;
+    plate.blend = SW_BLEND_MIN;
+    plate.value[0] = plate.value[1] = 0.0f;
+    plate.size.x = 30.0f;
+    plate.feather = 5.0f;
+    plate.position = (swPos){20.0, -0.5, 10.0};
+    return result != SW_SUCCESS ? result : swCreateInput(world, &plate, &id);
+}
+
 // One system alone, a minute in, and what is asked of it.
-static swResult MakeSmallParts(const swWaveSystemDef* def, Parts* parts)
+static swResult MakeSmallParts(const swWaveSystemDef* def, bool withRegions, Parts* parts)
 {
     swHost host = swDefaultHost();
     swWorldDef worldDef = swDefaultWorldDef();
@@ -290,6 +340,7 @@ static swResult MakeSmallParts(const swWaveSystemDef* def, Parts* parts)
     swView* view = NULL;
     swResult result = swCreateWorld(&host, &worldDef, &world);
     result = result != SW_SUCCESS ? result : swCreateWaveSystem(world, def, &id);
+    result = result == SW_SUCCESS && withRegions ? AddRegions(world) : result;
     result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
     result = result != SW_SUCCESS ? result : swWorld_Step(world, 60.0);
     result = result != SW_SUCCESS ? result : swWorld_Step(world, 0.25);
@@ -357,7 +408,7 @@ static swResult AddLine(Line* lines, int* count, const char* name, const swWaveS
     snprintf(line->name, sizeof(line->name), "%s", name);
     if (def != NULL)
     {
-        return MakeSmallParts(def, &line->parts);
+        return MakeSmallParts(def, strcmp(name, "regions") == 0, &line->parts);
     }
     Run run = {SW_ISA_BEST, 1, 1.0, false};
     return MakeParts(&run, &line->parts);
@@ -398,7 +449,9 @@ static swResult MakeLines(Line* lines, int* count)
     swSpectrumTable table = MakeTable(frequencies, bandwidths, density);
     swWaveSystemDef measured = MakeKind(SW_SPECTRUM_TABLE);
     measured.spectrum.table = &table;
-    return result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
+    result = result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
+    swWaveSystemDef open = MakeKind(SW_SPECTRUM_JONSWAP);
+    return result != SW_SUCCESS ? result : AddLine(lines, count, "regions", &open);
 }
 
 static int List(void)

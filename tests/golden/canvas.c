@@ -126,6 +126,22 @@ static bool CreateSea(const Canvas* canvas, const Shot* shot, Sea* sea)
            (shot->floor == NULL || swStage_CreateTerrain(canvas->stage, &land, &sea->terrain) == SW_SUCCESS);
 }
 
+static bool PutInputs(swWorld* world, const Shot* shot)
+{
+    bool isGood = true;
+    for (int i = 0; i < shot->inputCount; ++i)
+    {
+        swInputId id;
+        isGood = isGood && swCreateInput(world, &shot->inputs[i], &id) == SW_SUCCESS;
+    }
+    for (int i = 0; i < shot->bodyCount; ++i)
+    {
+        swWaterBodyId id;
+        isGood = isGood && swCreateWaterBody(world, &shot->bodies[i], &id) == SW_SUCCESS;
+    }
+    return isGood;
+}
+
 static float HalfToFloat(uint16_t half)
 {
     int exponent = (half >> 10) & 31;
@@ -199,6 +215,8 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
     what.sky.haze = shot->haze;
     what.sky.clouds = shot->clouds;
     what.water.windSpeed = shot->windSpeed;
+    what.bodyWaters = shot->bodyWaters;
+    what.bodyWaterCount = shot->bodyWaterCount;
     what.debug = shot->debug;
     what.time = shot->time;
 
@@ -230,7 +248,8 @@ static bool DrawSea(Canvas* canvas, Sea* sea, const Shot* shot, uint8_t* pixels,
 bool DrawShot(Canvas* canvas, const Shot* shot, uint8_t* pixels, float* hdr)
 {
     Sea sea = {0};
-    bool isGood = CreateSea(canvas, shot, &sea) && DrawSea(canvas, &sea, shot, pixels, hdr);
+    bool isGood =
+        CreateSea(canvas, shot, &sea) && PutInputs(sea.world, shot) && DrawSea(canvas, &sea, shot, pixels, hdr);
     swStage_Wait(canvas->stage);
     DestroySea(canvas, &sea);
     return isGood;

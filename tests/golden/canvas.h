@@ -28,6 +28,12 @@ typedef struct Shot
     const swWaveSystemDef* waves; // instead of a sea of that wind and swell; NULL for none
     swStageFloorFcn* floor;       // of land and sea floor; NULL for none
     void* floorContext;
+    const swInputDef* inputs; // of the world
+    int inputCount;
+    const swWaterBodyDef* bodies; // of water
+    int bodyCount;
+    const swWaterDef* bodyWaters; // that they look like
+    int bodyWaterCount;
 } Shot;
 
 typedef struct Canvas Canvas;

@@ -130,7 +130,7 @@ Difference MaxDifference(Difference a, Difference b)
 
 Difference CompareLayer(Parity* parity, swLayer layer)
 {
-    int channels = layer == SW_LAYER_FOAM ? 1 : 4;
+    int channels = layer >= SW_LAYER_FOAM ? 1 : 4;
     size_t count = (size_t)parity->resolution * (size_t)parity->resolution;
     float* gpu = malloc(count * (size_t)channels * sizeof(float));
     assert_non_null(gpu);
@@ -138,6 +138,8 @@ Difference CompareLayer(Parity* parity, swLayer layer)
     for (int slice = 0; slice < parity->sliceCount; ++slice)
     {
         const float* cpu = layer == SW_LAYER_FOAM          ? swView_GetFoam(parity->view, slice)
+                           : layer == SW_LAYER_WAKE_FOAM   ? swView_GetWakeFoam(parity->view, slice)
+                           : layer == SW_LAYER_SHORE_FOAM  ? swView_GetShoreFoam(parity->view, slice)
                            : layer == SW_LAYER_DERIVATIVES ? swView_GetDerivatives(parity->view, slice)
                                                            : swView_GetDisplacement(parity->view, slice);
         assert_non_null(cpu);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/bake_api.c
     ${CMAKE_CURRENT_LIST_DIR}/input_api.c
     ${CMAKE_CURRENT_LIST_DIR}/moment_api.c
     ${CMAKE_CURRENT_LIST_DIR}/nest_api.c

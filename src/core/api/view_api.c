@@ -109,3 +109,13 @@ const float* swView_GetFoam(const swView* view, int slice)
 {
     return findLayer(view, slice, SW_LAYER_FOAM);
 }
+
+const float* swView_GetWakeFoam(const swView* view, int slice)
+{
+    return findLayer(view, slice, SW_LAYER_WAKE_FOAM);
+}
+
+const float* swView_GetShoreFoam(const swView* view, int slice)
+{
+    return findLayer(view, slice, SW_LAYER_SHORE_FOAM);
+}

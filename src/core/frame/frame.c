@@ -25,3 +25,17 @@ swFoamSliceParams swGetFoamParams(const swFrame* frame, const swStackFrame* stac
         .isSteady = isSteady ? 1 : 0,
     };
 }
+
+swMadeFoamParams swGetMadeFoamParams(const swFrame* frame, int layer, float seconds, bool isSteady)
+{
+    const swFoamDef* foam = &frame->foam;
+    return (swMadeFoamParams){
+        .wakeFadeRate = foam->wakeFadeRate,
+        .shoreFadeRate = foam->shoreFadeRate,
+        .shoreWidth = foam->shoreWidth,
+        .shoreRate = foam->shoreRate,
+        .dt = seconds,
+        .isSteady = isSteady ? 1 : 0,
+        .isWake = layer == SW_LAYER_WAKE_FOAM ? 1 : 0,
+    };
+}

@@ -167,9 +167,10 @@ typedef struct swLayerFrame
     int steps;    // to take now, 0 .. mostSteps
     float stepDt; // s
     bool isReset; // first step, or a jump in time: nothing has a past
-    // Of an authored field, set by its swPlan function: inputs say something of it. It has no texels otherwise, and is
-    // the same everywhere, see swLayerInfo::rest.
+    // Of a layer on demand, set by its swPlan function: there is something in it. It has no texels otherwise, and is
+    // the same everywhere, see swLayerInfo::rest. Before, what it was in the step before.
     bool isAuthored;
+    bool isBegun; // of one with a past: it was held in the step before
     // For a reader that did not see every step: since it last looked, clock - then steps have passed, and there was a
     // reset if resetCount differs. It keeps the slices that it last saw, see core/lod/scroll.h.
     int64_t clock;
@@ -406,5 +407,8 @@ const swLayerInfo* swGetLayerInfo(int layer);
 
 // What slice `i` of a view steps its foam with over `seconds`.
 swFoamSliceParams swGetFoamParams(const swFrame* frame, const swStackFrame* stack, int i, float seconds, bool isSteady);
+
+// Over `seconds`, of SW_LAYER_WAKE_FOAM or SW_LAYER_SHORE_FOAM.
+swMadeFoamParams swGetMadeFoamParams(const swFrame* frame, int layer, float seconds, bool isSteady);
 
 SW_SEAM_END

@@ -49,9 +49,15 @@ typedef struct swLayerInfo
     bool isExact;      // n steps of dt are one of n dt, and one of no time changes nothing: the maker takes all at
                        // once, and looks up the past by itself
     bool isSaved;
+    bool isOnDemand; // held only while its swPlan function says that there is something in it; authored fields all are
     float least, most; // what a saved texel may hold
-    float rest[4];     // of an authored field: what it is where nothing is authored
+    float rest[4];     // of a layer on demand: what it is where it is not held
 } swLayerInfo;
+
+static inline bool swIsOnDemand(const swLayerInfo* info)
+{
+    return info->isOnDemand || info->kind == SW_LAYER_IS_FIELD;
+}
 
 // Places in the table. Layers that the public API names have the same number there.
 enum
@@ -65,3 +71,5 @@ static_assert((int)SW_LAYER_PLACES == (int)SW_LAYER_INDEX_PLACES, "one order");
 static_assert((int)SW_LAYER_DISPLACEMENT == (int)SW_LAYER_INDEX_DISPLACEMENT, "one order");
 static_assert((int)SW_LAYER_DERIVATIVES == (int)SW_LAYER_INDEX_DERIVATIVES, "one order");
 static_assert((int)SW_LAYER_FOAM == (int)SW_LAYER_INDEX_FOAM, "one order");
+static_assert((int)SW_LAYER_WAKE_FOAM == (int)SW_LAYER_INDEX_WAKE_FOAM, "one order");
+static_assert((int)SW_LAYER_SHORE_FOAM == (int)SW_LAYER_INDEX_SHORE_FOAM, "one order");

@@ -4,9 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "core/input/input_record.h"
 #include "core/input/polygon.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
+#include "core/input/tide.h"
 #include "shared/input.h"
 
 static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "displacement", "clip",
@@ -78,6 +80,8 @@ static const swField inputFields[] = {
                .kinds = PLACED),
     SW_NUMBERS(size, float, "m", SW_WITHIN(0.0, 1e6), SW_EACH(100.0, 10.0, 100.0), .key = "size_m", .label = "size",
                SW_KNOB(0.0, 1000.0), .kinds = SIZED),
+    SW_PARTS(tide, &swTideConstituentFields, .key = "tide", .label = "tide",
+             .tip = "Of a level or a flow: harmonics that are added to the value"),
     SW_SWITCH(followsWaves, false, .key = "follows_waves", .label = "follows waves"),
     SW_NUMBER(wavelength, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "wavelength_m", .label = "like waves of",
               .tip = "Of displacement: what has longer waves only leaves it out", .zero = "any",
@@ -375,6 +379,10 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
     swResult result = swCheckDef(host, &swInputFields, def);
     result = result == SW_SUCCESS ? checkKinds(host, def) : result;
     result = result == SW_SUCCESS ? checkValues(host, def) : result;
+    if (result == SW_SUCCESS && swHasTide(def) && def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    {
+        return refuse(host, SW_ERROR_INVALID, def, "has a tide, which levels and flows can have");
+    }
     if (result == SW_SUCCESS && def->shape == SW_SHAPE_HULL && def->hull == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no hull");

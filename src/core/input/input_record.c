@@ -498,9 +498,24 @@ void swFindInputRange(const swInputDef* def, const swInputData* data, float* lea
 
 // ---- time ----
 
-bool swDoesInputChange(const swInputDef* def)
+bool swHasTide(const swInputDef* def)
+{
+    bool hasTide = false;
+    for (int i = 0; i < SW_MAX_TIDE; ++i)
+    {
+        hasTide = hasTide || def->tide[i].amplitude != 0.0f || def->tide[i].amplitudeAcross != 0.0f;
+    }
+    return hasTide;
+}
+
+static bool isPlayed(const swInputDef* def)
 {
     return def->shape == SW_SHAPE_RASTER && def->raster->frames > 1 && def->framesPerSecond > 0.0f;
+}
+
+bool swDoesInputChange(const swInputDef* def)
+{
+    return isPlayed(def) || swHasTide(def);
 }
 
 // The frame of a raster that is played, and the share of the next.
@@ -524,6 +539,16 @@ void swSetInputTime(const swInputDef* def, double time, swInputRecord* record)
     if (swDoesInputChange(def))
     {
         record->flags |= SW_INPUT_CHANGES;
+    }
+    if (isPlayed(def))
+    {
         playRaster(def, time, record);
+    }
+    if (swHasTide(def))
+    {
+        float x, z;
+        swGetTide(SW_MAX_TIDE, def->tide, time, &x, &z);
+        record->value.x = def->value[0] + x;
+        record->value.y = def->field == SW_INPUT_FLOW ? def->value[1] + z : record->value.y;
     }
 }

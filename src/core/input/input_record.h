@@ -46,6 +46,7 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words);
 void swFindInputRange(const swInputDef* def, const swInputData* data, float* least, float* most);
 
 // What changes with time alone: false if nothing of the def does.
+bool swHasTide(const swInputDef* def);
 bool swDoesInputChange(const swInputDef* def);
 void swSetInputTime(const swInputDef* def, double time, swInputRecord* record);
 

@@ -245,6 +245,7 @@ swResult swAddInput(swInputs* inputs, const swInputDef* def, swId* id)
     input->isUsed = true;
     input->generation += 1;
     input->serial = ++inputs->serials;
+    input->flags = 0;
     adoptDef(input, def, data);
     *id = swGetInputId(inputs, input);
     insertInOrder(inputs, (uint32_t)id->index1 - 1);
@@ -394,6 +395,7 @@ static void addRecord(const swInputs* inputs, uint32_t slot, double time, swInpu
     int at = arrays->set.recordCount++;
     swInputRecord* record = &arrays->records[at];
     swMakeInputRecord(def, input->data, inputs->seaLevel, time, record, &arrays->boxes[at]);
+    record->flags |= input->flags;
     int count = 0;
     arrays->words[at] = swGetInputWords(input->data, &count);
     record->wordCount = (sw_uint)count;

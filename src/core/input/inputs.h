@@ -16,6 +16,7 @@ typedef struct swInput
     uint32_t generation;
     uint64_t serial;   // grows with every input made
     swInputDef def;    // its place is in the sea; its pointers are those of `data`
+    uint32_t flags;    // that its record has beside those of its def
     swInputData* data; // NULL of shapes that have none
 } swInput;
 

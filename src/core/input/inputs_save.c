@@ -300,25 +300,40 @@ void swRewindInputs(swInputs* inputs, swStream* stream)
 
 // ---- digest ----
 
+static void hashInput(swHash* hash, const swInput* input)
+{
+    Saved saved = getSaved(input);
+    swHashDef(hash, &swInputFields, &input->def);
+    swAddHash(hash, input->def.field == SW_INPUT_WAVES ? (uint64_t)input->def.system.index1 : 0);
+    swAddHash(hash, saved.raster);
+    swAddHash(hash, saved.hull);
+    swAddHash(hash, saved.mesh);
+    swAddHash(hash, saved.spline);
+    swAddHash(hash, saved.function);
+    for (int k = 0; k < input->def.pointCount; ++k)
+    {
+        const swInputPoint* p = &input->data->points[k];
+        const float numbers[8] = {p->x, p->z, p->radius, p->weight, p->value[0], p->value[1], p->value[2], p->value[3]};
+        swAddHashFloats(hash, numbers, 8);
+    }
+}
+
 void swHashInputs(swHash* hash, const swInputs* inputs)
 {
     for (int i = 0; i < inputs->count; ++i)
     {
+        hashInput(hash, swGetInputAt(inputs, i));
+    }
+}
+
+void swHashFieldInputs(swHash* hash, const swInputs* inputs, swInputField field)
+{
+    for (int i = 0; i < inputs->count; ++i)
+    {
         const swInput* input = swGetInputAt(inputs, i);
-        Saved saved = getSaved(input);
-        swHashDef(hash, &swInputFields, &input->def);
-        swAddHash(hash, input->def.field == SW_INPUT_WAVES ? (uint64_t)input->def.system.index1 : 0);
-        swAddHash(hash, saved.raster);
-        swAddHash(hash, saved.hull);
-        swAddHash(hash, saved.mesh);
-        swAddHash(hash, saved.spline);
-        swAddHash(hash, saved.function);
-        for (int k = 0; k < input->def.pointCount; ++k)
+        if (input->def.field == field)
         {
-            const swInputPoint* p = &input->data->points[k];
-            const float numbers[8] = {p->x,        p->z,        p->radius,   p->weight,
-                                      p->value[0], p->value[1], p->value[2], p->value[3]};
-            swAddHashFloats(hash, numbers, 8);
+            hashInput(hash, input);
         }
     }
 }

@@ -19,3 +19,6 @@ void swRewindInputs(swInputs* inputs, swStream* stream);
 
 // All that decides what inputs say. Nothing of a world without any.
 void swHashInputs(swHash* hash, const swInputs* inputs);
+
+// The same of the inputs of one field.
+void swHashFieldInputs(swHash* hash, const swInputs* inputs, swInputField field);

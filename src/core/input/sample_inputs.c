@@ -144,6 +144,36 @@ void swFindInputValues(const swInputSet* set, int field, int system, int count, 
     }
 }
 
+static swCellBox coverBoth(const Place* a, const Place* b)
+{
+    return (swCellBox){.minX = a->cellX < b->cellX ? a->cellX : b->cellX,
+                       .minZ = a->cellZ < b->cellZ ? a->cellZ : b->cellZ,
+                       .maxX = a->cellX > b->cellX ? a->cellX : b->cellX,
+                       .maxZ = a->cellZ > b->cellZ ? a->cellZ : b->cellZ};
+}
+
+void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
+                       float* values)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        swInputValue value = swGetFieldBelow((sw_uint)field);
+        Place there = findPlace(here[i]), atRest = findPlace(rest[i]);
+        swCellBox box = coverBoth(&there, &atRest);
+        uint32_t next = swFindNextInput(set, field, &box, 0);
+        for (; next != SW_NO_RECORD; next = swFindNextInput(set, field, &box, next + 1))
+        {
+            bool follows = (set->records[next].flags & SW_INPUT_FOLLOWS_WAVES) != 0;
+            const Place* place = follows ? &atRest : &there;
+            if (isMeant(&set->records[next], -1, place))
+            {
+                joinValue(set, next, -1, place, &value);
+            }
+        }
+        values[i] = value.value.x;
+    }
+}
+
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks)
 {
     for (int i = 0; i < count; ++i)

@@ -15,6 +15,11 @@
 void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
                        swInputValue* values);
 
+// The first number of a field of the water's own: inputs that follow the waves count where the water rests, the others
+// where it is.
+void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
+                       float* values);
+
 // A system's waves at points in the sea: the weight of those that lie as ever, and those along splines.
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks);
 

@@ -28,4 +28,5 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/water_bodies.c
     ${CMAKE_CURRENT_LIST_DIR}/water_body_def.c
     ${CMAKE_CURRENT_LIST_DIR}/wind.c
-    ${CMAKE_CURRENT_LIST_DIR}/wind_def.c)
+    ${CMAKE_CURRENT_LIST_DIR}/wind_def.c
+    ${CMAKE_CURRENT_LIST_DIR}/tide.c)

@@ -108,6 +108,10 @@ static swResult addInputs(swWaterBodies* bodies, const swWaterBodyDef* def, int 
             removeInputs(bodies, inputs);
             return result;
         }
+        if (parts[i].isThere)
+        {
+            swFindInput(bodies->inputs, inputs[i])->flags = SW_INPUT_IS_OF_BODY;
+        }
     }
     return SW_SUCCESS;
 }

@@ -29,8 +29,8 @@ bool swMakeLayers(const swHost* host, swLayerStack* layers)
 {
     for (int i = 0; i < SW_LAYERS && layers->hasTexels; ++i)
     {
-        bool isField = swGetLayerInfo(i)->kind == SW_LAYER_IS_FIELD;
-        int images = !swHasLayer(layers, i) || isField ? 0 : swGetLayerInfo(i)->hasPast ? 2 : 1;
+        bool waits = swIsOnDemand(swGetLayerInfo(i));
+        int images = !swHasLayer(layers, i) || waits ? 0 : swGetLayerInfo(i)->hasPast ? 2 : 1;
         for (int k = 0; k < images; ++k)
         {
             layers->states[i].texels[k] = swAllocateZero(host, countFloats(layers, i) * sizeof(float));
@@ -58,21 +58,26 @@ void swFreeLayers(const swHost* host, swLayerStack* layers)
 
 bool swMakeFieldTexels(const swHost* host, swLayerStack* layers)
 {
-    bool isNew[SW_LAYERS] = {false};
+    bool isNew[SW_LAYERS][2] = {{false}};
     bool isMade = true;
-    for (int i = 0; i < SW_LAYERS && layers->hasTexels && isMade; ++i)
+    for (int i = 0; i < 2 * SW_LAYERS && layers->hasTexels && isMade; ++i)
     {
-        swLayerState* state = &layers->states[i];
-        isNew[i] = swHasLayer(layers, i) && swGetLayerInfo(i)->kind == SW_LAYER_IS_FIELD && state->texels[0] == NULL;
-        state->texels[0] = isNew[i] ? swAllocateZero(host, countFloats(layers, i) * sizeof(float)) : state->texels[0];
-        isMade = !isNew[i] || state->texels[0] != NULL;
-    }
-    for (int i = 0; i < SW_LAYERS && !isMade; ++i)
-    {
-        if (isNew[i])
+        int layer = i / 2, k = i % 2;
+        const swLayerInfo* info = swGetLayerInfo(layer);
+        float** texels = &layers->states[layer].texels[k];
+        if (swHasLayer(layers, layer) && swIsOnDemand(info) && k < (info->hasPast ? 2 : 1) && *texels == NULL)
         {
-            swFree(host, layers->states[i].texels[0], countFloats(layers, i) * sizeof(float));
-            layers->states[i].texels[0] = NULL;
+            *texels = swAllocateZero(host, countFloats(layers, layer) * sizeof(float));
+            isNew[layer][k] = isMade = *texels != NULL;
+        }
+    }
+    for (int i = 0; i < 2 * SW_LAYERS && !isMade; ++i)
+    {
+        float** texels = &layers->states[i / 2].texels[i % 2];
+        if (isNew[i / 2][i % 2])
+        {
+            swFree(host, *texels, countFloats(layers, i / 2) * sizeof(float));
+            *texels = NULL;
         }
     }
     return isMade;
@@ -81,7 +86,7 @@ bool swMakeFieldTexels(const swHost* host, swLayerStack* layers)
 const float* swGetLayerTexels(const swLayerStack* layers, int layer)
 {
     const swLayerState* state = &layers->states[layer];
-    bool isThere = swGetLayerInfo(layer)->kind != SW_LAYER_IS_FIELD || state->isAuthored;
+    bool isThere = !swIsOnDemand(swGetLayerInfo(layer)) || state->isAuthored;
     return isThere ? state->texels[state->current] : NULL;
 }
 
@@ -113,6 +118,7 @@ void swPlaceLayers(swLayerStack* layers, swPos place, double seaLevel, int64_t e
         {
             swAdvanceLayerClock(&layers->states[i].clock, info, elapsedTicks, &frame->layers[i]);
         }
+        frame->layers[i].isAuthored = frame->layers[i].isBegun = layers->states[i].isAuthored;
     }
 }
 

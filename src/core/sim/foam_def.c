@@ -18,6 +18,16 @@ static const swField foamFields[] = {
     SW_NUMBER(threshold, "", SW_WITHIN(-4.0, 1.0), 0.0, .key = "threshold", .label = "threshold",
               .tip = "Folding below which foam is born even without wind: 1 is flat water, 0 a fold",
               SW_KNOB(-4.0, 1.0)),
+    SW_NUMBER(shoreWidth, "m", SW_WITHIN(0.0, 1000.0), 3.0, .key = "shore_width_m", .label = "width of shore foam",
+              .tip = "How far foam reaches from the water's edge, on any slope; 0 for none", .use = SW_USE_STATE,
+              SW_KNOB(0.0, 20.0)),
+    SW_NUMBER(shoreRate, "1/s", SW_WITHIN(0.0, 100.0), 0.6, .key = "shore_per_s", .label = "shore foam",
+              .tip = "Foam made at the water's edge, per second", .use = SW_USE_STATE, SW_KNOB(0.0, 4.0)),
+    SW_NUMBER(shoreFadeRate, "1/s", SW_WITHIN(0.01, 10.0), 0.3, .key = "shore_fade_rate_per_s",
+              .label = "fading of shore foam", .use = SW_USE_STATE, SW_LOG_KNOB(0.01, 10.0)),
+    SW_NUMBER(wakeFadeRate, "1/s", SW_WITHIN(0.01, 10.0), 0.1, .key = "wake_fade_rate_per_s",
+              .label = "fading of wakes", .tip = "Foam of inputs and wakes", .use = SW_USE_STATE,
+              SW_LOG_KNOB(0.01, 10.0)),
 };
 
 const swFields swFoamFields = SW_FIELDS(swFoamDef, "foam", "foam", foamFields, -1);

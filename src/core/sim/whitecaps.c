@@ -86,16 +86,48 @@ static double getSquareOmega(double gravity, double depth, double wavelength)
     return gravity * k * (kd < 20.0 ? swTanh(kd) : 1.0);
 }
 
+static bool isLocal(const swFrame* frame, int system)
+{
+    return frame->inputs != NULL && (frame->inputs->localSystems >> system & 1u) != 0;
+}
+
+// Local systems are not all in one place. The law is that of a place which has one of them, beside the systems that are
+// everywhere: the one that strains the surface most, at weight 1. -1 where there is none.
+static int findLocalSystem(const swFrame* frame)
+{
+    float strains[SW_MAX_WAVE_SYSTEMS] = {0.0f};
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        strains[frame->tiles[i].system] += swGetStrainVariance(&frame->tiles[i].strain);
+    }
+    for (int i = 0; i < frame->waveCount; ++i)
+    {
+        swStrain strain = {0};
+        swAddFreeWaveStrain(&strain, &frame->waves[i]);
+        strains[frame->waves[i].system] += swGetStrainVariance(&strain);
+    }
+    int most = -1;
+    for (int system = 0; system < SW_MAX_WAVE_SYSTEMS; ++system)
+    {
+        bool isMore = isLocal(frame, system) && (most < 0 || strains[system] > strains[most]);
+        most = isMore ? system : most;
+    }
+    return most;
+}
+
 // Strain of the waves from minWavelength up to below maxWavelength, and of its rate's variance, if asked for.
 static swStrain sumStrain(const swFrame* frame, float minWavelength, float maxWavelength, double* rate)
 {
+    bool hasLocal = frame->inputs != NULL && frame->inputs->localSystems != 0;
+    int local = hasLocal ? findLocalSystem(frame) : -1;
     swStrain sum = {0};
     double gravity = (double)frame->gravity;
     double rates = 0.0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
         const swTile* tile = &frame->tiles[i];
-        if (tile->minWavelength >= minWavelength && tile->minWavelength < maxWavelength)
+        bool isThere = !hasLocal || tile->system == local || !isLocal(frame, tile->system);
+        if (isThere && tile->minWavelength >= minWavelength && tile->minWavelength < maxWavelength)
         {
             addStrain(&sum, &tile->strain);
             double middle = sqrt((double)tile->minWavelength * (double)tile->maxWavelength);
@@ -105,7 +137,8 @@ static swStrain sumStrain(const swFrame* frame, float minWavelength, float maxWa
     for (int i = 0; i < frame->waveCount; ++i)
     {
         const swFreeWave* wave = &frame->waves[i];
-        if (wave->wavelength >= minWavelength && wave->wavelength < maxWavelength)
+        bool isThere = !hasLocal || wave->system == local || !isLocal(frame, wave->system);
+        if (isThere && wave->wavelength >= minWavelength && wave->wavelength < maxWavelength)
         {
             swStrain strain = {0};
             swAddFreeWaveStrain(&strain, wave);

@@ -278,7 +278,8 @@ __attribute__((noinline)) static void evaluateShapedPoints(const swQuery* query,
 void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     const swPlaces* places = query->places;
-    if (places->localSystems == 0 && (swFindTouchedFields(places, query->ticks, count, rest, 0.0) & ~SW_TOUCHES_LEVEL) == 0)
+    if (places->localSystems == 0 &&
+        (swFindTouchedFields(places, query->ticks, count, rest, 0.0) & ~SW_TOUCHES_LEVEL) == 0)
     {
         swEvaluatePlain(query, count, rest, out);
         return;

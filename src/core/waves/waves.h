@@ -118,8 +118,8 @@ swResult swCarryWaves(swWaves* waves);
 
 // wave_set.c
 bool swAllocateTexels(swWaves* waves, swWaveSet* set); // those that it lacks
-// One that is there, or a new one. A local system shares its waves with no other, since places weigh them apart: of such
-// only those of the system at `slot` itself are taken; -1: a new one.
+// One that is there, or a new one. A local system shares its waves with no other, since places weigh them apart: of
+// such only those of the system at `slot` itself are taken; -1: a new one.
 swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** set);
 // Of a set that nobody else uses.
 void swTurnSet(swWaves* waves, swWaveSet* set, const swWaveSystemDef* def, const swDrift* drift);

@@ -119,6 +119,11 @@ swResult swStreamState(swWorld* world, swStream* stream, const swRestoreDef* fin
         swReleaseSet(&world->waves, list.sets[i]);
     }
     result = result == SW_SUCCESS ? swStreamInputs(&world->inputs, stream, find) : result;
+    for (int i = 0; i < world->inputs.count && result == SW_SUCCESS && swIsReading(stream); ++i)
+    {
+        bool isFlow = swGetInputAt(&world->inputs, i)->def.field == SW_INPUT_FLOW;
+        result = isFlow ? swCarryWaves(&world->waves) : result;
+    }
     result = result == SW_SUCCESS ? swStreamViews(world, stream, last) : result;
     result = result == SW_SUCCESS ? swStreamZones(world, stream) : result;
     if (result == SW_SUCCESS && swIsReading(stream))

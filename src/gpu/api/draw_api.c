@@ -150,6 +150,15 @@ swResult swPicture_Prepare(swPicture* picture, VkCommandBuffer commands, const s
     SW_REQUIRE((shot->opaqueColor != VK_NULL_HANDLE) == (shot->opaqueDepth != VK_NULL_HANDLE), SW_ERROR_INVALID, host,
                "swPicture_Prepare() was given a shot with opaque %s alone; the water needs both images or none",
                shot->opaqueColor != VK_NULL_HANDLE ? "colour" : "depth");
+    SW_REQUIRE(shot->bodyWaterCount >= 0 && shot->bodyWaterCount <= SW_MAX_BODY_WATERS &&
+                   (shot->bodyWaterCount == 0 || shot->bodyWaters != NULL),
+               SW_ERROR_INVALID, host, "swPicture_Prepare() was given %d waters of bodies; a shot has 0 to %d",
+               shot->bodyWaterCount, SW_MAX_BODY_WATERS);
+    for (int i = 0; i < shot->bodyWaterCount; ++i)
+    {
+        SW_REQUIRE(isLookGood(&shot->sky, &shot->bodyWaters[i]), SW_ERROR_INVALID, host,
+                   "swPicture_Prepare() needs waters made by swDefaultWaterDef(); number %d of the bodies' is not", i);
+    }
     return swPreparePicture(picture, commands, shot, frameIndex);
 }
 

@@ -46,6 +46,7 @@ static void addRectangle(swMeshRings* rings, int ring, int x0, int z0, int x1, i
                 .z = top,
                 .width = x0 + width * (column + 1) / columns - left,
                 .height = z0 + height * (row + 1) / rows - top,
+                .body = SW_NO_MESH_BODY,
             };
         }
     }
@@ -76,6 +77,7 @@ static void addHorizon(swMeshRings* rings)
                 .x = steps * part / 2,
                 .width = steps / 2,
                 .height = side,
+                .body = SW_NO_MESH_BODY,
             };
         }
     }

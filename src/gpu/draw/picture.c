@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gpu/pass/gpu_inputs.h"
 #include "shared/roughness.h"
 
 #define SW_TURN (2.0 * SW_PI)
@@ -111,6 +112,8 @@ static void setMesh(const swShot* shot, const swFrame* frame, const swViewFrame*
     p->seaY = (float)(frame->seaLevel - camera->y);
     p->anchorX = (float)(rings->anchorX - camera->x);
     p->anchorZ = (float)(rings->anchorZ - camera->z);
+    swSplitSeaPlace(rings->anchorX, &p->anchorCellX, &p->anchorRestX);
+    swSplitSeaPlace(rings->anchorZ, &p->anchorCellZ, &p->anchorRestZ);
     p->viewX = rings->viewX;
     p->viewZ = rings->viewZ;
     p->step = (float)rings->step;
@@ -180,6 +183,62 @@ static void setFreeWaves(const swFrame* frame, swPictureFrame* built)
     }
 }
 
+// Where the sea is dry but for what inputs leave, and between which heights its water stands. Of the inputs that hold
+// everywhere the last one decides, and those before it do not count.
+static void setHoles(const swInputSet* set, swPictureParams* p)
+{
+    if (set == NULL)
+    {
+        return;
+    }
+    p->lowestLevel = set->lowestLevel;
+    p->highestLevel = set->highestLevel;
+    swInputRange range = set->ranges[SW_INPUT_CLIP];
+    p->firstHole = range.firstRecord;
+    for (uint32_t i = range.firstRecord; i < range.firstRecord + range.recordCount; ++i)
+    {
+        const swInputRecord* record = &set->records[i];
+        if (record->shape == SW_FORM_EVERYWHERE && record->weight > 0.5f)
+        {
+            p->isDry = record->value.x * record->weight > 0.5f ? 1 : 0;
+            p->firstHole = i + 1;
+        }
+    }
+}
+
+static swPictureLook makeLook(const swWaterDef* water)
+{
+    return (swPictureLook){.absorption = water->absorption,
+                           .index = water->refractiveIndex,
+                           .scattering = water->scattering,
+                           .foamAlbedo = water->foamAlbedo};
+}
+
+static void setBodies(const swShot* shot, const swFrame* frame, swPictureFrame* built)
+{
+    built->params.bodyCount = (uint32_t)frame->bodyCount;
+    for (int i = 0; i < frame->bodyCount; ++i)
+    {
+        const swBodyFrame* body = &frame->bodies[i];
+        built->bodies[i] = (swMeshBody){
+            .lowX = (float)(body->low.x - built->rings.anchorX),
+            .lowZ = (float)(body->low.z - built->rings.anchorZ),
+            .highX = (float)(body->high.x - built->rings.anchorX),
+            .highZ = (float)(body->high.z - built->rings.anchorZ),
+            .level = body->level,
+            .number = body->number,
+            .look = (uint32_t)body->look,
+            .setsLevel = body->setsLevel ? 1 : 0,
+        };
+    }
+    built->lookCount = (uint32_t)shot->bodyWaterCount + 1;
+    built->looks[0] = makeLook(&shot->water);
+    for (int i = 0; i < shot->bodyWaterCount; ++i)
+    {
+        built->looks[i + 1] = makeLook(&shot->bodyWaters[i]);
+    }
+}
+
 static void setTime(const swShot* shot, swPictureFrame* built)
 {
     swPictureParams* p = &built->params;
@@ -208,6 +267,8 @@ void swBuildPicture(const swShot* inHost, swPosXZ origin, const swFrame* frame, 
     setMesh(shot, frame, view, built);
     setBands(frame, detailSide, built);
     setFreeWaves(frame, built);
+    setHoles(frame->inputs, &built->params);
+    setBodies(shot, frame, built);
     setTime(shot, built);
     built->params.foamAtRest = frame->foamLaw.cover;
 }
@@ -231,6 +292,15 @@ swResult swUploadPicture(swGpu* gpu, swPictureFrame* built)
     {
         size_t count = built->params.waveCount > 0 ? built->params.waveCount : 1; // a buffer must hold something
         result = swUploadData(gpu, built->waves, count * sizeof(swDetailWave), &built->wavesUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        size_t count = built->params.bodyCount > 0 ? built->params.bodyCount : 1;
+        result = swUploadData(gpu, built->bodies, count * sizeof(swMeshBody), &built->bodiesUpload);
+    }
+    if (result == SW_SUCCESS)
+    {
+        result = swUploadData(gpu, built->looks, built->lookCount * sizeof(swPictureLook), &built->looksUpload);
     }
     return result;
 }

@@ -222,7 +222,11 @@ static const swViewFrame* findViewFrame(const swFrame* frame, const swView* view
 int swChooseSurface(const swPicture* picture)
 {
     bool isWire = picture->debug == SW_DEBUG_WIREFRAME && picture->renderer->gpuWorld->gpu->hasWireframe;
-    return (isWire ? SW_SURFACE_IS_WIRE : 0) | (picture->opaqueColor != VK_NULL_HANDLE ? SW_SURFACE_IS_CLEAR : 0);
+    return (isWire ? SW_SURFACE_IS_WIRE : 0) | (picture->opaqueColor != VK_NULL_HANDLE ? SW_SURFACE_IS_CLEAR : 0) |
+           (picture->hasPlaces ? SW_SURFACE_HAS_PLACES : 0) | (picture->hasColors ? SW_SURFACE_HAS_COLORS : 0) |
+           (picture->hasHoles ? SW_SURFACE_HAS_HOLES : 0) |
+           (picture->frame.params.bodyCount > 0 ? SW_SURFACE_HAS_BODIES : 0) |
+           (picture->hasMadeFoam ? SW_SURFACE_HAS_MADE_FOAM : 0);
 }
 
 // The pipeline of the shot's surface, which the first picture that needs it makes.
@@ -244,7 +248,23 @@ static void recordPreparation(swPicture* picture, VkCommandBuffer commands)
     swClearExposure(gpu, commands, &picture->tonemap);
     swRecordSkyTables(gpu, commands, &renderer->sky, &picture->sky, &picture->frame);
     swRecordFoamTexture(gpu, commands, &renderer->sky.halve, &renderer->foam);
-    swRecordSurface(gpu, commands, &renderer->cull, &picture->surface, &picture->frame);
+    swRecordSurface(renderer->gpuWorld, commands, &renderer->cull, &picture->surface, &picture->frame);
+}
+
+// Each body of water has a look that the shot has.
+static bool areLooksThere(const swGpu* gpu, const swShot* shot, const swFrame* frame)
+{
+    for (int i = 0; i < frame->bodyCount; ++i)
+    {
+        if (frame->bodies[i].look > shot->bodyWaterCount)
+        {
+            swFail(&gpu->host, SW_ERROR_INVALID,
+                   "A body of water has the look %d, and the shot has %d waters of bodies: set swShot::bodyWaters.",
+                   frame->bodies[i].look, shot->bodyWaterCount);
+            return false;
+        }
+    }
+    return true;
 }
 
 swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const swShot* shot, uint64_t frameIndex)
@@ -267,6 +287,16 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->debug = shot->debug;
     picture->opaqueColor = shot->opaqueColor;
     picture->opaqueDepth = shot->opaqueDepth;
+    picture->hasPlaces = view->stack.layers[SW_LAYER_PLACES].isAuthored;
+    picture->hasMadeFoam = view->stack.layers[SW_LAYER_WAKE_FOAM].isAuthored ||
+                           view->stack.layers[SW_LAYER_SHORE_FOAM].isAuthored;
+    picture->hasColors =
+        swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
+    picture->hasHoles = swHasInputs(frame->inputs, SW_INPUT_CLIP);
+    if (!areLooksThere(gpu, shot, frame))
+    {
+        return SW_ERROR_INVALID;
+    }
     swBuildPicture(shot, swGetWorldOrigin(gpuWorld->world), frame, view, swGetDetailImage(gpuWorld)->width,
                    &picture->frame);
     swResult result = swUploadPicture(gpu, &picture->frame);

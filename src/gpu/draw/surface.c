@@ -12,6 +12,11 @@ swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int
         .isSoftware = gpu->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 1 : 0,
         .filtersByHand = gpu->filtersFloats ? 0 : 1,
         .isClear = (kind & SW_SURFACE_IS_CLEAR) != 0 ? 1 : 0,
+        .hasPlaces = (kind & SW_SURFACE_HAS_PLACES) != 0 ? 1 : 0,
+        .hasMadeFoam = (kind & SW_SURFACE_HAS_MADE_FOAM) != 0 ? 1 : 0,
+        .hasColors = (kind & SW_SURFACE_HAS_COLORS) != 0 ? 1 : 0,
+        .hasHoles = (kind & SW_SURFACE_HAS_HOLES) != 0 ? 1 : 0,
+        .hasBodies = (kind & SW_SURFACE_HAS_BODIES) != 0 ? 1 : 0,
     };
     bool isWire = (kind & SW_SURFACE_IS_WIRE) != 0;
     const swGraphicsDef draw = {
@@ -91,18 +96,29 @@ static swResult fillIndices(swGpu* gpu, swSurface* surface, uint32_t side)
 
 swResult swPrepareSurface(swGpu* gpu, swSurface* surface, const swPictureFrame* picture)
 {
-    return fillIndices(gpu, surface, picture->params.tileSide);
+    VkDeviceSize most = (VkDeviceSize)picture->params.tileCount * (picture->params.bodyCount + 1);
+    swResult result = swGrowBuffer(gpu, most * sizeof(swMeshTile), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
+                                   "visible mesh tiles", &surface->visible);
+    return result == SW_SUCCESS ? fillIndices(gpu, surface, picture->params.tileSide) : result;
 }
 
-void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
+void swRecordSurface(const swGpuWorld* gpuWorld, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
                      const swPictureFrame* picture)
 {
+    swGpu* gpu = gpuWorld->gpu;
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(gpuWorld, inputs);
     const swSurfaceCullBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
         .slices = swBindUpload(&picture->slicesUpload),
         .tiles = swBindUpload(&picture->tilesUpload),
         .visible = swBindBuffer(&surface->visible),
         .arguments = swBindBuffer(&surface->arguments),
+        .bodies = swBindUpload(&picture->bodiesUpload),
+        .inputHead = inputs[0],
+        .inputRecords = inputs[1],
+        .inputNodes = inputs[2],
+        .inputWords = inputs[3],
     };
     swBeginPass(gpu, commands, "surface_cull");
     swBarrier(gpu, commands, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT, 0,
@@ -124,9 +140,16 @@ static swBinding bindOpaque(const swGpu* gpu, const swSurfaceSources* from, VkIm
                : swBindImage(gpu, &from->foam->image, SW_SAMPLER_NEAREST_CLAMP);
 }
 
+static swBinding bindFoam(const swGpu* gpu, const swSurfaceSources* from, int layer)
+{
+    return swBindImage(gpu, swGetLayerImage(from->view, layer), swChooseLayerSampler(gpu, layer));
+}
+
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSurfaceSources* from,
                    const swSurface* surface, const swPictureFrame* picture)
 {
+    swBinding inputs[SW_INPUT_BINDINGS];
+    swBindInputs(from->gpuWorld, inputs);
     const swSurfaceBindings bindings = {
         .picture = swBindUpload(&picture->paramsUpload),
         .slices = swBindUpload(&picture->slicesUpload),
@@ -135,8 +158,7 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .bands = swBindUpload(&picture->bandsUpload),
         .light = swBindBuffer(&from->sky->light),
         .derivatives = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_DERIVATIVES), SW_SAMPLER_LINEAR_CLAMP),
-        .foamLayer =
-            swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FOAM), swChooseLayerSampler(gpu, SW_LAYER_FOAM)),
+        .foamLayer = bindFoam(gpu, from, SW_LAYER_FOAM),
         .detail = swBindImage(gpu, swGetDetailImage(from->gpuWorld), SW_SAMPLER_LINEAR_REPEAT),
         .skyMap = swBindImage(gpu, &from->sky->map, SW_SAMPLER_LINEAR_REPEAT_X),
         .air = swBindImage(gpu, &from->sky->air, SW_SAMPLER_LINEAR_CLAMP),
@@ -144,6 +166,15 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .waves = swBindUpload(&picture->wavesUpload),
         .opaqueColor = bindOpaque(gpu, from, from->opaqueColor),
         .opaqueDepth = bindOpaque(gpu, from, from->opaqueDepth),
+        .places = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
+        .wakeFoamLayer = bindFoam(gpu, from, SW_LAYER_WAKE_FOAM),
+        .shoreFoamLayer = bindFoam(gpu, from, SW_LAYER_SHORE_FOAM),
+        .inputHead = inputs[0],
+        .inputRecords = inputs[1],
+        .inputNodes = inputs[2],
+        .inputWords = inputs[3],
+        .bodies = swBindUpload(&picture->bodiesUpload),
+        .looks = swBindUpload(&picture->looksUpload),
     };
     swBeginPass(gpu, commands, "surface");
     swBindSurface(gpu, commands, pipeline, &bindings);

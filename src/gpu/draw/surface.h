@@ -11,7 +11,7 @@ typedef struct swSurface
 {
     swBuffer indices;     // of a tile's grid
     uint32_t indicesSide; // that the indices are for
-    swBuffer visible;     // swMeshTile[SW_MAX_MESH_TILES]
+    swBuffer visible;     // swMeshTile[], as many as the sea and each body may have
     swBuffer arguments;   // VkDrawIndexedIndirectCommand
 } swSurface;
 
@@ -30,7 +30,12 @@ typedef enum swSurfaceAbility
 {
     SW_SURFACE_IS_CLEAR = 1, // shows what stands in the water
     SW_SURFACE_IS_WIRE = 2,
-    SW_SURFACE_KIND_COUNT = 4
+    SW_SURFACE_HAS_PLACES = 4, // inputs say how deep the water is, or how high it stands
+    SW_SURFACE_HAS_COLORS = 8, // inputs colour the water or shade it
+    SW_SURFACE_HAS_MADE_FOAM = 16,
+    SW_SURFACE_HAS_HOLES = 32,  // inputs cut the water away
+    SW_SURFACE_HAS_BODIES = 64, // there are bodies of water
+    SW_SURFACE_KIND_COUNT = 128
 } swSurfaceAbility;
 
 // To the formats of colour and depth. `kind` is a sum of abilities.
@@ -44,7 +49,7 @@ void swRetireSurface(swGpu* gpu, swSurface* surface);
 // All of it that may fail; records nothing.
 swResult swPrepareSurface(swGpu* gpu, swSurface* surface, const swPictureFrame* picture);
 // Outside of rendering: the tiles that the camera sees.
-void swRecordSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
+void swRecordSurface(const swGpuWorld* gpuWorld, VkCommandBuffer commands, const swPipeline* cull, swSurface* surface,
                      const swPictureFrame* picture);
 // Inside rendering.
 void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipeline, const swSurfaceSources* from,

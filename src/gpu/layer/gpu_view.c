@@ -44,7 +44,7 @@ static swResult createImages(swGpu* gpu, swGpuView* view)
     for (int i = 0; i < SW_LAYERS; ++i)
     {
         const swLayerInfo* info = swGetLayerInfo(i);
-        int count = !swIsLayerInView(i) || info->kind == SW_LAYER_IS_FIELD ? 0 : info->hasPast ? 2 : 1;
+        int count = !swIsLayerInView(i) || swIsOnDemand(info) ? 0 : info->hasPast ? 2 : 1;
         for (int k = 0; k < count; ++k)
         {
             swResult result = createImage(gpu, view, i, view->resolution, &view->layers[i].images[k]);
@@ -57,33 +57,44 @@ static swResult createImages(swGpu* gpu, swGpuView* view)
     return SW_SUCCESS;
 }
 
-// An authored field has an image while inputs say something of it; one texel of what lies below all inputs otherwise.
-static swResult fitField(swGpu* gpu, swGpuView* view, int layer)
+// Images of a layer on demand, of a side: 1 for the texel that stands for all of it.
+static swResult remakeImages(swGpu* gpu, swGpuView* view, int layer, int side)
 {
-    swGpuLayer* field = &view->layers[layer];
-    int side = view->frame->stack.layers[layer].isAuthored ? view->resolution : 1;
-    if (field->images[0].width != (uint32_t)side)
+    swGpuLayer* of = &view->layers[layer];
+    int count = side > 1 && swGetLayerInfo(layer)->hasPast ? 2 : 1;
+    swImage images[2] = {{0}};
+    swResult result = swMakeRoomToRetire(gpu);
+    for (int k = 0; k < count && result == SW_SUCCESS; ++k)
     {
-        swResult result = swMakeRoomToRetire(gpu);
-        swImage image = {0};
-        result = result == SW_SUCCESS ? createImage(gpu, view, layer, side, &image) : result;
-        if (result != SW_SUCCESS)
-        {
-            return result;
-        }
-        swRetireImage(gpu, &field->images[0]);
-        field->images[0] = image;
+        result = createImage(gpu, view, layer, side, &images[k]);
     }
-    bool needsRest = side == 1 && !field->images[0].isInitialized;
-    return needsRest ? swPrepareRestTexel(gpu, view, layer) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        swDestroyImage(gpu, &images[0]);
+        return result;
+    }
+    swRetireImage(gpu, &of->images[0]);
+    swRetireImage(gpu, &of->images[1]);
+    *of = (swGpuLayer){.images = {images[0], images[1]}}; // without a past
+    return SW_SUCCESS;
 }
 
-static swResult fitFields(swGpu* gpu, swGpuView* view)
+// A layer on demand has images while there is something in it; one texel of what it is elsewhere otherwise.
+static swResult fitLayer(swGpu* gpu, swGpuView* view, int layer)
+{
+    const swImage* image = &view->layers[layer].images[0];
+    int side = view->frame->stack.layers[layer].isAuthored ? view->resolution : 1;
+    swResult result = image->width != (uint32_t)side ? remakeImages(gpu, view, layer, side) : SW_SUCCESS;
+    bool needsRest = side == 1 && !image->isInitialized;
+    return result == SW_SUCCESS && needsRest ? swPrepareRestTexel(gpu, view, layer) : result;
+}
+
+static swResult fitLayers(swGpu* gpu, swGpuView* view)
 {
     swResult result = SW_SUCCESS;
     for (int i = 0; i < SW_LAYERS && result == SW_SUCCESS; ++i)
     {
-        result = swGetLayerInfo(i)->kind == SW_LAYER_IS_FIELD ? fitField(gpu, view, i) : SW_SUCCESS;
+        result = swIsLayerInView(i) && swIsOnDemand(swGetLayerInfo(i)) ? fitLayer(gpu, view, i) : SW_SUCCESS;
     }
     return result;
 }
@@ -161,7 +172,8 @@ static void planView(swGpuView* view)
         if (swIsLayerInView(i) && swGetLayerInfo(i)->hasPast)
         {
             view->layers[i].due = swFindCatchUp(&view->layers[i].mark.at, i, &view->frame->stack);
-            view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore;
+            bool isHeld = !swIsOnDemand(swGetLayerInfo(i)) || view->frame->stack.layers[i].isAuthored;
+            view->layers[i].due.isDue = view->layers[i].due.isDue && !view->isCore && isHeld;
         }
     }
 }
@@ -193,8 +205,8 @@ swResult swPrepareGpuViews(swGpu* gpu, const swFrame* frame, swGpuView* views)
             view->frame = viewFrame;
             view->place = notePlace(frame, viewFrame);
             view->isCore = gpu->usesCoreLayers && viewFrame->stack.layers[SW_LAYER_DISPLACEMENT].texels != NULL;
+            result = fitLayers(gpu, view);
             planView(view);
-            result = fitFields(gpu, view);
             result = result == SW_SUCCESS && view->isCore ? swPrepareCoreLayers(gpu, viewFrame, view) : result;
         }
     }
@@ -215,6 +227,7 @@ static void beginImages(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
         {
             swRecordImageUpload(gpu, commands, &view->layers[i].upload, &images[0]);
         }
+        view->layers[i].firstFrame = images[0].isInitialized ? view->layers[i].firstFrame : gpu->frameIndex;
         for (int k = 0; k < 2 && images[k].handle != VK_NULL_HANDLE; ++k)
         {
             swInitializeImage(gpu, commands, &images[k]);
@@ -303,7 +316,7 @@ static void discardView(swGpuView* view, uint64_t frameIndex)
     view->hasBegun = view->hasBegun && view->firstFrame < frameIndex;
     for (int i = 0; i < SW_LAYERS; ++i)
     {
-        if (!swGetLayerInfo(i)->hasPast || !view->hasBegun)
+        if (!swGetLayerInfo(i)->hasPast || !view->hasBegun || view->layers[i].firstFrame >= frameIndex)
         {
             view->layers[i].images[0].isInitialized = false;
             view->layers[i].images[1].isInitialized = false;

@@ -19,8 +19,10 @@ typedef struct swGpuLayerMark
 
 typedef struct swGpuLayer
 {
-    // The second of layers with a past only, which are written in turns. Of a field that is not authored: one texel.
+    // The second of layers with a past only, which are written in turns. Of a layer on demand that is not held: one
+    // texel.
     swImage images[2];
+    uint64_t firstFrame;                    // that begins the images
     swGpuLayerMark mark;                    // of the last recorded frame
     swGpuLayerMark earlier[SW_LAYER_MARKS]; // of those before, newest first
 

@@ -8,6 +8,8 @@ static_assert((int)SW_LAYERS_BINDING_PLACES == 1 + (int)SW_LAYER_PLACES, "a bind
 static_assert((int)SW_LAYERS_BINDING_DISPLACEMENT == 1 + (int)SW_LAYER_DISPLACEMENT, "a binding for each layer");
 static_assert((int)SW_LAYERS_BINDING_DERIVATIVES == 1 + (int)SW_LAYER_DERIVATIVES, "a binding for each layer");
 static_assert((int)SW_LAYERS_BINDING_FOAM == 1 + (int)SW_LAYER_FOAM, "a binding for each layer");
+static_assert((int)SW_LAYERS_BINDING_WAKE_FOAM == 1 + (int)SW_LAYER_WAKE_FOAM, "a binding for each layer");
+static_assert((int)SW_LAYERS_BINDING_SHORE_FOAM == 1 + (int)SW_LAYER_SHORE_FOAM, "a binding for each layer");
 static_assert(SW_LAYERS < SW_MAX_BINDINGS, "there is room for all layers");
 
 // Parameters, then each layer that lives in views. Layers that do not have no number.

@@ -168,6 +168,14 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
             "the ribbon's weight only");
         inputs->isTold = true;
     }
+    if (swHasInputs(set, SW_INPUT_DISPLACEMENT) && !inputs->isDisplacementTold)
+    {
+        swLog(
+            &gpuWorld->gpu->host, SW_LOG_WARNING,
+            "inputs that displace the water are not in the device's slices and queries yet, as they are in the core's; "
+            "a view with CPU layers on a software device has them");
+        inputs->isDisplacementTold = true;
+    }
     return inputs->isBrought ? bringInputs(gpuWorld->gpu, set, inputs) : SW_SUCCESS;
 }
 

@@ -30,8 +30,9 @@ typedef struct swGpuInputs
     swArray blocks; // of data, see gpu_inputs.c
 
     // Set by each swGpuWorld_Record(), valid for this frame.
-    bool isAuthored; // there are inputs: otherwise nothing is held
-    bool isTold;     // that waves along splines do not turn here
+    bool isAuthored;         // there are inputs: otherwise nothing is held
+    bool isTold;             // that waves along splines do not turn here
+    bool isDisplacementTold; // likewise of displacement
     bool isBrought;
     swUpload headUpload, recordsUpload, nodesUpload;
     swBuffer staging; // of words, retired in the frame that copies them

@@ -33,10 +33,8 @@ static uint32_t countRows(const swGpuView* view)
     return (uint32_t)view->resolution / SW_SLICE_HEIGHT;
 }
 
-static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewState* state)
+void swFillFieldSlices(const swStackFrame* stack, swFieldSlice slices[SW_MAX_SLICES])
 {
-    const swStackFrame* stack = &view->frame->stack;
-    swFieldSlice slices[SW_MAX_SLICES] = {0};
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         const swSlice* slice = &stack->slices[i];
@@ -44,6 +42,13 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewStat
         swSplitSeaPlace((double)slice->firstZ * slice->texel, &slices[i].cellZ, &slices[i].restZ);
         slices[i].texel = (float)slice->texel;
     }
+}
+
+static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewState* state)
+{
+    const swStackFrame* stack = &view->frame->stack;
+    swFieldSlice slices[SW_MAX_SLICES] = {0};
+    swFillFieldSlices(stack, slices);
     state->constants = (swFieldsConstants){.withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0};
     VkDeviceSize blocks = (VkDeviceSize)view->sliceCount * countRows(view) * countColumns(view);
     swResult result = swGrowBuffer(gpuWorld->gpu, blocks * sizeof(swFieldBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,

@@ -86,4 +86,6 @@ const swImage* swGetDetailImage(const swGpuWorld* gpuWorld);
 // Of the view with that index: swFieldSlice of each slice and swFieldBlock of each block of texels. Nothing where there
 // are no inputs.
 void swBindFieldPlaces(const swGpuWorld* gpuWorld, int view, swBinding* slices, swBinding* blocks);
+// Where the texels of each slice lie in the sea.
+void swFillFieldSlices(const swStackFrame* stack, swFieldSlice slices[SW_MAX_SLICES]);
 const swBuffer* swGetVolumeWaves(const swGpuWorld* gpuWorld);

@@ -6,6 +6,7 @@ target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/pass_detail.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_fields.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_foam.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_made_foam.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_ray_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_surface_query.c
@@ -22,6 +23,7 @@ list(APPEND SW_SHADERS
     input/fields.comp
     waves/slices.comp
     sim/foam.comp
+    sim/made_foam.comp
     query/surface_query.comp
     query/volume_waves.comp
     query/volume_query.comp

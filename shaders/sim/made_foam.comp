@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+// Foam that inputs make, or shores, at every texel of a view after this frame: the twin of core/surface/made_foam.c.
+
+#include "lib/blocks.glsl"
+#include "lib/past.glsl"
+#include "shared/fields.h"
+#include "shared/foam.h"
+#include "shared/waves.h"
+
+layout(local_size_x = SW_FOAM_BLOCK * SW_FOAM_BLOCK) in;
+layout(constant_id = 0) const bool WITH_INPUTS = true; // some input makes foam
+
+layout(std430, binding = 0) readonly buffer InputHead
+{
+    swInputHead inputHead;
+};
+layout(std430, binding = 1) readonly buffer InputRecords
+{
+    swInputRecord inputRecords[];
+};
+layout(std430, binding = 2) readonly buffer InputNodes
+{
+    swInputNode inputNodes[];
+};
+layout(std430, binding = 3) readonly buffer InputWords
+{
+    float inputWords[];
+};
+layout(std430, binding = 4) readonly buffer Slices
+{
+    swFieldSlice slices[];
+};
+layout(std430, binding = 5) readonly buffer Sources
+{
+    swPastSource sources[]; // SW_PAST_SOURCES a slice
+};
+layout(std430, binding = 6) readonly buffer Params
+{
+    swMadeFoamParams params;
+};
+layout(binding = 7, rgba32f) uniform readonly image2DArray displacement;
+layout(binding = 8, rgba32f) uniform readonly image2DArray places;
+layout(binding = 9, r32f) uniform readonly image2DArray previous;
+layout(binding = 10, r32f) uniform writeonly image2DArray nextFoam;
+layout(push_constant) uniform Push
+{
+    int resolution;
+};
+
+#include "lib/inputs.glsl"
+#include "lib/places.glsl"
+
+float foamAt(int slice, int x, int z)
+{
+    return imageLoad(previous, ivec3(x, z, slice)).x;
+}
+
+// Foam of the frame before at a texel; false if no slice of the previous stack held it.
+bool readPrevious(ivec3 at, out float foam)
+{
+    foam = 0.0;
+    for (int i = 0; i < SW_PAST_SOURCES; ++i)
+    {
+        swPastSource source = sources[at.z * SW_PAST_SOURCES + i];
+        if (source.slice < 0)
+        {
+            return false;
+        }
+        PastTap tap = findTap(source, at.xy, resolution);
+        if (tap.isHeld)
+        {
+            ivec2 next = nextTexel(tap);
+            foam = blend(foamAt(source.slice, tap.texel.x, tap.texel.y), foamAt(source.slice, next.x, tap.texel.y),
+                         foamAt(source.slice, tap.texel.x, next.y), foamAt(source.slice, next.x, next.y), tap.along);
+            return true;
+        }
+    }
+    return false;
+}
+
+// Per second.
+float birthAt(ivec3 at)
+{
+    if (params.isWake == 0)
+    {
+        vec4 place = imageLoad(places, at);
+        return swFindShoreBirth(swFindShoreDistance(place.x, place.y, place.z), params.shoreWidth, params.shoreRate);
+    }
+    if (!WITH_INPUTS)
+    {
+        return 0.0;
+    }
+    SeaPlace rest = placeOfTexel(slices[at.z], uint(at.x), uint(at.y));
+    SeaPlace here = seaPlaceOf(rest.cell, rest.rest + imageLoad(displacement, at).xz);
+    return max(fieldOnWater(SW_FIELD_OF_FOAM, here, rest).x, 0.0);
+}
+
+void main()
+{
+    ivec3 at = ivec3(gl_WorkGroupID.xy * SW_FOAM_BLOCK + blockPlace(gl_LocalInvocationIndex), gl_WorkGroupID.z);
+    float foam;
+    bool hasPast = params.isSteady == 0 && readPrevious(at, foam);
+    imageStore(nextFoam, at, vec4(swMadeFoamStep(foam, hasPast, birthAt(at), params), 0.0, 0.0, 0.0));
+}

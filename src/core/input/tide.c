@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "core/input/tide.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/frame/frame.h"
+#include "core/math/scalar.h"
+
+#define SW_DEF swTideConstituent
+static const swField tideFields[] = {
+    SW_NUMBER(speed, "rad/s", SW_WITHIN(0.0, 1.0), 0.0, .key = "speed_rad_s", .label = "speed", .zero = "none",
+              SW_LOG_KNOB(1e-7, 1e-3)),
+    SW_NUMBER(amplitude, "", SW_WITHIN(-100.0, 100.0), 0.0, .key = "amplitude", .label = "amplitude",
+              .tip = "Of a level, m, or of a flow along x, m/s", SW_KNOB(0.0, 5.0)),
+    SW_NUMBER(phase, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "phase_deg", .label = "phase",
+              .tip = "By which it lags behind time 0", .form = SW_FORM_DEGREES, SW_KNOB(-180.0, 180.0)),
+    SW_NUMBER(amplitudeAcross, "m/s", SW_WITHIN(-100.0, 100.0), 0.0, .key = "amplitude_across_m_s",
+              .label = "amplitude across", .tip = "Of a flow along z", SW_KNOB(0.0, 5.0)),
+    SW_NUMBER(phaseAcross, "deg", SW_WITHIN(-1000.0, 1000.0), 0.0, .key = "phase_across_deg", .label = "phase across",
+              .form = SW_FORM_DEGREES, SW_KNOB(-180.0, 180.0)),
+};
+#undef SW_DEF
+
+const swFields swTideConstituentFields =
+    SW_PART_FIELDS(swTideConstituent, "tide", "tidal constituent", tideFields);
+
+const swFields* swGetTideFields(void)
+{
+    return &swTideConstituentFields;
+}
+
+// Speeds in degrees an hour, of mean solar time [Schureman 1958].
+static const struct
+{
+    const char* name;
+    double degreesAnHour;
+} speeds[] = {
+    {"Q1", 13.3986609},  {"O1", 13.9430356},  {"P1", 14.9589314},  {"S1", 15.0},         {"K1", 15.0410686},
+    {"J1", 15.5854433},  {"OO1", 16.1391017}, {"2N2", 27.8953548}, {"MU2", 27.9682084},  {"N2", 28.4397295},
+    {"NU2", 28.5125831}, {"M2", 28.9841042},  {"L2", 29.5284789},  {"T2", 29.9589333},   {"S2", 30.0},
+    {"K2", 30.0821373},  {"M3", 43.4761563},  {"MN4", 57.4238337}, {"M4", 57.9682084},   {"MS4", 58.9841042},
+    {"S4", 60.0},        {"M6", 86.9523127},  {"M8", 115.9364166}, {"MF", 1.0980331},    {"MM", 0.5443747},
+    {"SSA", 0.0821373},  {"SA", 0.0410686},
+};
+
+float swGetTideSpeed(const char* name)
+{
+    for (size_t i = 0; name != NULL && i < sizeof speeds / sizeof speeds[0]; ++i)
+    {
+        if (strcmp(name, speeds[i].name) == 0)
+        {
+            return (float)(speeds[i].degreesAnHour * (3.14159265358979323846 / 180.0 / 3600.0));
+        }
+    }
+    return 0.0f;
+}
+
+bool swSetTideConstituent(const char* name, float amplitude, float phase, swTideConstituent* constituent)
+{
+    float speed = swGetTideSpeed(name);
+    *constituent = (swTideConstituent){0};
+    if (speed > 0.0f)
+    {
+        *constituent = (swTideConstituent){.speed = speed, .amplitude = amplitude, .phase = phase};
+    }
+    return speed > 0.0f;
+}
+
+static double swing(double speed, double time, float phase)
+{
+    double turns = (speed * time - (double)phase) * 0.15915494309189535;
+    float sine, cosine;
+    swSinCosTurns(swGetFractionOfTurn(turns), &sine, &cosine);
+    return (double)cosine;
+}
+
+void swGetTide(int count, const swTideConstituent* constituents, double time, float* x, float* z)
+{
+    double along = 0.0, across = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+        const swTideConstituent* c = &constituents[i];
+        along += c->amplitude != 0.0f ? (double)c->amplitude * swing((double)c->speed, time, c->phase) : 0.0;
+        across += c->amplitudeAcross != 0.0f
+                      ? (double)c->amplitudeAcross * swing((double)c->speed, time, c->phaseAcross)
+                      : 0.0;
+    }
+    *x = (float)along;
+    *z = (float)across;
+}
