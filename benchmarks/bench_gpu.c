@@ -44,6 +44,7 @@ typedef struct Bench
     swPos* places;
     swRay* rays;
     swGpuQuery* query; // while queries are measured
+    bool isStill;      // the view stays where it is
     uint64_t stepCount;
     VkQueryPool queries; // two a slot
     bool hasTimes[SLOTS];
@@ -244,7 +245,7 @@ static void RunFrames(Bench* bench, Series* passes, Series* frame)
     int warmUp = bench->options.frames < MOST_WARM_UP ? bench->options.frames : MOST_WARM_UP;
     for (int i = 0; i < warmUp + bench->options.frames; ++i)
     {
-        if (bench->view != NULL) // 10 m/s, so that foam scrolls
+        if (bench->view != NULL && !bench->isStill) // 10 m/s, so that foam scrolls
         {
             double x = (double)bench->stepCount / 6.0;
             swView_SetViewpoint(bench->view, (swPos){x, 2.0, 0.3 * x});
@@ -533,6 +534,115 @@ static void MeasureQueries(Bench* bench, double frameWithout, QueryTimes* times)
     free(bench->rays);
 }
 
+// Authored fields ----------------------------------------------------------------------------------------------------
+
+// Water over a floor in a part of the view, all slices alike: a wedge from the viewer on.
+typedef struct PlaceCase
+{
+    const char* name;
+    double wedge; // degrees; 0: the floor is far away, 360: everywhere
+    float depth;  // m
+    bool isFull;  // with a second wave system, and a lake at another level
+} PlaceCase;
+
+static const PlaceCase placeCases[] = {
+    {"a floor, but far away", 0.0, 5.0f, false},
+    {"5 m under a third of each slice", 120.0, 5.0f, false},
+    {"5 m under all", 360.0, 5.0f, false},
+    {"20 m under all", 360.0, 20.0f, false},
+    {"two systems, 5 m under a third, a level", 120.0, 5.0f, true},
+    {"two systems, 5 m under all, a level", 360.0, 5.0f, true},
+};
+#define PLACE_CASES (int)(sizeof(placeCases) / sizeof(placeCases[0]))
+
+typedef struct PlaceTimes
+{
+    double fields, slices, frame; // us
+} PlaceTimes;
+
+static void AddFloor(Bench* bench, const PlaceCase* what)
+{
+    const double far = 3e4;
+    swInputDef def = swDefaultInputDef();
+    def.value[0] = -what->depth;
+    def.feather = 5.0f;
+    def.position = swView_GetViewpoint(bench->view);
+    const double half = what->wedge * SW_PI / 360.0;
+    const swInputPoint corners[] = {{.x = 0.0, .z = 0.0},
+                                    {.x = far * cos(half), .z = -far * sin(half)},
+                                    {.x = 2.0 * far, .z = 0.0},
+                                    {.x = far * cos(half), .z = far * sin(half)}};
+    if (what->wedge == 0.0)
+    {
+        def.shape = SW_SHAPE_CIRCLE;
+        def.position.x += 5e5;
+    }
+    else if (what->wedge < 360.0)
+    {
+        def.shape = SW_SHAPE_POLYGON;
+        def.points = corners;
+        def.pointCount = 4;
+    }
+    swInputId id;
+    Check(swCreateInput(bench->world, &def, &id), "no floor");
+    if (what->isFull)
+    {
+        def = swDefaultInputDef();
+        def.field = SW_INPUT_LEVEL;
+        def.shape = SW_SHAPE_CIRCLE;
+        def.position = swView_GetViewpoint(bench->view);
+        def.size = (swVec3){200.0f, 1.0f, 200.0f};
+        def.value[0] = 0.5f;
+        def.feather = 50.0f;
+        Check(swCreateInput(bench->world, &def, &id), "no level");
+    }
+}
+
+static double MedianOf(Series* passes, const char* name)
+{
+    double median = 0.0;
+    for (int i = 0; i < MAX_PASSES; ++i)
+    {
+        median = passes[i].name != NULL && strcmp(passes[i].name, name) == 0 ? Median(&passes[i]) : median;
+    }
+    return median;
+}
+
+static void MeasurePlaces(Bench* bench, PlaceTimes* times)
+{
+    swWaveSystemDef swell = swDefaultWaveSystemDef();
+    swell.seed = 2;
+    swell.spectrum.direction = 1.2f;
+    bench->isStill = true;
+    for (int c = 0; c < PLACE_CASES; ++c)
+    {
+        Series passes[MAX_PASSES] = {0}, frame = {0};
+        swWaveSystemId second = {0, 0};
+        if (placeCases[c].isFull)
+        {
+            Check(swCreateWaveSystem(bench->world, &swell, &second), "no second system");
+        }
+        AddFloor(bench, &placeCases[c]);
+        RunFrames(bench, NULL, &frame);
+        RunFrames(bench, passes, NULL);
+        times[c] = (PlaceTimes){MedianOf(passes, "fields"), MedianOf(passes, "slices"), Median(&frame)};
+        while (swWorld_GetInputCount(bench->world) > 0)
+        {
+            swDestroyInput(bench->world, swWorld_GetInput(bench->world, 0));
+        }
+        if (placeCases[c].isFull)
+        {
+            swDestroyWaveSystem(bench->world, second);
+        }
+        for (int i = 0; i < MAX_PASSES; ++i)
+        {
+            free(passes[i].values);
+        }
+        free(frame.values);
+    }
+    bench->isStill = false;
+}
+
 // Report -------------------------------------------------------------------------------------------------------------
 
 typedef struct Report
@@ -542,6 +652,7 @@ typedef struct Report
     double waves;     // frame without a view: rows, columns, detail
     double frame;     // frame with the view
     Series passes[MAX_PASSES];
+    PlaceTimes places[PLACE_CASES];
     QueryTimes queries[QUERY_CASES];
 } Report;
 
@@ -566,6 +677,12 @@ static void PrintTable(const Bench* bench, Report* report)
     printf("%-16s %10.2f\n\n", "sum", sum);
     printf("frame without a view (rows, columns, detail; 4 barriers): %.2f us\n", report->waves);
     printf("whole frame (5 passes, 5 barriers, no timestamps inside):  %.2f us\n", report->frame);
+    printf("\n%-40s %10s %10s %14s\n", "where inputs shape waves", "fields us", "slices us", "whole frame us");
+    for (int i = 0; i < PLACE_CASES; ++i)
+    {
+        const PlaceTimes* times = &report->places[i];
+        printf("%-40s %10.2f %10.2f %14.2f\n", placeCases[i].name, times->fields, times->slices, times->frame);
+    }
     if (bench->options.queryPoints > 0)
     {
         Floor least = QueryFloor(bench, 2.0);
@@ -598,6 +715,13 @@ static void PrintJson(const Bench* bench, Report* report)
                "\"least_flops\": %.0f, \"barriers\": 1}",
                i > 0 ? "," : "", report->passes[i].name, time, least.bytes, least.bytes / report->bandwidth,
                least.flops);
+    }
+    printf("],\n \"places\": [");
+    for (int i = 0; i < PLACE_CASES; ++i)
+    {
+        const PlaceTimes* times = &report->places[i];
+        printf("%s\n  {\"name\": \"%s\", \"fields_us\": %.3f, \"slices_us\": %.3f, \"frame_us\": %.3f}",
+               i > 0 ? "," : "", placeCases[i].name, times->fields, times->slices, times->frame);
     }
     printf("],\n \"query_points\": %d, \"queries\": [", bench->options.queryPoints);
     for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)
@@ -716,6 +840,7 @@ int main(int argc, char** argv)
     RunFrames(&bench, NULL, &frame);
     RunFrames(&bench, report.passes, NULL);
     report.frame = Median(&frame);
+    MeasurePlaces(&bench, report.places);
 
     if (bench.options.json)
     {

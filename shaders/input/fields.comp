@@ -68,6 +68,10 @@ uint findSystems(ivec2 low, ivec2 high)
 void main()
 {
     swFieldSlice slice = slices[gl_WorkGroupID.z];
+    if (slice.isKept != 0)
+    {
+        return;
+    }
     uint column = gl_GlobalInvocationID.x;
     uvec2 first = gl_WorkGroupID.xy * uvec2(SW_SLICE_WIDTH, SW_SLICE_HEIGHT);
     ivec2 low = placeOfTexel(slice, first.x, first.y).cell;

@@ -75,7 +75,9 @@ layout(push_constant) uniform Push
 };
 
 shared float shares[8][THREADS];
-shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][SW_QUERY_POINTS]; // what inputs say
+// What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
+const uint ASKED = WITH_INPUTS ? 3 + SW_LIMIT_SYSTEMS : 1;
+shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -152,13 +154,13 @@ Ray readRay(uint point)
 bool beginMarch(Ray ray, out March march)
 {
     march = March(0.0, ray.longest, 0.0, 0.0, 0.0, 0.0, 0.0, false, false, false, 0, 0);
-    float reach = params.reach + ray.radius + 0.001; // a hair more, so that a ray that ends on flat water meets it
+    float more = ray.radius + 0.001; // a hair more, so that a ray that ends on flat water meets it
     if (ray.way.y == 0.0)
     {
-        return abs(ray.y) <= reach;
+        return ray.y >= params.low - more && ray.y <= params.high + more;
     }
-    float a = (-reach - ray.y) / ray.way.y;
-    float b = (reach - ray.y) / ray.way.y;
+    float a = (params.low - more - ray.y) / ray.way.y;
+    float b = (params.high + more - ray.y) / ray.way.y;
     march.at = max(0.0, min(a, b));
     march.end = min(ray.longest, max(a, b));
     return march.at <= march.end;

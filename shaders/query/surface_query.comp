@@ -79,7 +79,9 @@ layout(push_constant) uniform Push
 };
 
 shared float shares[8][THREADS];
-shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][SW_QUERY_POINTS]; // what inputs say
+// What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
+const uint ASKED = WITH_INPUTS ? 3 + SW_LIMIT_SYSTEMS : 1;
+shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"

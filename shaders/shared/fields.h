@@ -24,8 +24,9 @@ SW_PARAMS(swFieldSlice)
 {
     sw_int cellX, cellZ;
     float restX, restZ;
-    float texel; // m
-    float unused0, unused1, unused2;
+    float texel;    // m
+    sw_uint isKept; // 1: texels and blocks are as they were, and so are the inputs
+    float unused0, unused1;
 };
 SW_PARAMS_SIZE(swFieldSlice, 32);
 

@@ -174,12 +174,12 @@ SW_PARAMS(swRayParams)
     swQuerySea sea;
     sw_uint outputs;
     float level;       // of the rays' own zero above sea level, m
-    float reach;       // what no water is higher than, m
+    float low, high;   // between which all water is, m above sea level
     float shortest;    // wave that counts, m
     float tolerance;   // m
     sw_uint mostLooks; // of a ray
 };
-SW_PARAMS_SIZE(swRayParams, 96);
+SW_PARAMS_SIZE(swRayParams, 100);
 
 // A ray, or a sphere along one. Begins as swQueryPoint does.
 SW_PARAMS(swQueryRay)

@@ -41,8 +41,9 @@
 #include "shared/waves.h"
 
 layout(local_size_x = SW_SLICE_WIDTH) in;
-layout(constant_id = 0) const bool WITH_OTHERS = true;  // tiles added texel by texel, and free waves
-layout(constant_id = 1) const bool WITH_PLACES = false; // waves differ from place to place
+layout(constant_id = 0) const bool WITH_OTHERS = true;   // tiles added texel by texel, and free waves
+layout(constant_id = 1) const bool WITH_PLACES = false;  // waves differ from place to place
+layout(constant_id = 2) const bool WITH_WEIGHTS = false; // systems may have weights of their own there
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -512,7 +513,7 @@ Ground groundOf(uint column, uint row)
 // The weight of a system's waves where a texel rests.
 Shape weightOf(uint system, uint column, uint row)
 {
-    if ((fieldBlock.systems >> (system & 31u) & 1u) == 0)
+    if (!WITH_WEIGHTS || (fieldBlock.systems >> (system & 31u) & 1u) == 0)
     {
         return Shape(1.0, vec2(0.0));
     }
@@ -528,42 +529,137 @@ void addShaped(inout Texel texel, Texel own, Shape shape)
     texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
 }
 
-// Adds the tiles and free waves of a texel that are shaped in this block. The twin of swEvaluateShaped() in
-// core/surface/evaluate_shaped.c.
-void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
+// Four rows of a tile's coefficients around a texel, weighed along x: values, and slopes along x. Four texels of a
+// column share most of them.
+struct Rows
 {
-    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + row;
-    Ground ground = groundOf(column, z);
-    uint system = ~0u; // that `weight` is of
-    Shape weight = Shape(1.0, vec2(0.0));
-    uint tileCount = list.count + list.windowCount;
-    for (uint i = 0; i < tileCount + list.waveCount; ++i)
+    uint first; // row of the tile
+    vec3 valueA, valueB, valueC, valueD;
+    vec3 slopeA, slopeB, slopeC, slopeD;
+};
+
+void shiftRows(inout Rows rows, swSliceTile tile, uint first, vec4 value, vec4 slope)
+{
+    rows.valueA = rows.valueB;
+    rows.valueB = rows.valueC;
+    rows.valueC = rows.valueD;
+    rows.slopeA = rows.slopeB;
+    rows.slopeB = rows.slopeC;
+    rows.slopeC = rows.slopeD;
+    vec3 a = texelOf(tile, first, rows.first + 4), b = texelOf(tile, first + 1, rows.first + 4);
+    vec3 c = texelOf(tile, first + 2, rows.first + 4), d = texelOf(tile, first + 3, rows.first + 4);
+    rows.valueD = weigh(value, a, b, c, d);
+    rows.slopeD = weigh(slope, a, b, c, d);
+    rows.first += 1;
+}
+
+// Adds a shaped tile to the texels of a run, from its lowest row on.
+void addShapedTile(inout Run run, swSliceTile tile, uint column, uint lowest, bool isBack, Shape shapes[4])
+{
+    float x = splineX(tile, column);
+    float cellX = floor(x);
+    uint first = (tile.base & 0xffffu) + uint(cellX);
+    vec4 value = swSplineWeights(x - cellX), slope = swSplineSlopes(x - cellX) * tile.perMetre;
+    Rows rows;
+    rows.first = uint(floor(splineZ(tile, lowest))) + (tile.base >> 16) - 4u;
+    for (uint i = 0; i < 4; ++i)
     {
-        bool isTile = i < tileCount;
-        swSliceTile tile = tiles[list.first + min(i, tileCount - 1)];
-        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : i - tileCount)];
-        uint its = isTile ? tile.system : wave.system;
-        float k = isTile ? tile.waveNumber : wave.waveNumber;
-        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
-        if (!isShaped(its, k, attenuation))
+        shiftRows(rows, tile, first, value, slope);
+    }
+    for (uint i = 0; i < 4; ++i)
+    {
+        float z = splineZ(tile, lowest + i);
+        float cellZ = floor(z);
+        uint row = uint(cellZ) + (tile.base >> 16);
+        while (rows.first != row)
         {
-            continue;
+            shiftRows(rows, tile, first, value, slope);
         }
-        if (its != system)
+        vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
+        Texel own;
+        own.sum = weigh(valueZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD);
+        own.alongX = weigh(valueZ, rows.slopeA, rows.slopeB, rows.slopeC, rows.slopeD);
+        own.alongZ = weigh(slopeZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD).yz;
+        uint at = isBack ? 3 - i : i; // of the run
+        Shape shape = shapes[i];
+        if (at == 0)
         {
-            system = its;
-            weight = weightOf(system, column, z);
+            addShaped(run.a, own, shape);
         }
-        Texel own = CALM;
-        if (isTile)
+        else if (at == 1)
         {
-            addWindow(own, tile, column, row);
+            addShaped(run.b, own, shape);
+        }
+        else if (at == 2)
+        {
+            addShaped(run.c, own, shape);
         }
         else
         {
-            addWave(own, wave, swingOf(wave, column, row));
+            addShaped(run.d, own, shape);
         }
-        addShaped(texel, own, attenuated(weight, ground, k, attenuation));
+    }
+}
+
+// A shaped free wave likewise.
+void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, bool isBack, Shape shapes[4])
+{
+    Texel own[4];
+    for (uint i = 0; i < 4; ++i)
+    {
+        own[i] = CALM;
+        addWave(own[i], wave, swingOf(wave, column, lowest + i));
+    }
+    addShaped(run.a, own[isBack ? 3 : 0], shapes[isBack ? 3 : 0]);
+    addShaped(run.b, own[isBack ? 2 : 1], shapes[isBack ? 2 : 1]);
+    addShaped(run.c, own[isBack ? 1 : 2], shapes[isBack ? 1 : 2]);
+    addShaped(run.d, own[isBack ? 0 : 3], shapes[isBack ? 0 : 3]);
+}
+
+// Adds the tiles and free waves that are shaped in this block to a run. The twin of swEvaluateShaped() in
+// core/surface/evaluate_shaped.c.
+void addAllShaped(inout Run run, swSliceList list, uint column, uint row, bool isBack)
+{
+    uint lowest = isBack ? row - 3 : row;
+    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + lowest;
+    Ground grounds[4];
+    Shape weights[4], shapes[4];
+    for (uint i = 0; i < 4; ++i)
+    {
+        grounds[i] = groundOf(column, z + i);
+        weights[i] = Shape(1.0, vec2(0.0));
+    }
+    uint system = ~0u; // that `weights` are of
+    uint tileCount = list.count + list.windowCount;
+    for (uint k = 0; k < tileCount + list.waveCount; ++k)
+    {
+        bool isTile = k < tileCount;
+        swSliceTile tile = tiles[list.first + min(k, tileCount - 1)];
+        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : k - tileCount)];
+        uint its = isTile ? tile.system : wave.system;
+        float number = isTile ? tile.waveNumber : wave.waveNumber;
+        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
+        if (!isShaped(its, number, attenuation))
+        {
+            continue;
+        }
+        for (uint i = 0; i < 4; ++i)
+        {
+            if (WITH_WEIGHTS && its != system)
+            {
+                weights[i] = weightOf(its, column, z + i);
+            }
+            shapes[i] = attenuated(weights[i], grounds[i], number, attenuation);
+        }
+        system = its;
+        if (isTile)
+        {
+            addShapedTile(run, tile, column, lowest, isBack, shapes);
+        }
+        else if (WITH_OTHERS)
+        {
+            addShapedWave(run, wave, column, lowest, isBack, shapes);
+        }
     }
 }
 
@@ -610,17 +706,17 @@ void main()
                 addKnots(cubic, isBack ? row + 1 : row, rows.x, isBack ? -1.0 : 1.0, column);
             }
             Texel texel = evaluateCubic(cubic, float(row) - float(MIDDLE), list.texelsPerMetre);
-            if (WITH_OTHERS)
+            if ((WITH_OTHERS || WITH_PLACES) && i % 4 == 0)
             {
-                if (i % 4 == 0)
+                run = sumWaves(list, column, row, isBack);
+                if (WITH_PLACES && isTouched())
                 {
-                    run = sumWaves(list, column, row, isBack);
+                    addAllShaped(run, list, column, row, isBack);
                 }
-                addOthers(texel, list, column, row, run, i % 4);
             }
-            if (WITH_PLACES && isTouched())
+            if (WITH_OTHERS || WITH_PLACES)
             {
-                addAllShaped(texel, list, column, row);
+                addOthers(texel, list, column, row, run, i % 4);
             }
             storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z), texel);
         }

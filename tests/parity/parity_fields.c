@@ -151,7 +151,8 @@ static Parity MakeShore(void** state, const Feature* feature, swPosXZ middle)
 
 // ---- layers ----
 
-// Depths by metres, and by parts where there is hardly a floor any more.
+// Depths by metres, and by parts where there is hardly a floor any more: a floor that fades into none is mixed by the
+// inverse of its depth, whose error grows with the depth's square.
 static double CompareGrounds(Parity* parity, double* slopes)
 {
     size_t count = (size_t)parity->resolution * (size_t)parity->resolution;
@@ -168,7 +169,7 @@ static double CompareGrounds(Parity* parity, double* slopes)
             const float rest[4] = {1e30f, 0.0f, 0.0f, 0.0f};
             const float* texel = cpu != NULL ? cpu + i : rest;
             double scale = fmax(fabs((double)texel[0]) / 100.0, 1.0);
-            double depth = fabs((double)texel[0] - (double)gpu[i]) / scale;
+            double depth = fabs((double)texel[0] - (double)gpu[i]) / scale / scale;
             double level = fabs((double)texel[3] - (double)gpu[i + 3]);
             double slope =
                 fmax(fabs((double)texel[1] - (double)gpu[i + 1]), fabs((double)texel[2] - (double)gpu[i + 2]));

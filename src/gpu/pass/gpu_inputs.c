@@ -136,9 +136,33 @@ static swResult uploadRecords(swGpu* gpu, const swInputSet* set, swGpuInputs* in
     return result;
 }
 
+// What this half does not know yet is said once: answers would differ without a word. Whether it was.
+static bool tellUnknown(swGpu* gpu, const swInputSet* set)
+{
+    for (int i = 0; i < set->recordCount; ++i)
+    {
+        const swInputRecord* record = &set->records[i];
+        bool isRibbon = record->field == SW_FIELD_OF_WAVES && record->shape == SW_FORM_SPLINE;
+        const char* what = record->shape == SW_FORM_FUNCTION           ? "functions of the host"
+                           : isRibbon                                  ? "waves along splines"
+                           : record->field == SW_FIELD_OF_FLOW         ? "flow"
+                           : record->field == SW_FIELD_OF_DISPLACEMENT ? "displacement by inputs"
+                           : record->field == SW_FIELD_OF_CLIP         ? "holes in the water"
+                                                                       : NULL;
+        if (what != NULL)
+        {
+            swLog(&gpu->host, SW_LOG_WARNING,
+                  "layers, queries and rays of the GPU leave out %s, which the core's answers have", what);
+            return true;
+        }
+    }
+    return false;
+}
+
 static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inputs)
 {
     size_t words;
+    inputs->hasTold = inputs->hasTold || tellUnknown(gpu, set);
     inputs->isHeld = false;
     swResult result = listBlocks(gpu, set, &inputs->blocks, &words);
     result = result == SW_SUCCESS ? growBuffers(gpu, set, words, inputs) : result;

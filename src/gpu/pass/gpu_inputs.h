@@ -25,7 +25,8 @@ typedef struct swGpuInputs
     swBuffer nodes;   // swInputNode[]
     swBuffer words;   // float[]; records that share data share their words
 
-    bool isHeld; // version and wordsVersion are of what the buffers hold
+    bool hasTold; // what is left out
+    bool isHeld;  // version and wordsVersion are of what the buffers hold
     uint32_t version, wordsVersion;
     swArray blocks; // of data, see gpu_inputs.c
 

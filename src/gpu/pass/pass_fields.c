@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: MIT
 // One dispatch a view for all its slices, where inputs say anything at all.
 
+#include <string.h>
+
 #include "fields_shader.h"
 #include "gpu/pass/passes.h"
+
+// What a view's layers and blocks hold, as of the last recorded frame.
+typedef struct Made
+{
+    bool isThere;
+    uint32_t viewVersion, version, wordsVersion;
+    swSlice slices[SW_MAX_SLICES];
+} Made;
 
 // Of one view.
 typedef struct ViewState
 {
+    Made made;
     swBuffer blocks; // swFieldBlock[slices][rows of blocks][columns of blocks]
     swUpload slices; // swFieldSlice[sliceCount]; of this frame
     swFieldsConstants constants;
@@ -44,15 +55,35 @@ void swFillFieldSlices(const swStackFrame* stack, swFieldSlice slices[SW_MAX_SLI
     }
 }
 
+static bool isSamePlace(const swSlice* a, const swSlice* b)
+{
+    return a->firstX == b->firstX && a->firstZ == b->firstZ && a->texel == b->texel;
+}
+
+// Whether the texels of slices that have not moved are still what they were.
+static bool isMadeStill(const swGpuWorld* gpuWorld, const swGpuView* view, const Made* made)
+{
+    const swInputSet* inputs = swGetWorldFrame(gpuWorld->world)->inputs;
+    return made->isThere && made->viewVersion == view->viewVersion && made->version == inputs->version &&
+           made->wordsVersion == inputs->wordsVersion && swGetLayerImage(view, SW_LAYER_PLACES)->isInitialized;
+}
+
 static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewState* state)
 {
     const swStackFrame* stack = &view->frame->stack;
     swFieldSlice slices[SW_MAX_SLICES] = {0};
-    swFillFieldSlices(stack, slices);
-    state->constants = (swFieldsConstants){.withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0};
+    VkBuffer before = state->blocks.handle;
     VkDeviceSize blocks = (VkDeviceSize)view->sliceCount * countRows(view) * countColumns(view);
     swResult result = swGrowBuffer(gpuWorld->gpu, blocks * sizeof(swFieldBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                    SW_MEMORY_DEVICE, "blocks of fields", &state->blocks);
+    bool isStill = before == state->blocks.handle && isMadeStill(gpuWorld, view, &state->made);
+    state->made.isThere = false; // until it is recorded
+    swFillFieldSlices(stack, slices);
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        slices[i].isKept = isStill && isSamePlace(&stack->slices[i], &state->made.slices[i]) ? 1 : 0;
+    }
+    state->constants = (swFieldsConstants){.withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0};
     return result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, slices, sizeof(slices), &state->slices) : result;
 }
 
@@ -71,6 +102,7 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
         else
         {
             swRetireBuffer(gpuWorld->gpu, &s->views[i].blocks);
+            s->views[i].made.isThere = false;
         }
     }
     return result;
@@ -90,10 +122,23 @@ static swResult create(swGpuWorld* gpuWorld, void* state)
     return result;
 }
 
+// Recording cannot fail any more.
+static void noteMade(const swGpuWorld* gpuWorld, const swGpuView* view, Made* made)
+{
+    const swInputSet* inputs = swGetWorldFrame(gpuWorld->world)->inputs;
+    *made = (Made){
+        .isThere = true,
+        .viewVersion = view->viewVersion,
+        .version = inputs->version,
+        .wordsVersion = inputs->wordsVersion,
+    };
+    memcpy(made->slices, view->frame->stack.slices, sizeof(made->slices));
+}
+
 static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
     swGpu* gpu = gpuWorld->gpu;
-    const State* s = state;
+    State* s = state;
     static_assert(sizeof(uint32_t) == SW_FIELDS_PUSH_SIZE, "what fields.comp is given");
     swBinding inputs[SW_INPUT_BINDINGS];
     swBindInputs(gpuWorld, inputs);
@@ -117,6 +162,17 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
         swBindFields(gpu, commands, swFindVariant(&s->pipelines, &swFieldsShader, &s->views[i].constants), &bindings,
                      &resolution);
         gpu->vk.CmdDispatch(commands, countColumns(view), countRows(view), (uint32_t)view->sliceCount);
+        noteMade(gpuWorld, view, &s->views[i].made);
+    }
+}
+
+static void discard(swGpuWorld* gpuWorld, void* state, uint64_t frameIndex)
+{
+    (void)gpuWorld;
+    (void)frameIndex;
+    for (int i = 0; i < SW_MAX_VIEWS; ++i)
+    {
+        ((State*)state)->views[i].made.isThere = false;
     }
 }
 
@@ -159,6 +215,7 @@ const swPass swPass_fields = {
     .upload = upload,
     .create = create,
     .record = record,
+    .discard = discard,
     .destroy = destroy,
     .getMemory = getMemory,
 };

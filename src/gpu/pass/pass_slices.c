@@ -192,7 +192,11 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
     }
     uint32_t tileCount = 0;
     uint32_t waveCount = 0;
-    view->constants = (swSlicesConstants){.withPlaces = gpuWorld->inputs.isAuthored ? 1 : 0};
+    view->constants = (swSlicesConstants){
+        .withPlaces = gpuWorld->inputs.isAuthored ? 1 : 0,
+        .withWeights = gpuWorld->inputs.isAuthored &&
+                       (swHasInputs(frame->inputs, SW_INPUT_WAVES) || frame->inputs->localSystems != 0),
+    };
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         const swSlice* slice = &stack->slices[i];

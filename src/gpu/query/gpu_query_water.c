@@ -291,7 +291,12 @@ static void fillRays(swGpuQuery* query, const swFrame* frame)
         .tolerance = query->def.tolerance,
         .mostLooks = MOST_LOOKS,
     };
-    measureWaves(query, frame, &query->rays.reach, &query->rays.shortest);
+    float reach;
+    measureWaves(query, frame, &reach, &query->rays.shortest);
+    const swInputSet* inputs = frame->inputs;
+    reach = inputs != NULL ? reach * inputs->weightReach + inputs->displacementReach : reach;
+    query->rays.low = (inputs != NULL ? inputs->lowestLevel : 0.0f) - reach;
+    query->rays.high = (inputs != NULL ? inputs->highestLevel : 0.0f) + reach;
 }
 
 // ---- all queries ----
