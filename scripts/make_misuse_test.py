@@ -15,7 +15,7 @@ import os
 import re
 import sys
 
-HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "spline", "hull", "mesh", "island", "input", "wind_sea", "water_body", "measure"]
+HEADERS = ["base", "field", "id", "math", "clock", "spectrum", "measured", "waves", "wind", "tide", "world", "view", "sea", "moment", "query", "replay", "save", "raster", "spline", "hull", "mesh", "island", "input", "wind_sea", "water_body", "measure"]
 
 # (function, argument, misuse): why it is none. "*" stands for any.
 ALLOWED = {

@@ -204,8 +204,8 @@ typedef struct swInputDef
     /// underside of a hull (SW_BLEND_MIN). A raster of one channel has heights. Queries and rays see all of it; how an
     /// input moves is no part of velocities.
     ///
-    /// Of SW_INPUT_DISPLACEMENT: length of the waves that it is like, m. Queries and slices whose shortest wave is longer
-    /// leave it out, as they leave out waves. Range [0, 1e6]. Default 0: it is never left out.
+    /// Of SW_INPUT_DISPLACEMENT: length of the waves that it is like, m. Queries and slices whose shortest wave is
+    /// longer leave it out, as they leave out waves. Range [0, 1e6]. Default 0: it is never left out.
     float wavelength;
 
     /// Of circles and particles: the share falls from the middle to the edge as (1 - r^2)^2, r being 1 at the edge, and

@@ -165,7 +165,8 @@ typedef struct swVolumeSamples
     /// How far below the surface the place is, measured upwards along the vertical, m; negative in the air.
     float* depth;
 
-    /// Orbital velocity, m/s, and local acceleration, m/s^2. 0 in the air.
+    /// Velocity by the waves and with the flow of inputs, m/s, and local acceleration by the waves, m/s^2. 0 in the
+    /// air.
     swVec3* velocity;
     swVec3* acceleration;
 
@@ -177,11 +178,16 @@ typedef struct swVolumeSamples
 /// Sample the motion of the water at `count` places by linear theory [Dean and Dalrymple 1991], each wave with its own
 /// fading with depth. Waves are summed one by one; those too short to reach a place are skipped. `stats`, of the search
 /// for the surface above, may be NULL.
+///
+/// The surface above a place is that which inputs have made (level, floor, weights), and so are its depth and how far
+/// it is stretched. The motion below is that of the waves of open water, without what a floor, weights, splines or a
+/// flow make of them there: in shallows it is too strong.
 SW_API void swMoment_QueryVolume(const swMoment* moment, const swQueryDef* def, int count, const swPos* points,
                                  const swVolumeSamples* samples, swQueryStats* stats);
 
 /// Mean drift of the water at a depth below still water (m, at least 0) by all waves together: Stokes drift in deep and
-/// finite water [Kenyon 1969], m/s along x and z. NaN of a depth that is NaN or below 0.
+/// finite water [Kenyon 1969], m/s along x and z. Of open water: inputs do not count. NaN of a depth that is NaN or
+/// below 0.
 SW_API swVec2 swMoment_GetStokesDrift(const swMoment* moment, double depthBelow);
 
 /// A ray, or a sphere that sweeps along one. Must be initialized with swDefaultRay().

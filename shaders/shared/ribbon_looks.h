@@ -82,10 +82,9 @@ SW_FORMULA swInputChannel swLeaveBelow(swInputRecord record, swInputSample s)
     return one;
 }
 
-// Waves of a record that run along its spline, at a place in its own coordinates.
-SW_FORMULA swRibbonLooks swLookAlong(SW_WORDS words, swInputRecord record, swRibbonLooks looks, float x, float z)
+// Waves of a record that run along its spline.
+SW_FORMULA swRibbonLooks swLookAlong(SW_WORDS words, swInputRecord record, swRibbonLooks looks, swRibbonWaves waves)
 {
-    swRibbonWaves waves = swFindRibbonWaves(words, record, x, z);
     if (waves.share.value <= 0.0f)
     {
         return looks;
@@ -127,7 +126,22 @@ SW_PARAMS(swWaveLooks)
 SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint system, swWaveLooks looks,
                                    sw_int cellX, sw_int cellZ, float restX, float restZ)
 {
-    swInputSample s = swSampleInput(words, record, cellX, cellZ, restX, restZ, 0.0f);
+    bool isAlong = (record.flags & SW_INPUT_ALONG_SPLINE) != 0u;
+    swRibbonWaves waves;
+    waves.foot = swBeginFoot();
+    waves.share = swKeepChannel(0.0f);
+    swInputSample s;
+    if (isAlong)
+    {
+        // Found once, for what is taken from below and for what is added.
+        sw_vec2 own = swPlaceInInput(record, cellX, cellZ, restX, restZ);
+        waves = swFindRibbonWaves(words, record, own.x, own.y);
+        s = swFinishInputSample(record, swSayRibbonWaves(record, waves));
+    }
+    else
+    {
+        s = swSampleInput(words, record, cellX, cellZ, restX, restZ, 0.0f);
+    }
     if (s.share <= 0.0f)
     {
         return looks;
@@ -135,7 +149,7 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint
     swInputChannel left = swLeaveBelow(record, s);
     looks.ribbons.first.weight = swMultiplyChannels(looks.ribbons.first.weight, left);
     looks.ribbons.second.weight = swMultiplyChannels(looks.ribbons.second.weight, left);
-    if ((record.flags & SW_INPUT_ALONG_SPLINE) == 0u)
+    if (!isAlong)
     {
         looks.plain = swJoinInput(record, system, looks.plain, s);
         return looks;
@@ -149,8 +163,7 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint
     {
         return looks;
     }
-    sw_vec2 own = swPlaceInInput(record, cellX, cellZ, restX, restZ);
-    looks.ribbons = swLookAlong(words, record, looks.ribbons, own.x, own.y);
+    looks.ribbons = swLookAlong(words, record, looks.ribbons, waves);
     return looks;
 }
 #endif

@@ -674,14 +674,13 @@ SW_FORMULA swInputChannel swCrossSeam(SW_WORDS words, swFoot foot, bool isNext)
 }
 
 // What a spline's records say of waves that run along it, as of any other.
-SW_FORMULA swInputSample swSampleRibbonWaves(SW_WORDS words, swInputRecord record, float x, float z)
+SW_FORMULA swInputSample swSayRibbonWaves(swInputRecord record, swRibbonWaves waves)
 {
     swInputSample s = swBeginInputSample(record);
-    swInputChannel share = swFindRibbonWaves(words, record, x, z).share;
     s.value.x = s.value.x + record.gain;
-    s.share = share.value;
-    s.shareX = share.alongX;
-    s.shareZ = share.alongZ;
+    s.share = waves.share.value;
+    s.shareX = waves.share.alongX;
+    s.shareZ = waves.share.alongZ;
     return s;
 }
 
@@ -729,7 +728,7 @@ SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, fl
 {
     if ((record.flags & SW_INPUT_ALONG_SPLINE) != 0u)
     {
-        return swSampleRibbonWaves(words, record, x, z);
+        return swSayRibbonWaves(record, swFindRibbonWaves(words, record, x, z));
     }
     return swSampleRibbon(words, record, x, z);
 }

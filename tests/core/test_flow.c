@@ -291,6 +291,13 @@ static void VelocitiesHaveTheFlow(void** state)
             assert_float_equal(velocity[p].z, -expected[p] / 3.0f, 1e-5f);
         }
     }
+    const swPos below[2] = {{0.0, -3.0, 10.0}, {0.0, 3.0, 10.0}}; // in the water, and in the air
+    swVec3 deep[2];
+    const swVolumeSamples volume = {.velocity = deep};
+    swMoment_QueryVolume(swWorld_GetMoment(sea.scenario.world), &sea.def, 2, below, &volume, NULL);
+    assert_float_equal(deep[0].x, 1.5f, 1e-5f);
+    assert_float_equal(deep[0].z, -0.5f, 1e-5f);
+    assert_true(deep[1].x == 0.0f && deep[1].z == 0.0f);
     DestroyScenario(&sea.scenario);
 }
 

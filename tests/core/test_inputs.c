@@ -553,6 +553,46 @@ static void WavesDieOutOverAFloor(void** state)
     swDestroyWorld(world);
 }
 
+// Just below the surface the water moves as the surface does, however its place shapes it.
+static void TheWaterBelowIsShapedAsItsSurfaceIs(void** state)
+{
+    (void)state;
+    swWorld* world = MakeEmptyWorld();
+    AddWaves(world, false);
+    swInputDef shelf = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, -1.0f);
+    shelf.size.x = 400.0f;
+    shelf.feather = 150.0f;
+    Add(world, &shelf);
+    swInputDef set = MakeInput(SW_INPUT_FLOW, SW_SHAPE_CIRCLE, 0.0f);
+    set.position.x = 1000.0;
+    set.value[1] = 1.5f;
+    Add(world, &set);
+    swWorld_Step(world, 1.0);
+    const double places[4] = {0.0, 90.0, 150.0, 600.0};
+    swQueryDef def = swDefaultQueryDef();
+    for (int i = 0; i < 4; ++i)
+    {
+        const swPosXZ point = {places[i], 7.0};
+        swVec3 above, below;
+        float height;
+        swMoment_QuerySurface(swWorld_GetMoment(world), &def, 1, &point, &(swSurfaceSamples){.height = &height}, NULL);
+        // Waves there, looked up at the same place: not where the particle above it rests.
+        swMoment_QueryParticles(swWorld_GetMoment(world), &def, 1, &point, &(swSurfaceSamples){.velocity = &above},
+                                NULL, NULL);
+        const swPos place = {point.x, (double)height - 1e-4, point.z};
+        swMoment_QueryVolume(swWorld_GetMoment(world), &def, 1, &place, &(swVolumeSamples){.velocity = &below}, NULL);
+        float speed = sqrtf(above.x * above.x + above.y * above.y + above.z * above.z);
+        assert_float_equal(below.x, above.x, 0.01f * speed + 0.005f);
+        assert_float_equal(below.y, above.y, 0.01f * speed + 0.005f);
+        assert_float_equal(below.z, above.z, 0.01f * speed + 0.005f);
+    }
+    swPos deep = {1000.0, -2.0, 0.0};
+    swVec3 below;
+    swMoment_QueryVolume(swWorld_GetMoment(world), &def, 1, &deep, &(swVolumeSamples){.velocity = &below}, NULL);
+    assert_float_equal(below.z, 1.5f, 0.6f); // the current, and waves on it
+    swDestroyWorld(world);
+}
+
 // ---- places, origins and time ----
 
 static void InputsStayWhereTheyAreWhenTheOriginMoves(void** state)
@@ -897,6 +937,7 @@ int main(void)
         cmocka_unit_test(LevelsLiftTheWaterAndTiltIt),
         cmocka_unit_test(WavesEndWhereAnInputTakesTheirWeight),
         cmocka_unit_test(WavesDieOutOverAFloor),
+        cmocka_unit_test(TheWaterBelowIsShapedAsItsSurfaceIs),
         cmocka_unit_test(InputsStayWhereTheyAreWhenTheOriginMoves),
         cmocka_unit_test(SequencesOfRastersPlayAndLoop),
         cmocka_unit_test(MomentsHoldTheInputsOfTheirTime),

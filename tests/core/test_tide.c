@@ -15,9 +15,9 @@ static void SpeedsAreThoseOfTheMoonAndTheSun(void** state)
     const double day = 86400.0;
     const double turn = 2.0 * 3.14159265358979;
     assert_float_equal((float)(turn / (double)swGetTideSpeed("S2")), (float)(day / 2.0), 0.01f);
-    assert_float_equal((float)(turn / (double)swGetTideSpeed("M2")), 44714.16f, 0.1f);  // 12.4206012 h
-    assert_float_equal((float)(turn / (double)swGetTideSpeed("K1")), 86164.09f, 0.1f);  // a sidereal day
-    assert_float_equal((float)(turn / (double)swGetTideSpeed("O1")), 92949.63f, 0.1f);  // 25.8193417 h
+    assert_float_equal((float)(turn / (double)swGetTideSpeed("M2")), 44714.16f, 0.1f); // 12.4206012 h
+    assert_float_equal((float)(turn / (double)swGetTideSpeed("K1")), 86164.09f, 0.1f); // a sidereal day
+    assert_float_equal((float)(turn / (double)swGetTideSpeed("O1")), 92949.63f, 0.1f); // 25.8193417 h
     assert_true(swGetTideSpeed("M9") == 0.0f && swGetTideSpeed(NULL) == 0.0f);
     swTideConstituent none;
     assert_false(swSetTideConstituent("nothing", 1.0f, 0.0f, &none));

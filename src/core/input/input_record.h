@@ -38,8 +38,8 @@ void swMakeInputRecord(const swInputDef* def, const swInputData* data, double se
 // The data that counts from now on, as swInputSet::words has it; NULL, and a count of 0, if there is none.
 const float* swGetInputWords(const swInputData* data, int* count);
 
-// Whether a record that comes from elsewhere names no word that it does not have, and nothing that is unknown. Functions
-// are of one process.
+// Whether a record that comes from elsewhere names no word that it does not have, and nothing that is unknown.
+// Functions are of one process.
 bool swIsInputRecordGood(const swInputRecord* record, const float* words);
 
 // Between which numbers the values lie that the shape brings of its own; 0 and 0 of a shape that brings none.

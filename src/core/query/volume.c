@@ -6,12 +6,15 @@
 // from the surface: with eta the water's height above a place, y' = d (d + y) / (d + eta) - d, in deep water y - eta,
 // so that the surface moves as linear theory says of still water. It needs eta, which is searched for as for any query.
 //
+// Waves that their places shape have the share, the way and the turn there that they have at the surface above.
+//
 // Which waves are too short to reach a place depends on its own height alone (waves_sum.inl), so that its bits do not
 // depend on the batch that it came in.
 
 #include "core/query/volume.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/frame/asked.h"
 #include "core/math/scalar.h"
@@ -126,8 +129,10 @@ __attribute__((noinline)) static void searchBlock(const swQuery* query, float bo
     swCountFound(stats, &found, block->count, query->def->tolerance);
 }
 
-static void sumBlock(const swQuery* query, const Block* block, const swDepthSums* sums)
+// Places from `first` on whose waves are as anywhere.
+static void sumPlain(const swQuery* query, const Block* block, int first, int count, const swDepthSums* sums)
 {
+    const swDepthSums own = {sums->velocity + first, sums->acceleration + first, sums->head + first};
     const swWaveSumJob job = {
         .tileCount = query->tileCount,
         .tiles = query->tiles,
@@ -135,12 +140,102 @@ static void sumBlock(const swQuery* query, const Block* block, const swDepthSums
         .waveCount = query->waveCount,
         .waves = query->waves,
         .ticks = query->ticks,
-        .count = block->count,
-        .points = block->points,
-        .heights = block->heights,
-        .below = sums,
+        .count = count,
+        .points = block->points + first,
+        .heights = block->heights + first,
+        .below = &own,
     };
     swSumWaves(query->kernels, &job);
+}
+
+// Waves of a group at one place, `from` there, with a weight, turned as its own axes are.
+static void addGroup(const swQuery* query, const swWaveGroup* group, const swCopy* copy, float height, float* velocity,
+                     float* acceleration, float* head)
+{
+    float v[1][4] = {{0.0f}}, a[1][4] = {{0.0f}}, h[1] = {0.0f};
+    const swDepthSums own = {v, a, h};
+    const swWaveSumJob job = {
+        .tileCount = group->tile != NULL ? 1 : 0,
+        .tiles = group->tile,
+        .waveCount = group->waveCount,
+        .waves = group->waves,
+        .ticks = query->ticks,
+        .count = 1,
+        .points = copy->source,
+        .heights = &height,
+        .below = &own,
+    };
+    swSumWaves(query->kernels, &job);
+    float c = copy->warps != NULL ? copy->warps[0].cosine : 1.0f;
+    float s = copy->warps != NULL ? copy->warps[0].sine : 0.0f;
+    float weight = copy->weight[0];
+    velocity[0] += weight * (c * v[0][0] - s * v[0][2]);
+    velocity[1] += weight * v[0][1];
+    velocity[2] += weight * (s * v[0][0] + c * v[0][2]);
+    acceleration[0] += weight * (c * a[0][0] - s * a[0][2]);
+    acceleration[1] += weight * a[0][1];
+    acceleration[2] += weight * (s * a[0][0] + c * a[0][2]);
+    *head += weight * h[0];
+}
+
+// One place whose waves are shaped: each group by its share, as at the surface above.
+static void sumShaped(const swQuery* query, const Block* block, int i, const swDepthSums* sums)
+{
+    swPlaceBlock place;
+    swLook look;
+    swBeginPlaces(&place, query->places, query->kernels, query->ticks, 1, &block->points[i]);
+    for (int t = 0, w = 0; t < query->tileCount || w < query->waveCount;)
+    {
+        bool isTile = t < query->tileCount;
+        swWaveGroup group =
+            isTile ? swGroupTile(&query->tiles[t]) : swGroupFreeWaves(query->waveCount - w, query->waves + w);
+        t += isTile ? 1 : 0;
+        w += group.waveCount;
+        if (isTile && !swIsTileAsked(query, group.tile))
+        {
+            continue;
+        }
+        int lookCount = swCountLooks(&place, &group);
+        for (int n = 0; n < lookCount; ++n)
+        {
+            swFindLook(&place, &group, n, &look);
+            for (int k = 0; k < look.copyCount; ++k)
+            {
+                addGroup(query, &group, &look.copies[k], block->heights[i], sums->velocity[i], sums->acceleration[i],
+                         &sums->head[i]);
+            }
+        }
+    }
+}
+
+static bool areShaped(const swQuery* query, int count, const swPosXZ* points)
+{
+    const swPlaces* places = query->places;
+    return places != NULL && (places->localSystems != 0 ||
+                              (swFindTouchedFields(places, query->ticks, count, points, 0.0) & ~SW_TOUCHES_LEVEL) != 0);
+}
+
+// Whether places shape the waves is found for each point by itself: its bits do not depend on the others.
+static void sumBlock(const swQuery* query, const Block* block, const swDepthSums* sums)
+{
+    if (!areShaped(query, block->count, block->points))
+    {
+        sumPlain(query, block, 0, block->count, sums);
+        return;
+    }
+    for (int i = 0; i < block->count; ++i)
+    {
+        if (!areShaped(query, 1, &block->points[i]))
+        {
+            sumPlain(query, block, i, 1, sums);
+            continue;
+        }
+        sumShaped(query, block, i, sums);
+        if (block->isWet[i])
+        {
+            swAddFlow(query->places, query->ticks, 1, &block->points[i], &sums->velocity[i]);
+        }
+    }
 }
 
 static void writeBlock(const Block* block, const swDepthSums* sums, const swVolumeSamples* samples)
@@ -168,6 +263,19 @@ static void writeBlock(const Block* block, const swDepthSums* sums, const swVolu
     }
 }
 
+// A flow is that of the surface, down to the bottom; the air has none.
+static void addFlow(const swQuery* query, const Block* block, float (*velocity)[4])
+{
+    swAddFlow(query->places, query->ticks, block->count, block->points, velocity);
+    for (int i = 0; i < block->count; ++i)
+    {
+        if (!block->isWet[i])
+        {
+            memset(velocity[i], 0, sizeof velocity[i]);
+        }
+    }
+}
+
 // Not inlined: what it needs shall not be on the stack together with what the search needs.
 __attribute__((noinline)) static void answerBlock(const swQuery* query, const Block* block,
                                                   const swVolumeSamples* samples)
@@ -179,6 +287,10 @@ __attribute__((noinline)) static void answerBlock(const swQuery* query, const Bl
     if (samples->velocity != NULL || samples->acceleration != NULL || samples->pressureHead != NULL)
     {
         sumBlock(query, block, &sums);
+    }
+    if (samples->velocity != NULL)
+    {
+        addFlow(query, block, velocity);
     }
     writeBlock(block, &sums, samples);
 }

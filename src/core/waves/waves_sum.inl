@@ -23,7 +23,7 @@
 
 // Waves that their places shape come for few points, with more on the stack above them.
 #define FEW_POINTS 8
-#define FEW_FLOATS 288
+#define FEW_FLOATS 240
 
 // Outputs that a point of the surface collects, in order; how many depends on the kind.
 enum
