@@ -467,7 +467,8 @@ static void WhatIsLeftOutIsSaidOnceOfEachKind(void** state)
     AddInput(&parity, &def);
     StepParity(&parity, 0.1);
     CheckTold(1, 0, 0);
-    def = At(SW_INPUT_DISPLACEMENT, SW_SHAPE_CIRCLE, middle, 80.0f, 0.5f);
+    def = At(SW_INPUT_DISPLACEMENT, SW_SHAPE_CIRCLE, middle, 80.0f, 0.0f);
+    def.value[1] = 0.5f;
     AddInput(&parity, &def);
     def = At(SW_INPUT_LEVEL, SW_SHAPE_FUNCTION, middle, 80.0f, 0.5f);
     def.function = AnswerNothing;

@@ -170,10 +170,11 @@ static void tellLacks(swGpuWorld* gpuWorld)
     static const char* const told[LACKS_COUNT] = {
         [LACKS_FUNCTIONS] = "layers, queries and rays of the GPU leave out functions of the host",
         [LACKS_FLOW] = "layers, queries and rays of the GPU leave out flow",
-        [LACKS_RIBBONS] = "waves along splines do not turn with the line in layers, queries and rays of the GPU: they "
-                          "have the ribbon's weight only",
-        [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs; a view with CPU "
-                               "layers on a software device has it",
+        [LACKS_RIBBONS] =
+            "layers, queries and rays of the GPU leave out how waves along splines turn with the line: they "
+            "have the ribbon's weight only",
+        [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs, which a view "
+                               "with CPU layers on a software device has",
         [LACKS_FLOORS_BELOW] = "queries of the water below on the GPU leave out what a floor does to the motion there",
         [LACKS_WEIGHTS_BELOW] = "queries of the water below on the GPU leave out what weights of wave systems do to "
                                 "the motion there",
@@ -185,7 +186,7 @@ static void tellLacks(swGpuWorld* gpuWorld)
     {
         if ((lacks >> i & 1u) != 0)
         {
-            swLog(&gpuWorld->gpu->host, SW_LOG_WARNING, "%s. The core's answers have it", told[i]);
+            swLog(&gpuWorld->gpu->host, SW_LOG_WARNING, "%s; the core's answers do not", told[i]);
         }
     }
     inputs->toldLacks |= lacks;
