@@ -92,7 +92,7 @@ typedef struct swSceneSpline
 typedef struct swSceneInput
 {
     swInputDef def;
-    int waves;            ///< index of the scene's waves that it weighs; -1: none
+    int waves;            ///< index of the scene's waves that it weighs; -1: all
     bool isLeftOut;       ///< its raster is an optional file that is not there
     swInputPoint* points; ///< def.points points here; NULL if there are none
     int pointCount;

@@ -114,7 +114,8 @@ static void checkRegions(Checker* checker)
         bool isWeighed = !scene->waves[i].def.isLocal;
         for (int j = 0; j < scene->inputCount; ++j)
         {
-            isWeighed = isWeighed || scene->inputs[j].waves == i;
+            bool isOfAll = scene->inputs[j].waves < 0 && scene->inputs[j].def.field == SW_INPUT_WAVES;
+            isWeighed = isWeighed || isOfAll || scene->inputs[j].waves == i;
         }
         for (int j = 0; j < scene->waterBodyCount; ++j)
         {

@@ -128,23 +128,17 @@ static swResult checkKeys(swYaml* yaml, yaml_node_t* node, const InputKeys* keys
     return result;
 }
 
-// The number of a wave system in the scene's list, counted from 1.
-static swResult readWaves(swYaml* yaml, yaml_node_t* node, const InputKeys* keys, const swScene* scene)
+// Which of the scene's wave systems it weighs: all where the file says nothing.
+static swResult readWaves(swYaml* yaml, const InputKeys* keys, const swScene* scene)
 {
     swSceneInput* input = keys->input;
     yaml_node_t* waves = swGetYamlNode(&keys->mapping, "waves");
-    bool isWeight = input->def.field == SW_INPUT_WAVES;
     input->waves = -1;
-    if (waves == NULL || !isWeight)
+    if (waves != NULL && input->def.field != SW_INPUT_WAVES)
     {
-        return isWeight ? swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
-                                     "the field 'waves' needs waves: which of the scene's waves it weighs, 1 to %d.",
-                                     scene->wavesCount)
-               : waves != NULL
-                   ? swFailYaml(yaml, waves, SW_MISTAKE_NO_EFFECT, "waves has no effect on this field; remove it.")
-                   : SW_SUCCESS;
+        return swFailYaml(yaml, waves, SW_MISTAKE_NO_EFFECT, "waves has no effect on this field; remove it.");
     }
-    return swReadWavesNumber(yaml, waves, scene, &input->waves);
+    return waves != NULL ? swReadWavesNumber(yaml, waves, scene, &input->waves) : SW_SUCCESS;
 }
 
 static swResult findResource(swYaml* yaml, const InputKeys* keys, const char* key, const void* items, size_t size,
@@ -208,7 +202,7 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
                                                   "the input has no field; name what it says, such as level."));
     }
     result = swKeepFailure(result, checkKeys(yaml, node, &keys));
-    result = swKeepFailure(result, readWaves(yaml, node, &keys, reader->scene));
+    result = swKeepFailure(result, readWaves(yaml, &keys, reader->scene));
     result = swKeepFailure(result, findResources(yaml, &keys, reader->scene));
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)

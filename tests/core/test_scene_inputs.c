@@ -168,7 +168,6 @@ static void EveryMistakeHasItsLineAndCode(void** state)
         {"inputs:\n  - field: level\n    value: 1e9\n", 3, "out_of_range"},
         {"inputs:\n  - field: level\n    feather_m: 3\n", 3, "no_effect"},
         {"inputs:\n  - field: level\n    waves: 1\n", 3, "no_effect"},
-        {"inputs:\n  - field: waves\n", 2, "missing_key"},
         {"inputs:\n  - field: waves\n    waves: 1\n", 3, "out_of_range"},
         {"inputs:\n  - field: level\n    shape: polygon\n    points: [[1, 2, 3], [1, 2], [0, 3]]\n", 4, "wrong_form"},
         {"inputs:\n  - field: level\n    shape: polygon\n    points: [[0, 0], [1, 2], {x: 3}]\n", 4, "unknown_key"},
