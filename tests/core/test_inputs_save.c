@@ -331,7 +331,8 @@ static void WordsThatAreWrongLeadNowhere(void** state)
     EmptyShelf(&shelf);
     const uint32_t wrong[] = {0, 1, 0x7fc00000u, 0xffffffffu, 0x4b800000u, 0x3fc00000u, 0xbf800000u, 70000};
     int refused = 0, answered = 0;
-    for (size_t at = size - inputs; at + 4 <= size; at += 4)
+    // Heads, records and nodes lie in the first 8 KB.
+    for (size_t at = size - inputs; at + 4 <= size; at += at < size - inputs + 8192 ? 4 : 68)
     {
         uint32_t kept;
         memcpy(&kept, copy + at, sizeof kept);
