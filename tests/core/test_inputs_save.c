@@ -156,15 +156,14 @@ static void AddResources(swWorld* world, const Shelf* shelf, swWaveSystemId wave
     def.blend = SW_BLEND_ALPHA;
     def.raster = shelf->floor;
     Add(world, &def);
-    def.shape = SW_SHAPE_MESH;
-    def.raster = NULL;
+    def = MakeInput(SW_INPUT_FLOOR, SW_SHAPE_MESH, 0.0f);
+    def.blend = SW_BLEND_ALPHA;
     def.mesh = shelf->mesh;
     Add(world, &def);
     def = MakeInput(SW_INPUT_FLOW, SW_SHAPE_RASTER, 0.0f);
     def.raster = shelf->flow;
     Add(world, &def);
-    def.shape = SW_SHAPE_SPLINE;
-    def.raster = NULL;
+    def = MakeInput(SW_INPUT_FLOW, SW_SHAPE_SPLINE, 0.0f);
     def.spline = shelf->spline;
     Add(world, &def);
     def = MakeInput(SW_INPUT_WAVES, SW_SHAPE_SPLINE, 1.0f);
