@@ -221,7 +221,8 @@ swResult swStreamInputs(swInputs* inputs, swStream* stream, const swRestoreDef* 
     swStreamU64(stream, &inputs->serials);
     if (swIsReading(stream))
     {
-        return stream->isBroken ? SW_ERROR_FORMAT : readSlots(inputs, stream, find, count);
+        bool isThere = swStreamHasLeft(stream, (size_t)count, 5); // of a free slot, which takes the least
+        return isThere && !stream->isBroken ? readSlots(inputs, stream, find, count) : SW_ERROR_FORMAT;
     }
     for (int slot = 0; slot < count; ++slot)
     {

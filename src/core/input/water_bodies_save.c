@@ -127,7 +127,8 @@ swResult swStreamWaterBodies(swWaterBodies* bodies, swStream* stream)
     swStreamRange(stream, &count, 0, SW_MAX_WATER_BODIES);
     if (swIsReading(stream))
     {
-        return stream->isBroken ? SW_ERROR_FORMAT : readSlots(bodies, stream, count);
+        bool isThere = swStreamHasLeft(stream, (size_t)count, 5); // of a free slot, which takes the least
+        return isThere && !stream->isBroken ? readSlots(bodies, stream, count) : SW_ERROR_FORMAT;
     }
     for (int slot = 0; slot < count; ++slot)
     {
