@@ -77,9 +77,7 @@ static int BakeScene(const Bake* bake)
         {
             printf("%s is %s\n", bake->outPath, isFresh ? "up to date" : "stale");
         }
-        code = isFresh          ? EXIT_FINE
-               : bake->isCheck ? EXIT_PROBLEM
-                               : Write(&host, bake, world, &def, hash);
+        code = isFresh ? EXIT_FINE : bake->isCheck ? EXIT_PROBLEM : Write(&host, bake, world, &def, hash);
     }
     swDestroyWorld(world);
     swDestroyScene(scene);
@@ -92,21 +90,54 @@ int RunBake(int argumentCount, char** arguments)
     Bake bake = {.width = 4096.0, .height = 4096.0, .spacing = 8.0};
     const char* positionals[2] = {NULL, NULL};
     const Option options[] = {
-        {.name = "out", .kind = OPTION_OUTPUT, .value = &bake.outPath, .placeholder = "FILE", .choices = endings,
+        {.name = "out",
+         .kind = OPTION_OUTPUT,
+         .value = &bake.outPath,
+         .placeholder = "FILE",
+         .choices = endings,
          .help = "the EXR image to write"},
-        {.name = "x", .kind = OPTION_NUMBER, .value = &bake.x, .placeholder = "M", .min = -1e8, .max = 1e8,
+        {.name = "x",
+         .kind = OPTION_NUMBER,
+         .value = &bake.x,
+         .placeholder = "M",
+         .min = -1e8,
+         .max = 1e8,
          .help = "middle of the area, m (default 0)"},
-        {.name = "z", .kind = OPTION_NUMBER, .value = &bake.z, .placeholder = "M", .min = -1e8, .max = 1e8,
+        {.name = "z",
+         .kind = OPTION_NUMBER,
+         .value = &bake.z,
+         .placeholder = "M",
+         .min = -1e8,
+         .max = 1e8,
          .help = "likewise"},
-        {.name = "width", .kind = OPTION_NUMBER, .value = &bake.width, .placeholder = "M", .min = 1.0, .max = 1e6,
+        {.name = "width",
+         .kind = OPTION_NUMBER,
+         .value = &bake.width,
+         .placeholder = "M",
+         .min = 1.0,
+         .max = 1e6,
          .help = "of the area along x, m (default 4096)"},
-        {.name = "height", .kind = OPTION_NUMBER, .value = &bake.height, .placeholder = "M", .min = 1.0, .max = 1e6,
+        {.name = "height",
+         .kind = OPTION_NUMBER,
+         .value = &bake.height,
+         .placeholder = "M",
+         .min = 1.0,
+         .max = 1e6,
          .help = "along z, m (default 4096)"},
-        {.name = "spacing", .kind = OPTION_NUMBER, .value = &bake.spacing, .placeholder = "M", .min = 0.01,
-         .max = 1e5, .help = "from cell to cell, m (default 8)"},
-        {.name = "if-stale", .kind = OPTION_FLAG, .value = &bake.onlyStale,
+        {.name = "spacing",
+         .kind = OPTION_NUMBER,
+         .value = &bake.spacing,
+         .placeholder = "M",
+         .min = 0.01,
+         .max = 1e5,
+         .help = "from cell to cell, m (default 8)"},
+        {.name = "if-stale",
+         .kind = OPTION_FLAG,
+         .value = &bake.onlyStale,
          .help = "write only if the file does not hold that already"},
-        {.name = "check", .kind = OPTION_FLAG, .value = &bake.isCheck,
+        {.name = "check",
+         .kind = OPTION_FLAG,
+         .value = &bake.isCheck,
          .help = "write nothing; exit code 1 if the file is stale or missing"},
     };
     const Verb verb = {

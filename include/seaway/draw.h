@@ -121,8 +121,8 @@ typedef struct swShot
     VkImageView opaqueColor;
     VkImageView opaqueDepth;
 
-    /// Water of bodies that have another look than the sea, see swWaterBodyDef::look: look n is bodyWaters[n - 1]. Their
-    /// roughness by the wind is the sea's. Range of the count [0, SW_MAX_BODY_WATERS]. Default none.
+    /// Water of bodies that have another look than the sea, see swWaterBodyDef::look: look n is bodyWaters[n - 1].
+    /// Their roughness by the wind is the sea's. Range of the count [0, SW_MAX_BODY_WATERS]. Default none.
     const swWaterDef* bodyWaters;
     int bodyWaterCount;
 } swShot;

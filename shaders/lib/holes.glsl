@@ -7,8 +7,8 @@
 
 #include "shared/clip.h"
 
-// The signed distance to the edge of the holes, m: below 0 there is no water. `y` is the height of the surface above sea
-// level.
+// The signed distance to the edge of the holes, m: below 0 there is no water. `y` is the height of the surface above
+// sea level.
 float clipAt(SeaPlace place, float y)
 {
     float distance = SW_CLIP_FAR;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Waves by place: how much of a wave system there is where inputs of the field WAVES say so.
 //
-// An input that removes what is below it takes all waves away by the same share by which it brings its own. Waves of two systems are unrelated, so their energies add up: the two weights have squares whose sum is 1.
+// An input that removes what is below it takes all waves away by the same share by which it brings its own. Waves of
+// two systems are unrelated, so their energies add up: the two weights have squares whose sum is 1.
 //
 // A record may take a wind instead of a number: its raster holds the wind along x and z. The wave system behind it is
 // made for one heading and one speed; of these there are several, and a place mixes the two nearest headings and the
@@ -51,10 +52,10 @@ SW_FORMULA swWeightPair swPairSmoothly(float share)
 
 // ---- winds ----
 
-// Of a record that takes a wind: turn.x and turn.y are its heading (a unit vector), turn.z and turn.w cosine and sine of
-// the angle to the next. size.x is its speed, size.y and size.z are those of the systems below and above it, 0 where
-// there is none. value.z and value.w are the deviations of these systems' heights over its own; where there is none, how
-// the deviation bends: (s/S) (1 + bend (s/S - 1)) of its own at a speed s instead of S.
+// Of a record that takes a wind: turn.x and turn.y are its heading (a unit vector), turn.z and turn.w cosine and sine
+// of the angle to the next. size.x is its speed, size.y and size.z are those of the systems below and above it, 0 where
+// there is none. value.z and value.w are the deviations of these systems' heights over its own; where there is none,
+// how the deviation bends: (s/S) (1 + bend (s/S - 1)) of its own at a speed s instead of S.
 SW_FORMULA swInputChannel swFindHeadingWeight(swInputRecord record, swInputChannel windX, swInputChannel windZ)
 {
     float headX = record.turn.x;
@@ -96,9 +97,9 @@ SW_FORMULA sw_vec2 swBendAmplitude(float speed, float own, float bend)
     return factor;
 }
 
-// Between two speeds: the weight of the system of one, and its derivative by the speed. The deviation of the waves' height
-// over the speed runs evenly from one to the other; it is the same for both where heights grow with the speed, and is met
-// exactly where they grow with its square. `other` is the deviation of the other's heights over its own.
+// Between two speeds: the weight of the system of one, and its derivative by the speed. The deviation of the waves'
+// height over the speed runs evenly from one to the other; it is the same for both where heights grow with the speed,
+// and is met exactly where they grow with its square. `other` is the deviation of the other's heights over its own.
 SW_FORMULA sw_vec2 swMixAmplitudes(float speed, float own, float neighbour, float other)
 {
     float way = (speed - own) / (neighbour - own);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A line through points that have a width, a weight and values each: trails. Between two points all of that runs
-// evenly; at each point the line is round. Of all its pieces the one counts at a place that counts most there, so that a
-// line which bends or crosses itself has no seam in how much it counts.
+// evenly; at each point the line is round. Of all its pieces the one counts at a place that counts most there, so that
+// a line which bends or crosses itself has no seam in how much it counts.
 //
 // Words: a box for each SW_POLYLINE_CHUNK pieces, of all that they cover, then the points. `extra0` is the number of
 // points.

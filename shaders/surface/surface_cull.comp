@@ -84,9 +84,9 @@ bool hasWater(vec2 low, vec2 high)
 // The strip beyond the last ring is level.
 bool isStripVisible()
 {
-    return picture.isDry == 0 || inputHead.ranges[SW_FIELD_OF_CLIP].firstRecord +
-                                         inputHead.ranges[SW_FIELD_OF_CLIP].recordCount >
-                                     picture.firstHole;
+    return picture.isDry == 0 ||
+           inputHead.ranges[SW_FIELD_OF_CLIP].firstRecord + inputHead.ranges[SW_FIELD_OF_CLIP].recordCount >
+               picture.firstHole;
 }
 
 // Between the levels `lowest` and `highest`, of the sea (`isSea`) or of a body.

@@ -275,8 +275,8 @@ static swResult MakeDigest(const Run* run, uint64_t* digest)
     return result;
 }
 
-// A wind that has gusts and turns from place to place, with a sea that follows it and removes the other; a particle that
-// follows the waves, and a plate that presses them down.
+// A wind that has gusts and turns from place to place, with a sea that follows it and removes the other; a particle
+// that follows the waves, and a plate that presses them down.
 static swResult AddRegions(swWorld* world)
 {
     static const float winds[2 * 3 * 2] = {9.0f, 1.0f, 7.0f, 6.0f, -2.0f, 8.0f, 10.0f, 0.0f, 6.0f, 7.0f, 0.0f, 5.0f};

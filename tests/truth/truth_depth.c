@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// V30: what measured sea floors leave of waves. Okushiri, six charts of 450, 150 and 50 m in one nest, and the surf zone
-// at Pyramid Rock, 2 m by 1 m; neither is part of the project, and where they are not there this says so.
+// V30: what measured sea floors leave of waves. Okushiri, six charts of 450, 150 and 50 m in one nest, and the surf
+// zone at Pyramid Rock, 2 m by 1 m; neither is part of the project, and where they are not there this says so.
 //
 //   - Heights of an octave of waves in bands of depth are those that the law asks for at these depths.
 //   - On land there is no wave at all.
@@ -288,7 +288,7 @@ static void MeasureCoasts(const swRaster* raster)
 static void OkushirisCharts(void** state)
 {
     (void)state;
-    static const char* const names[] = {"450m",         "south_150m", "northeast_150m",
+    static const char* const names[] = {"450m",           "south_150m", "northeast_150m",
                                         "northwest_150m", "aonae_50m",  "monai_50m"};
     swHost host = swDefaultHost();
     swRaster* rasters[6] = {NULL};

@@ -23,11 +23,10 @@ void swFindWaterValues(const swInputSet* set, int field, int count, const swPosX
 // A system's waves at points in the sea: the weight of those that lie as ever, and those along splines.
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks);
 
-// Inputs of displacement at a point: those that follow the waves join the waves' own where they rest, the others change a
-// height above still water where it is.
+// Inputs of displacement at a point: those that follow the waves join the waves' own where they rest, the others change
+// a height above still water where it is.
 void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves);
 void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height);
 
 // The cells within `reach` metres of a point; false where they do not fit 32 bits.
 bool swFindCellBox(swPosXZ point, double reach, swCellBox* box);
-

@@ -288,10 +288,9 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->opaqueColor = shot->opaqueColor;
     picture->opaqueDepth = shot->opaqueDepth;
     picture->hasPlaces = view->stack.layers[SW_LAYER_PLACES].isAuthored;
-    picture->hasMadeFoam = view->stack.layers[SW_LAYER_WAKE_FOAM].isAuthored ||
-                           view->stack.layers[SW_LAYER_SHORE_FOAM].isAuthored;
-    picture->hasColors =
-        swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
+    picture->hasMadeFoam =
+        view->stack.layers[SW_LAYER_WAKE_FOAM].isAuthored || view->stack.layers[SW_LAYER_SHORE_FOAM].isAuthored;
+    picture->hasColors = swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
     picture->hasHoles = swHasInputs(frame->inputs, SW_INPUT_CLIP);
     if (!areLooksThere(gpu, shot, frame))
     {
