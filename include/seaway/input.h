@@ -370,4 +370,5 @@ SW_API swResult swBakeFloor(const swWorld* world, const swRasterDef* def, swRast
 
 /// A hash of all that decides what swBakeFloor() makes: the floor inputs as they are now, with the bits of their
 /// rasters and meshes, and the lattice. A file that was made from another hash is stale.
+/// @return 0 for a lattice that swBakeFloor() would refuse, which the log tells
 SW_API uint64_t swWorld_HashFloor(const swWorld* world, const swRasterDef* def);
