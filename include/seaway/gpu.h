@@ -185,7 +185,7 @@ typedef enum swGpuQueryKind
 /// What is answered beside height and residual; the bits can be added.
 typedef enum swGpuQueryOutput
 {
-    SW_GPU_QUERY_SIDEWAYS = 1, ///< horizontal displacement of the particle that is there. Of a surface
+    SW_GPU_QUERY_SIDEWAYS = 1, ///< horizontal displacement of the particle that is there, and swGpuStill. Of a surface
     SW_GPU_QUERY_NORMAL = 2,   ///< normal and Jacobian. Of a surface, or where a ray meets it
 
     /// Velocity and acceleration: of the particle that is there, or of the water below. At the surface each makes the
@@ -262,6 +262,13 @@ typedef struct swGpuHeight
     float residual; ///< as in swSurfaceSamples, m; converged if within the tolerance
 } swGpuHeight;
 
+/// Of one point: what inputs say there.
+typedef struct swGpuStill
+{
+    float level; ///< of still water, above sea level, m; 0 where no input says another
+    float hole;  ///< signed distance of the particle to the edge of holes, m: below 0 the water is cut away there
+} swGpuStill;
+
 /// Of one place in the water.
 typedef struct swGpuDepth
 {
@@ -286,8 +293,9 @@ typedef struct swGpuQueryResults
     int count;
     float tolerance; ///< of the query, m
     const swGpuHeight* heights;
-    const swVec2* sideways; ///< x and z of displacement, m (y is the height). NULL unless asked for
-    const swVec4* normals;  ///< unit normal, and the Jacobian in w. NULL unless asked for
+    const swVec2* sideways;   ///< x and z of displacement, m; y is the height less the level. NULL unless asked for
+    const swGpuStill* stills; ///< with `sideways`, and of the water below, which does not ask for holes
+    const swVec4* normals;    ///< unit normal, and the Jacobian in w. NULL unless asked for
 
     /// Of the water below and of rays; NULL unless the query is about them. Heights are then those of the surface
     /// there.
@@ -310,7 +318,8 @@ typedef struct swGpuQueryResults
 SW_API bool swGpuQuery_GetResults(const swGpuQuery* query, swGpuQueryResults* results);
 
 /// Write results where swMoment_QuerySurface() would: heights include sea level. Arrays of `samples` for which the
-/// query has no output must be NULL. `stats` may be NULL; its iterationCount is 0.
+/// query has no output must be NULL; displacement and isClipped want SW_GPU_QUERY_SIDEWAYS. `stats` may be NULL; its
+/// iterationCount is 0.
 SW_API void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples,
                                      swQueryStats* stats);
 
@@ -325,12 +334,13 @@ SW_API void swGpuQueryResults_UnpackHits(const swGpuQueryResults* results, const
 
 /// Where shaders find the answers of the last recorded frame, as std430 arrays at byte offsets that suit any
 /// descriptor: vec2 heights[] (height, residual), vec2 depths[] (depth, pressure head), vec2 hits[] (distance, side),
-/// vec2 sideways[], vec4 normals[] (w: Jacobian), vec4 velocities[] and vec4 accelerations[] (w: 0). An offset without
-/// an output is 0. swGpuWorld_Record() leaves them visible to vertex, fragment and compute shaders of the same queue.
+/// vec2 sideways[], vec2 stills[] (level, distance to the edge of holes), vec4 normals[] (w: Jacobian), vec4
+/// velocities[] and vec4 accelerations[] (w: 0). An offset without an output is 0. swGpuWorld_Record() leaves them
+/// visible to vertex, fragment and compute shaders of the same queue.
 typedef struct swGpuQueryBuffer
 {
     VkBuffer buffer;
-    VkDeviceSize heights, depths, hits, sideways, normals, velocities, accelerations;
+    VkDeviceSize heights, depths, hits, sideways, stills, normals, velocities, accelerations;
 } swGpuQueryBuffer;
 SW_API swGpuQueryBuffer swGpuQuery_GetBuffer(const swGpuQuery* query);
 

@@ -180,8 +180,9 @@ typedef struct swVolumeSamples
 /// for the surface above, may be NULL.
 ///
 /// The surface above a place is that which inputs have made (level, floor, weights), and so are its depth and how far
-/// it is stretched. The motion below is that of the waves of open water, without what a floor, weights, splines or a
-/// flow make of them there: in shallows it is too strong.
+/// it is stretched. Each wave moves the water below by the share and the way that a floor, weights, splines and a flow
+/// leave it at the surface above; how it fades with depth follows from the depth of its system's spectrum. A swGpuQuery
+/// knows the surface and its level, and of the rest what docs/queries.md says.
 SW_API void swMoment_QueryVolume(const swMoment* moment, const swQueryDef* def, int count, const swPos* points,
                                  const swVolumeSamples* samples, swQueryStats* stats);
 

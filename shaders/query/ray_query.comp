@@ -84,6 +84,8 @@ shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be re
 #include "query/query_place.glsl"
 #include "query/surface_search.glsl"
 
+#include "lib/holes.glsl"
+
 const uint MOST_REFINEMENTS = 60;
 
 struct Ray
@@ -254,6 +256,29 @@ bool advanceMarch(Ray ray, Sum surface, inout March march)
     return true;
 }
 
+// Whether the water is cut away where the ray met it; of a sphere, where it touches.
+bool isInHole(Ray ray, March march, Sum surface)
+{
+    if (!WITH_INPUTS)
+    {
+        return false;
+    }
+    Place place = placeAt(ray, march.at);
+    float back = ray.radius > 0.0 ? gapOf(ray, march.at, surface) : 0.0;
+    vec2 rest = place.rest - back * normalOf(surface).xz;
+    return clipAt(seaPlaceAt(place.cell, rest), surface.value.y) < 0.0;
+}
+
+// Goes on behind a crossing in a hole, on the other side: farther than the crossing is exact, and than a sphere
+// reaches. False if that is behind its end, or it has looked often enough.
+bool passHole(Ray ray, inout March march)
+{
+    march.at += 4.0 * params.tolerance + 2.0 * ray.radius;
+    march.hasLooked = march.isRefining = march.isHit = false;
+    march.refinements = 0;
+    return march.at < march.end && march.looks < params.mostLooks;
+}
+
 // Whether a search may end before its tolerance: far from the water a step needs no more than the gap's second digit.
 bool isNearEnough(Ray ray, March march, Search search)
 {
@@ -347,6 +372,10 @@ void main()
         {
             float from = march.at;
             isMarching = advanceMarch(ray, surfaceOf(search), march);
+            if (march.isHit && isInHole(ray, march, surfaceOf(search)))
+            {
+                isMarching = passHole(ray, march);
+            }
             if (isMarching)
             {
                 search = searchAgain(ray, march, from, search);

@@ -73,6 +73,10 @@ layout(std430, binding = 12) readonly buffer InputWords
 {
     float inputWords[];
 };
+layout(std430, binding = 13) writeonly buffer Stills
+{
+    vec2 stills[]; // level of still water, distance to the edge of holes
+};
 layout(push_constant) uniform Push
 {
     swQueryParams params;
@@ -88,6 +92,8 @@ shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be 
 #include "query/query_place.glsl"
 #include "query/query_points.glsl"
 #include "query/surface_search.glsl"
+
+#include "lib/holes.glsl"
 
 // ---- motion ----
 
@@ -168,6 +174,22 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
 
 // ---- answers ----
 
+// The level of still water above the point, and how far from holes the particle is that was found there.
+vec2 stillOf(Search search)
+{
+    if (!WITH_INPUTS)
+    {
+        return vec2(0.0, SW_CLIP_FAR);
+    }
+    float hole = SW_CLIP_FAR;
+    if ((params.outputs & SW_QUERY_WANTS_SIDEWAYS) != 0)
+    {
+        vec2 place = search.place + search.bestOffset + search.best.value.xz;
+        hole = clipAt(seaPlaceAt(search.cell, place), surfaceOf(search).value.y);
+    }
+    return vec2(askedOf(ASKED_PLACE_LEVEL).x, hole);
+}
+
 // One lane for each output.
 void store(uint point, Search search, uint lane)
 {
@@ -182,6 +204,10 @@ void store(uint point, Search search, uint lane)
     else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
     {
         normals[point] = normalOf(surfaceOf(search));
+    }
+    else if (lane == 3 && (params.outputs & SW_QUERY_WANTS_STILL) != 0)
+    {
+        stills[point] = stillOf(search);
     }
 }
 
@@ -200,6 +226,10 @@ void storeBad(uint point, uint lane)
     else if (lane == 2 && (params.outputs & SW_QUERY_WANTS_NORMAL) != 0)
     {
         normals[point] = vec4(none);
+    }
+    else if (lane == 3 && (params.outputs & SW_QUERY_WANTS_STILL) != 0)
+    {
+        stills[point] = vec2(none);
     }
 }
 

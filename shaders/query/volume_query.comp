@@ -53,6 +53,10 @@ layout(std430, binding = 8) writeonly buffer Accelerations
 {
     vec4 accelerations[]; // and 0
 };
+layout(std430, binding = 9) readonly buffer Stills
+{
+    vec2 stills[]; // level of still water above sea level; and holes, which do not count here
+};
 layout(push_constant) uniform Push
 {
     swVolumeParams params;
@@ -70,7 +74,7 @@ shared vec4 shares[2][THREADS];
 struct Below
 {
     float depth;  // under the surface, m
-    float height; // that counts, above still water, at most 0
+    float height; // that counts, above still water there, at most 0
     bool isWet;
 };
 
@@ -95,8 +99,9 @@ Below findBelow(uint point, Place place)
     float y = params.source.isFloatPoint != 0
                   ? uintBitsToFloat(points[params.source.firstWord + point * params.source.pointWords + 1])
                   : levels[point];
-    y += params.level;
-    float eta = heights[point].x;
+    float still = stills[point].x;
+    y += params.level - still;
+    float eta = heights[point].x - still;
     return Below(eta - y, min(stretched(y, eta), 0.0), eta >= y);
 }
 

@@ -22,6 +22,8 @@
 #define SW_QUERY_WANTS_NORMAL 2
 #define SW_QUERY_WANTS_VELOCITY 4
 #define SW_QUERY_WANTS_ACCELERATION 8
+// Level of still water, of the water below, too; and the distance to holes, of a surface with SW_QUERY_WANTS_SIDEWAYS.
+#define SW_QUERY_WANTS_STILL 16
 
 // Where a query's points lie.
 SW_PARAMS(swQuerySource)
@@ -135,7 +137,7 @@ SW_PARAMS(swVolumeParams)
     sw_uint waveCount; // free waves
     sw_uint isWheeler; // heights count from the moving surface [Wheeler 1970]
     float bottom;      // m below still water, 1e30 for deep water
-    float level;       // of the places' own zero above still water, m
+    float level;       // of the places' own zero above sea level, m
 };
 SW_PARAMS_SIZE(swVolumeParams, 40);
 

@@ -201,6 +201,7 @@ static void CheckAnswers(Parity* parity, const swGpuQuery* all, const swGpuQuery
     CheckPlane("depth", a.depths, g.depths, sizeof(swGpuDepth));
     CheckPlane("hit", a.hits, g.hits, sizeof(swGpuHit));
     CheckPlane("sideways", a.sideways, g.sideways, sizeof(swVec2));
+    CheckPlane("still", a.stills, g.stills, sizeof(swGpuStill));
     CheckPlane("normal", a.normals, g.normals, sizeof(swVec4));
     CheckPlane("velocity", a.velocities, g.velocities, sizeof(swVec4));
     CheckPlane("acceleration", a.accelerations, g.accelerations, sizeof(swVec4));

@@ -3,6 +3,7 @@
 // and 100 km away. Each kind of input is alone once, so that the error of each is seen.
 
 #include "parity/parity.h"
+#include "support/messages.h"
 #include "support/scatter.h"
 
 #include <math.h>
@@ -125,6 +126,88 @@ static void AddFreeWaves(Parity* parity, swPosXZ middle)
     AddFloors(parity, middle);
 }
 
+// Corners of a polygon, points of a line, or particles.
+static void AddPoints(Parity* parity, swInputField field, swInputShape shape, swPosXZ middle, float value)
+{
+    const swInputPoint shapePoints[] = {{-90.0f, -60.0f, 30.0f, 1.0f, {0.0f}},
+                                        {80.0f, -75.0f, 50.0f, 0.7f, {-1.5f}},
+                                        {40.0f, 10.0f, 40.0f, 0.9f, {1.0f}},
+                                        {95.0f, 85.0f, 60.0f, 0.5f, {-2.0f}},
+                                        {-70.0f, 60.0f, 35.0f, 1.0f, {0.5f}}};
+    swInputDef def = At(field, shape, middle, 60.0f, value);
+    def.rotation.yaw = 0.7f;
+    def.feather = 25.0f;
+    def.points = shapePoints;
+    def.pointCount = 5;
+    AddInput(parity, &def);
+}
+
+static void AddPolygons(Parity* parity, swPosXZ middle)
+{
+    AddPoints(parity, SW_INPUT_FLOOR, SW_SHAPE_POLYGON, middle, -6.0f);
+    AddPoints(parity, SW_INPUT_LEVEL, SW_SHAPE_POLYGON, (swPosXZ){middle.x + 40.0, middle.z - 25.0}, 2.0f);
+}
+
+static void AddPolylines(Parity* parity, swPosXZ middle)
+{
+    AddPoints(parity, SW_INPUT_FLOOR, SW_SHAPE_POLYLINE, middle, -6.0f);
+    AddPoints(parity, SW_INPUT_LEVEL, SW_SHAPE_POLYLINE, (swPosXZ){middle.x + 40.0, middle.z - 25.0}, 2.0f);
+}
+
+static void AddParticles(Parity* parity, swPosXZ middle)
+{
+    AddPoints(parity, SW_INPUT_FLOOR, SW_SHAPE_PARTICLES, middle, -6.0f);
+    AddPoints(parity, SW_INPUT_LEVEL, SW_SHAPE_PARTICLES, (swPosXZ){middle.x + 40.0, middle.z - 25.0}, 2.0f);
+}
+
+// A reef with two flanks; the level stands a part of its heights higher.
+static void AddMeshes(Parity* parity, swPosXZ middle)
+{
+    static const swVec3 vertices[] = {{-120.0f, 0.0f, -90.0f}, {120.0f, 0.0f, -90.0f}, {-120.0f, 0.0f, 90.0f},
+                                      {120.0f, 0.0f, 90.0f},   {-70.0f, 7.0f, 5.0f},   {60.0f, 4.0f, -10.0f}};
+    static const uint32_t faces[] = {0, 1, 5, 0, 5, 4, 0, 4, 2, 2, 4, 3, 4, 5, 3, 5, 1, 3};
+    static const float values[] = {0.2f, 0.1f, 0.0f, 0.3f, 1.0f, 0.6f};
+    swHost host = swDefaultHost();
+    swMeshDef meshDef = swDefaultMeshDef();
+    meshDef.vertices = vertices;
+    meshDef.vertexCount = 6;
+    meshDef.indices = faces;
+    meshDef.triangleCount = 6;
+    meshDef.values = values;
+    meshDef.channelCount = 1;
+    swMesh* mesh = NULL;
+    assert_int_equal(swCreateMesh(&host, &meshDef, &mesh), SW_SUCCESS);
+    for (int i = 0; i < 2; ++i)
+    {
+        swInputDef def = At(i == 0 ? SW_INPUT_FLOOR : SW_INPUT_LEVEL, SW_SHAPE_MESH, middle, 1.0f, 0.0f);
+        def.mesh = mesh;
+        def.position.y = i == 0 ? -9.0 : 0.0;
+        def.rotation.yaw = 0.3f;
+        def.feather = 30.0f;
+        AddInput(parity, &def);
+    }
+    swDestroyMesh(mesh);
+}
+
+// Solids, an area and a polygon, where the level stands higher.
+static void AddHoles(Parity* parity, swPosXZ middle)
+{
+    const swInputShape shapes[] = {SW_SHAPE_BOX, SW_SHAPE_ELLIPSOID, SW_SHAPE_CYLINDER, SW_SHAPE_CIRCLE};
+    for (int i = 0; i < 4; ++i)
+    {
+        swPosXZ place = {middle.x + 60.0 * (i % 2) - 40.0, middle.z + 50.0 * (double)(i / 2) - 30.0};
+        swInputDef def = At(SW_INPUT_CLIP, shapes[i], place, 50.0f, 1.0f);
+        def.size.y = 3.0f; // waves leave and enter it
+        def.position.y = 1.0;
+        def.rotation.yaw = 0.4f;
+        def.feather = 0.0f;
+        AddInput(parity, &def);
+    }
+    AddPoints(parity, SW_INPUT_CLIP, SW_SHAPE_POLYGON, (swPosXZ){middle.x + 150.0, middle.z}, 1.0f);
+    swInputDef level = At(SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, middle, 150.0f, 1.5f);
+    AddInput(parity, &level);
+}
+
 static void AddAll(Parity* parity, swPosXZ middle)
 {
     AddRaster(parity, middle);
@@ -134,9 +217,17 @@ static void AddAll(Parity* parity, swPosXZ middle)
 }
 
 static const Feature features[] = {
-    {"floors: circle, rectangle", AddFloors},  {"floor: raster", AddRaster},
-    {"level over a floor", AddLevel},          {"weights of systems", AddWeights},
-    {"floors under free waves", AddFreeWaves}, {"all together", AddAll},
+    {"floors: circle, rectangle", AddFloors},
+    {"floor: raster", AddRaster},
+    {"level over a floor", AddLevel},
+    {"weights of systems", AddWeights},
+    {"floors under free waves", AddFreeWaves},
+    {"all together", AddAll},
+    {"polygons", AddPolygons},
+    {"polylines", AddPolylines},
+    {"particles", AddParticles},
+    {"meshes", AddMeshes},
+    {"holes", AddHoles},
 };
 #define FEATURES (int)(sizeof(features) / sizeof(features[0]))
 
@@ -229,25 +320,33 @@ static swGpuQueryResults FetchResults(Parity* parity, const swGpuQuery* query)
 }
 
 static float gpuHeight[POINTS], cpuHeight[POINTS], gpuResidual[POINTS], cpuResidual[POINTS];
+static bool gpuClipped[POINTS], cpuClipped[POINTS];
 static swVec3 gpuNormal[POINTS], cpuNormal[POINTS], gpuWay[POINTS], cpuWay[POINTS];
 
-// Heights and normals of the particles that both halves found; how many points have another one.
-static void CheckQuery(Parity* parity, const char* what, swPosXZ middle)
+// Heights, displacements and normals of the particles that both halves found, and whether they are in holes; how many
+// points have another one.
+static void CheckQuery(Parity* parity, const char* what, swPosXZ middle, bool hasHoles)
 {
     swGpuQuery* query = MakeQuery(parity, SW_GPU_QUERY_KIND_SURFACE);
     ScatterPoints(points, POINTS, middle.x, middle.z, 500.0);
     swGpuQuery_SetPoints(query, POINTS, points);
     StepParity(parity, 0.7);
     swGpuQueryResults results = FetchResults(parity, query);
-    const swSurfaceSamples gpu = {
-        .height = gpuHeight, .normal = gpuNormal, .displacement = gpuWay, .residual = gpuResidual};
-    const swSurfaceSamples cpu = {
-        .height = cpuHeight, .normal = cpuNormal, .displacement = cpuWay, .residual = cpuResidual};
+    const swSurfaceSamples gpu = {.height = gpuHeight,
+                                  .normal = gpuNormal,
+                                  .displacement = gpuWay,
+                                  .residual = gpuResidual,
+                                  .isClipped = gpuClipped};
+    const swSurfaceSamples cpu = {.height = cpuHeight,
+                                  .normal = cpuNormal,
+                                  .displacement = cpuWay,
+                                  .residual = cpuResidual,
+                                  .isClipped = cpuClipped};
     swGpuQueryResults_Unpack(&results, &gpu, NULL);
     swQueryDef def = swDefaultQueryDef();
     swMoment_QuerySurface(swWorld_GetMoment(parity->world), &def, POINTS, points, &cpu, NULL);
-    int others = 0;
-    double worst = 0.0, normals = 0.0;
+    int others = 0, clipped = 0, otherwiseClipped = 0;
+    double worst = 0.0, upward = 0.0, normals = 0.0;
     for (int i = 0; i < POINTS; ++i)
     {
         double residuals = (double)gpuResidual[i] + (double)cpuResidual[i];
@@ -260,12 +359,20 @@ static void CheckQuery(Parity* parity, const char* what, swPosXZ middle)
         double slope = hypot((double)cpuNormal[i].x, (double)cpuNormal[i].z) / fmax((double)cpuNormal[i].y, 1e-6);
         double off = fabs((double)gpuHeight[i] - (double)cpuHeight[i]) - slope * residuals;
         worst = fmax(worst, off);
+        upward = fmax(upward, fabs((double)(gpuWay[i].y - cpuWay[i].y)) - slope * residuals);
+        clipped += cpuClipped[i] ? 1 : 0;
+        otherwiseClipped += cpuClipped[i] != gpuClipped[i] ? 1 : 0;
         normals = fmax(normals, fabs((double)(gpuNormal[i].y - cpuNormal[i].y)));
     }
-    printf("  %-28s heights %.2g m, normals %.2g; %d of %d have another particle\n", what, worst, normals, others,
-           POINTS);
+    printf(
+        "  %-28s heights %.2g m, displacement %.2g m, normals %.2g; %d of %d have another particle, %d are in holes, "
+        "%d of them for one half only\n",
+        what, worst, upward, normals, others, POINTS, clipped, otherwiseClipped);
     assert_true(worst < MOST_OFF_M);
-    assert_true(normals < 0.05); // of particles a residual apart
+    assert_true(upward < MOST_OFF_M);
+    assert_true(hasHoles ? clipped > POINTS / 50 : clipped == 0);
+    assert_true(otherwiseClipped <= (hasHoles ? 2 : 0)); // at an edge
+    assert_true(normals < 0.05);                         // of particles a residual apart
     assert_true(others <= POINTS / 1000);
     swDestroyGpuQuery(query);
 }
@@ -276,12 +383,113 @@ static void QueriesAgree(void** state)
     {
         const swPosXZ here = {20.0, -30.0}, away = {1e5 + 17.3, -1e5 - 40.6};
         Parity parity = MakeShore(state, &features[i], here);
-        CheckQuery(&parity, features[i].name, here);
+        bool hasHoles = features[i].add == AddHoles;
+        CheckQuery(&parity, features[i].name, here, hasHoles);
         FreeParity(&parity);
         parity = MakeShore(state, &features[i], away);
-        CheckQuery(&parity, "  100 km away", away);
+        CheckQuery(&parity, "  100 km away", away, hasHoles);
         FreeParity(&parity);
     }
+}
+
+// ---- what is left out ----
+
+static void AnswerNothing(void* context, double time, int count, const swPosXZ* asked, swInputAnswer* answers)
+{
+    (void)context;
+    (void)time;
+    (void)count;
+    (void)asked;
+    (void)answers;
+}
+
+static int CountMessages(const char* text)
+{
+    int count = 0;
+    for (const char* at = strstr(s_messages, text); at != NULL; at = strstr(at + 1, text))
+    {
+        count += 1;
+    }
+    return count;
+}
+
+static const char* const told[] = {"functions of the host", "flow",
+                                   "waves along splines",   "displacement by inputs",
+                                   "what a floor does",     "what weights"};
+
+// Of the first two: `first` and `second` times.
+static void CheckTold(int first, int second, int below)
+{
+    for (int i = 0; i < 6; ++i)
+    {
+        assert_int_equal(CountMessages(told[i]), i == 1 ? first : i < 4 ? second : below);
+    }
+}
+
+static void AddAlongSpline(Parity* parity)
+{
+    const swSplinePoint line[] = {swDefaultSplinePoint(0.0, 0.0, 0.0), swDefaultSplinePoint(100.0, 0.0, 20.0)};
+    swHost host = swDefaultHost();
+    swSplineDef splineDef = swDefaultSplineDef();
+    splineDef.points = line;
+    splineDef.pointCount = 2;
+    swSpline* spline = NULL;
+    assert_int_equal(swCreateSpline(&host, &splineDef, &spline), SW_SUCCESS);
+    swWaveSystemDef sea = swDefaultWaveSystemDef();
+    sea.minWavelength = 16.0f;
+    swWaveSystemId system;
+    assert_int_equal(swCreateWaveSystem(parity->world, &sea, &system), SW_SUCCESS);
+    swInputDef def = swDefaultInputDef();
+    def.field = SW_INPUT_WAVES;
+    def.shape = SW_SHAPE_SPLINE;
+    def.system = system;
+    def.spline = spline;
+    def.alongSpline = true;
+    AddInput(parity, &def);
+    swDestroySpline(spline);
+}
+
+static void WhatIsLeftOutIsSaidOnceOfEachKind(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swGpuDef gpuDef = swDefaultGpuDef();
+    swGpu* gpu = NULL;
+    assert_int_equal(swCreateGpu(&host, &gpuDef, &gpu), SW_SUCCESS);
+    void* opened = gpu;
+    Parity parity = MakeParity(&opened);
+    s_messages[0] = '\0';
+    const swPosXZ middle = {0.0, 0.0};
+    AddFloors(&parity, middle); // which only the motion below is told of
+    StepParity(&parity, 0.1);
+    CheckTold(0, 0, 0);
+    swInputDef def = At(SW_INPUT_FLOW, SW_SHAPE_CIRCLE, middle, 80.0f, 1.0f);
+    AddInput(&parity, &def);
+    StepParity(&parity, 0.1);
+    CheckTold(1, 0, 0);
+    def = At(SW_INPUT_DISPLACEMENT, SW_SHAPE_CIRCLE, middle, 80.0f, 0.0f);
+    def.value[1] = 0.5f;
+    AddInput(&parity, &def);
+    def = At(SW_INPUT_LEVEL, SW_SHAPE_FUNCTION, middle, 80.0f, 0.5f);
+    def.function = AnswerNothing;
+    AddInput(&parity, &def);
+    AddAlongSpline(&parity);
+    StepParity(&parity, 0.1);
+    CheckTold(1, 1, 0);
+    swGpuQueryDef queryDef = swDefaultGpuQueryDef();
+    queryDef.kind = SW_GPU_QUERY_KIND_VOLUME;
+    swGpuQuery* query = NULL;
+    assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &queryDef, &query), SW_SUCCESS);
+    swGpuQuery_SetPlaces(query, 1, &(swPos){0.0, -1.0, 0.0});
+    for (int i = 0; i < 3; ++i)
+    {
+        AddFloors(&parity, middle);
+        StepParity(&parity, 0.1);
+        CheckTold(1, 1, 1);
+    }
+    printf("%s", s_messages);
+    FreeParity(&parity);
+    swDestroyGpu(gpu);
 }
 
 int main(void)
@@ -289,6 +497,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(LayersAgree),
         cmocka_unit_test(QueriesAgree),
+        cmocka_unit_test(WhatIsLeftOutIsSaidOnceOfEachKind),
     };
     return cmocka_run_group_tests_name("authored fields: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

@@ -193,6 +193,37 @@ static void AnySeaAndSeaLevelWillDo(void** state)
     FreeParity(&parity);
 }
 
+static void AddLevel(Parity* parity, swInputShape shape, swPosXZ middle, float level)
+{
+    swInputDef def = swDefaultInputDef();
+    def.field = SW_INPUT_LEVEL;
+    def.shape = shape;
+    def.position = (swPos){middle.x, 0.0, middle.z};
+    def.size = (swVec3){900.0f, 1.0f, 900.0f};
+    def.feather = 200.0f;
+    def.value[0] = level;
+    swInputId id;
+    assert_int_equal(swCreateInput(parity->world, &def, &id), SW_SUCCESS);
+}
+
+// Still water 1.5 m higher everywhere, and a lake and a hollow in it.
+static void LakesMoveAsTheCoresDo(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef sea = swDefaultWaveSystemDef();
+    sea.spectrum.depth = 12.0f;
+    sea.minWavelength = 1.0f;
+    AddParitySea(&parity, &sea);
+    AddLevel(&parity, SW_SHAPE_EVERYWHERE, (swPosXZ){0.0, 0.0}, 1.5f);
+    AddLevel(&parity, SW_SHAPE_CIRCLE, (swPosXZ){-400.0, 300.0}, 4.0f);
+    AddLevel(&parity, SW_SHAPE_CIRCLE, (swPosXZ){500.0, -200.0}, -6.0f);
+    swGpuQueryDef def = MakeDef(1000);
+    CheckPlaces(&parity, &def, "lakes", (swPosXZ){0.0, 0.0}, -10.0);
+    def.stretching = SW_STRETCHING_LINEAR;
+    CheckPlaces(&parity, &def, "lakes without stretching", (swPosXZ){0.0, 0.0}, -10.0);
+    FreeParity(&parity);
+}
+
 static void WaterWithoutWavesIsStill(void** state)
 {
     Parity parity = MakeParity(state);
@@ -286,6 +317,7 @@ int main(void)
         cmocka_unit_test(TheDeepMovesAsTheCoresDoes),      cmocka_unit_test(ShallowWaterMovesAsTheCoresDoes),
         cmocka_unit_test(AnySeaAndSeaLevelWillDo),         cmocka_unit_test(WaterWithoutWavesIsStill),
         cmocka_unit_test(PlacesMayLieInABufferOfTheHosts), cmocka_unit_test(QueriesOfBothKindsShareAFrame),
+        cmocka_unit_test(LakesMoveAsTheCoresDo),
     };
     return cmocka_run_group_tests_name("queries of the water below: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

@@ -231,10 +231,6 @@ static void sumBlock(const swQuery* query, const Block* block, const swDepthSums
             continue;
         }
         sumShaped(query, block, i, sums);
-        if (block->isWet[i])
-        {
-            swAddFlow(query->places, query->ticks, 1, &block->points[i], &sums->velocity[i]);
-        }
     }
 }
 

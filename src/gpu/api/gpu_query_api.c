@@ -161,6 +161,7 @@ static bool refuseResults(swQueryStats* stats)
 void swGpuQueryResults_Unpack(const swGpuQueryResults* results, const swSurfaceSamples* samples, swQueryStats* stats)
 {
     bool isValid = results != NULL && samples != NULL && (samples->displacement == NULL || results->sideways != NULL) &&
+                   (samples->isClipped == NULL || results->stills != NULL) &&
                    ((samples->normal == NULL && samples->jacobian == NULL) || results->normals != NULL) &&
                    (samples->velocity == NULL || results->velocities != NULL) &&
                    (samples->acceleration == NULL || results->accelerations != NULL);

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/base/array.h"
-#include "gpu/pass/gpu_world.h"
+#include "gpu/pass/query_passes.h"
 
 // Data that records share, and where it lies among the words.
 typedef struct swInputBlock
@@ -136,33 +136,65 @@ static swResult uploadRecords(swGpu* gpu, const swInputSet* set, swGpuInputs* in
     return result;
 }
 
-// What this half does not know yet is said once: answers would differ without a word. Whether it was.
-static bool tellUnknown(swGpu* gpu, const swInputSet* set)
+// What this half leaves out of the core's answers. Each is said once, by name: answers would differ without a word.
+enum
 {
+    LACKS_FUNCTIONS,
+    LACKS_FLOW,
+    LACKS_RIBBONS,
+    LACKS_DISPLACEMENT,
+    LACKS_FLOORS_BELOW, // of queries of the water below, like the next
+    LACKS_WEIGHTS_BELOW,
+    LACKS_COUNT
+};
+
+#define OF_VOLUMES (1u << LACKS_FLOORS_BELOW | 1u << LACKS_WEIGHTS_BELOW)
+
+static uint32_t findLacks(const swInputSet* set)
+{
+    uint32_t lacks = 0;
     for (int i = 0; i < set->recordCount; ++i)
     {
-        const swInputRecord* record = &set->records[i];
-        bool isRibbon = record->field == SW_FIELD_OF_WAVES && record->shape == SW_FORM_SPLINE;
-        const char* what = record->shape == SW_FORM_FUNCTION           ? "functions of the host"
-                           : isRibbon                                  ? "waves along splines"
-                           : record->field == SW_FIELD_OF_FLOW         ? "flow"
-                           : record->field == SW_FIELD_OF_DISPLACEMENT ? "displacement by inputs"
-                           : record->field == SW_FIELD_OF_CLIP         ? "holes in the water"
-                                                                       : NULL;
-        if (what != NULL)
+        lacks |= (set->records[i].shape == SW_FORM_FUNCTION ? 1u : 0u) << LACKS_FUNCTIONS;
+    }
+    lacks |= (swHasInputs(set, SW_INPUT_FLOW) ? 1u : 0u) << LACKS_FLOW;
+    lacks |= (set->ribbonSystems != 0 ? 1u : 0u) << LACKS_RIBBONS;
+    lacks |= (swHasInputs(set, SW_INPUT_DISPLACEMENT) ? 1u : 0u) << LACKS_DISPLACEMENT;
+    lacks |= (swHasInputs(set, SW_INPUT_FLOOR) ? 1u : 0u) << LACKS_FLOORS_BELOW;
+    lacks |= (swHasInputs(set, SW_INPUT_WAVES) || set->localSystems != 0 ? 1u : 0u) << LACKS_WEIGHTS_BELOW;
+    return lacks;
+}
+
+static void tellLacks(swGpuWorld* gpuWorld)
+{
+    static const char* const told[LACKS_COUNT] = {
+        [LACKS_FUNCTIONS] = "layers, queries and rays of the GPU leave out functions of the host",
+        [LACKS_FLOW] = "layers, queries and rays of the GPU leave out flow",
+        [LACKS_RIBBONS] =
+            "layers, queries and rays of the GPU leave out how waves along splines turn with the line: they "
+            "have the ribbon's weight only",
+        [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs, which a view "
+                               "with CPU layers on a software device has",
+        [LACKS_FLOORS_BELOW] = "queries of the water below on the GPU leave out what a floor does to the motion there",
+        [LACKS_WEIGHTS_BELOW] = "queries of the water below on the GPU leave out what weights of wave systems do to "
+                                "the motion there",
+    };
+    swGpuInputs* inputs = &gpuWorld->inputs;
+    uint32_t lacks = inputs->lacks & ~inputs->toldLacks;
+    lacks &= swHasQuery(gpuWorld, SW_GPU_QUERY_KIND_VOLUME) ? ~0u : ~OF_VOLUMES;
+    for (int i = 0; i < LACKS_COUNT && lacks != 0; ++i)
+    {
+        if ((lacks >> i & 1u) != 0)
         {
-            swLog(&gpu->host, SW_LOG_WARNING,
-                  "layers, queries and rays of the GPU leave out %s, which the core's answers have", what);
-            return true;
+            swLog(&gpuWorld->gpu->host, SW_LOG_WARNING, "%s; the core's answers do not", told[i]);
         }
     }
-    return false;
+    inputs->toldLacks |= lacks;
 }
 
 static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inputs)
 {
     size_t words;
-    inputs->hasTold = inputs->hasTold || tellUnknown(gpu, set);
     inputs->isHeld = false;
     swResult result = listBlocks(gpu, set, &inputs->blocks, &words);
     result = result == SW_SUCCESS ? growBuffers(gpu, set, words, inputs) : result;
@@ -183,23 +215,8 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded
-    bool hasRibbons = set != NULL && set->ribbonSystems != 0;
-    if (hasRibbons && !inputs->isTold)
-    {
-        swLog(
-            &gpuWorld->gpu->host, SW_LOG_WARNING,
-            "waves along splines do not turn with the line on the device yet, as they do in the core: there they have "
-            "the ribbon's weight only");
-        inputs->isTold = true;
-    }
-    if (swHasInputs(set, SW_INPUT_DISPLACEMENT) && !inputs->isDisplacementTold)
-    {
-        swLog(
-            &gpuWorld->gpu->host, SW_LOG_WARNING,
-            "inputs that displace the water are not in the device's slices and queries yet, as they are in the core's; "
-            "a view with CPU layers on a software device has them");
-        inputs->isDisplacementTold = true;
-    }
+    inputs->lacks = inputs->isBrought ? findLacks(set) : inputs->isAuthored ? inputs->lacks : 0;
+    tellLacks(gpuWorld);
     return inputs->isBrought ? bringInputs(gpuWorld->gpu, set, inputs) : SW_SUCCESS;
 }
 

@@ -25,16 +25,15 @@ typedef struct swGpuInputs
     swBuffer nodes;   // swInputNode[]
     swBuffer words;   // float[]; records that share data share their words
 
-    bool hasTold; // what is left out
-    bool isHeld;  // version and wordsVersion are of what the buffers hold
+    uint32_t toldLacks; // what is left out of answers, as bits: what was said of it
+    bool isHeld;        // version and wordsVersion are of what the buffers hold
     uint32_t version, wordsVersion;
     swArray blocks; // of data, see gpu_inputs.c
 
     // Set by each swGpuWorld_Record(), valid for this frame.
-    bool isAuthored;         // there are inputs: otherwise nothing is held
-    bool isTold;             // that waves along splines do not turn here
-    bool isDisplacementTold; // likewise of displacement
+    bool isAuthored; // there are inputs: otherwise nothing is held
     bool isBrought;
+    uint32_t lacks; // what is left out of answers, see gpu_inputs.c
     swUpload headUpload, recordsUpload, nodesUpload;
     swBuffer staging; // of words, retired in the frame that copies them
 } swGpuInputs;

@@ -65,6 +65,7 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
         .inputRecords = inputs[1],
         .inputNodes = inputs[2],
         .inputWords = inputs[3],
+        .stills = swBindPlane(query, query->planes.stills),
     };
     swSurfaceQueryConstants constants = constantsOf(gpuWorld, query);
     const swPipeline* pipeline = swFindVariant(&state->pipelines, &swSurfaceQueryShader, &constants);

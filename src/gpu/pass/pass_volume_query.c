@@ -49,6 +49,7 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
         .depths = swBindPlane(query, query->planes.depths),
         .velocities = swBindPlane(query, query->planes.velocities),
         .accelerations = swBindPlane(query, query->planes.accelerations),
+        .stills = swBindPlane(query, query->planes.stills),
     };
     swBindVolumeQuery(gpu, commands, &state->pipeline, &bindings, &params);
     swDispatchPoints(gpu, commands, query, SW_VOLUME_POINTS);

@@ -22,7 +22,7 @@ static VkDeviceSize alignPlane(VkDeviceSize size)
 
 // ---- making and freeing ----
 
-#define PLANES 7
+#define PLANES 8
 
 // What a query's buffer of answers may hold, in order.
 typedef struct Plane
@@ -40,9 +40,10 @@ static void listPlanes(swGpuQuery* query, Plane list[PLANES])
     list[1] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_VOLUME, sizeof(swGpuDepth), &planes->depths};
     list[2] = (Plane){query->def.kind == SW_GPU_QUERY_KIND_RAYS, sizeof(swGpuHit), &planes->hits};
     list[3] = (Plane){(outputs & SW_GPU_QUERY_SIDEWAYS) != 0, sizeof(swVec2), &planes->sideways};
-    list[4] = (Plane){(outputs & SW_GPU_QUERY_NORMAL) != 0, sizeof(swVec4), &planes->normals};
-    list[5] = (Plane){(outputs & SW_GPU_QUERY_VELOCITY) != 0, sizeof(swVec4), &planes->velocities};
-    list[6] = (Plane){(outputs & SW_GPU_QUERY_ACCELERATION) != 0, sizeof(swVec4), &planes->accelerations};
+    list[4] = (Plane){list[1].isWanted || list[3].isWanted, sizeof(swGpuStill), &planes->stills};
+    list[5] = (Plane){(outputs & SW_GPU_QUERY_NORMAL) != 0, sizeof(swVec4), &planes->normals};
+    list[6] = (Plane){(outputs & SW_GPU_QUERY_VELOCITY) != 0, sizeof(swVec4), &planes->velocities};
+    list[7] = (Plane){(outputs & SW_GPU_QUERY_ACCELERATION) != 0, sizeof(swVec4), &planes->accelerations};
 }
 
 static void layOutPlanes(swGpuQuery* query)
@@ -442,6 +443,7 @@ void swFillQueryResults(const swGpuQuery* query, const swGpuQuerySlot* slot, swG
         .depths = planes->depths != 0 ? (const swGpuDepth*)(data + planes->depths) : NULL,
         .hits = planes->hits != 0 ? (const swGpuHit*)(data + planes->hits) : NULL,
         .sideways = planes->sideways != 0 ? (const swVec2*)(data + planes->sideways) : NULL,
+        .stills = planes->stills != 0 ? (const swGpuStill*)(data + planes->stills) : NULL,
         .normals = planes->normals != 0 ? (const swVec4*)(data + planes->normals) : NULL,
         .velocities = planes->velocities != 0 ? (const swVec4*)(data + planes->velocities) : NULL,
         .accelerations = planes->accelerations != 0 ? (const swVec4*)(data + planes->accelerations) : NULL,
@@ -466,7 +468,12 @@ static void unpackOne(const swGpuQueryResults* results, int i, const swSurfaceSa
     }
     if (samples->displacement != NULL)
     {
-        samples->displacement[i] = (swVec3){results->sideways[i].x, height.height, results->sideways[i].y};
+        float y = height.height - results->stills[i].level;
+        samples->displacement[i] = (swVec3){results->sideways[i].x, y, results->sideways[i].y};
+    }
+    if (samples->isClipped != NULL)
+    {
+        samples->isClipped[i] = results->stills[i].hole < 0.0f; // not of a bad point
     }
     if (samples->normal != NULL)
     {

@@ -197,6 +197,7 @@ static void fillParams(swGpuQuery* query)
         query->params.velocityTexels = findFieldTexels(query, SW_GPU_QUERY_VELOCITY, fields->velocity);
         query->params.accelerationTexels = findFieldTexels(query, SW_GPU_QUERY_ACCELERATION, fields->acceleration);
     }
+    query->params.outputs |= query->planes.stills != 0 ? SW_QUERY_WANTS_STILL : 0;
 }
 
 // ---- the water below ----
