@@ -10,8 +10,13 @@
 /// made of them goes on with the same bits, on any machine, also in the middle of changes.
 
 /// Write the world's state: its def, time and origin, wave systems with their handles and changes under way, inputs
-/// with their points, views with their slices and foam. Of rasters, hulls, splines and functions it holds hashes. The
-/// bytes are the same on every machine. Any thread that may use a `const swWorld*`.
+/// with their names and points, bodies of water with their handles, views with their slices and foam. Of rasters,
+/// meshes, hulls, splines and functions it holds hashes. The bytes are the same on every machine. Any thread that may
+/// use a `const swWorld*`.
+///
+/// A change that was ordered since the last step (of waves, inputs, bodies of water) is in the bytes as it was ordered;
+/// the sea before it is not, which would be a second state. So a world that is restored or taken back shows such a
+/// change at once, and the world that was saved with its next step; from that step on both have the same bits.
 /// @param data room for `*size` bytes; NULL to ask for the size
 /// @param size in: bytes of room; out: bytes needed
 /// @return SW_ERROR_LIMIT if there is too little room, or the world holds a number that no saved world can; nothing
@@ -83,7 +88,8 @@ SW_API swResult swRestoreWorld(const swHost* host, const void* data, size_t size
 /// time, and over systems that were made; not over a step after a system was destroyed, given other waves or another
 /// current, nor over the end of such a change. That is refused with a sentence in the log; make another world by
 /// swRestoreWorld() then. A refusal changes nothing. Likewise of inputs: it goes back over
-/// those that were made, moved or given other points, not over those that were destroyed or given another raster.
+/// those that were made, moved or given other points, not over those that were destroyed or given another raster; of
+/// bodies of water over levels and those that were made, not over those that were destroyed or set anew.
 /// @return SW_ERROR_FORMAT, SW_ERROR_UNSUPPORTED if the world has other waves, views or another def
 SW_API swResult swWorld_Rewind(swWorld* world, const void* data, size_t size);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Bodies of water: levels, waves, holes and numbers by place.
+// Bodies of water: levels, waves, holes and numbers by place; saved and taken back.
 
 #include "support/cmocka_setup.h"
 #include "support/counting_host.h"
 #include "support/messages.h"
+#include "support/saved.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -313,6 +314,168 @@ static void NothingIsHalfMadeWithoutMemory(void** state)
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
 
+// ---- saving ----
+
+static swWorld* Restore(const Saved* saved)
+{
+    swHost host = MakeHost();
+    const swRestoreDef def = swDefaultRestoreDef();
+    swWorld* world = NULL;
+    if (swRestoreWorld(&host, saved->data, saved->size, &def, &world) != SW_SUCCESS)
+    {
+        fail_msg("%s", s_messages);
+    }
+    return world;
+}
+
+static void ARestoredWorldHasItsBodies(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swWorld* world = MakeWorld(&host);
+    AddWaves(world, false, 1);
+    swWaterBodyDef lake = MakeLake("lake", 0.0, 10.0), wavy = MakeLake("wavy", 200.0, 12.0);
+    const swWaterBodyDef gone = MakeLake("gone", 400.0, 5.0);
+    wavy.isCalm = true;
+    wavy.waves = AddWaves(world, true, 2);
+    wavy.wavesFeather = 5.0f;
+    wavy.look = 3;
+    swWaterBodyId lakeId = Add(world, &lake), goneId = Add(world, &gone), wavyId = Add(world, &wavy);
+    swDestroyWaterBody(world, goneId);
+    swWaterBody_SetLevel(world, lakeId, 11.5);
+    swWorld_Step(world, 1.0);
+    Saved saved = Save(world);
+    swWorld* restored = Restore(&saved);
+    Saved again = Save(restored);
+    assert_int_equal(again.size, saved.size);
+    assert_memory_equal(again.data, saved.data, saved.size);
+    assert_true(swWorld_GetDigest(restored) == swWorld_GetDigest(world));
+    assert_int_equal(swWorld_GetWaterBodyCount(restored), 2);
+    assert_true(swWaterBody_IsValid(restored, lakeId) && !swWaterBody_IsValid(restored, goneId));
+    assert_true(IsAt(restored, 0.0, lakeId) && IsAt(restored, 200.0, wavyId));
+    assert_true(HeightAt(restored, 0.0) == HeightAt(world, 0.0));
+    assert_true(HeightAt(restored, 200.0) == HeightAt(world, 200.0));
+    const swWaterBodyDef got = swWaterBody_Get(restored, wavyId);
+    assert_string_equal(got.name, "wavy");
+    assert_true(got.look == 3 && got.isCalm && got.wavesFeather == 5.0f && SW_ID_EQUALS(got.waves, wavy.waves));
+    assert_int_equal(got.pointCount, 4);
+    assert_memory_equal(got.points, s_square, sizeof s_square);
+    assert_true(swWaterBody_Get(restored, lakeId).position.y == 11.5);
+
+    // They are the world's own as before: they change, go, and come where they would have come.
+    swWaterBodyId made[2];
+    swWorld* const both[2] = {world, restored};
+    for (int i = 0; i < 2; ++i)
+    {
+        swWaterBody_SetLevel(both[i], wavyId, 20.0);
+        swDestroyWaterBody(both[i], lakeId);
+        made[i] = Add(both[i], &gone);
+        swWorld_Step(both[i], 0.5);
+        assert_true(IsAt(both[i], 400.0, made[i]) && SW_IS_NULL(swWorld_FindWaterBody(both[i], 0.0, 0.0)));
+    }
+    assert_true(SW_ID_EQUALS(made[0], made[1]));
+    assert_true(HeightAt(restored, 200.0) == HeightAt(world, 200.0));
+    assert_true(swWorld_GetDigest(restored) == swWorld_GetDigest(world));
+    swDestroyWorld(world);
+    swDestroyWorld(restored);
+    free(saved.data);
+    free(again.data);
+}
+
+static void AWorldGoesBackOverLevelsAndBodiesThatWereMade(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swWorld* world = MakeWorld(&host);
+    const swWaterBodyDef lake = MakeLake("lake", 0.0, 10.0), later = MakeLake("later", 300.0, 4.0);
+    swWaterBodyId id = Add(world, &lake);
+    swWorld_Step(world, 1.0);
+    Saved saved = Save(world);
+    uint64_t digest = swWorld_GetDigest(world);
+    swWaterBody_SetLevel(world, id, 15.0);
+    swWaterBodyId laterId = Add(world, &later);
+    swWorld_Step(world, 1.0);
+    assert_true(HeightAt(world, 0.0) == 15.0 && IsAt(world, 300.0, laterId));
+    assert_int_equal(swWorld_Rewind(world, saved.data, saved.size), SW_SUCCESS);
+    assert_true(swWorld_GetDigest(world) == digest);
+    assert_true(HeightAt(world, 0.0) == 10.0 && swWaterBody_Get(world, id).position.y == 10.0);
+    assert_true(!swWaterBody_IsValid(world, laterId) && swWorld_GetWaterBodyCount(world) == 1);
+    swWaterBodyId again = Add(world, &later);
+    assert_true(SW_ID_EQUALS(again, laterId));
+
+    // Not over one that was destroyed; then nothing changes.
+    swDestroyWaterBody(world, id);
+    swWorld_Step(world, 1.0);
+    digest = swWorld_GetDigest(world);
+    assert_int_equal(swWorld_Rewind(world, saved.data, saved.size), SW_ERROR_UNSUPPORTED);
+    assert_true(swWorld_GetDigest(world) == digest && IsAt(world, 300.0, again));
+    swDestroyWorld(world);
+    free(saved.data);
+}
+
+// An origin and a place may each be 1e9 m away, which a restored world knows as one place.
+static void ABodyFarFromTheFirstOriginIsRestored(void** state)
+{
+    (void)state;
+    swHost host = MakeHost();
+    swWorld* world = MakeWorld(&host);
+    swWorld_SetOrigin(world, (swPosXZ){9e8, 0.0});
+    const swWaterBodyDef lake = MakeLake("lake", 3e8, 10.0);
+    swWaterBodyId id = Add(world, &lake);
+    swWorld_Step(world, 1.0);
+    Saved saved = Save(world);
+    swWorld* restored = Restore(&saved);
+    assert_true(swWaterBody_Get(restored, id).position.x == 3e8);
+    assert_int_equal(swWorld_Rewind(world, saved.data, saved.size), SW_SUCCESS);
+    swDestroyWorld(world);
+    swDestroyWorld(restored);
+    free(saved.data);
+}
+
+// Whatever is changed in the bytes: they are refused, or make a world that can be asked.
+static void DamagedBodiesAreRefused(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swWorld* world = MakeWorld(&host);
+    const swWaterBodyDef lake = MakeLake("lake", 0.0, 10.0);
+    Add(world, &lake);
+    swWorld_Step(world, 0.0);
+    Saved saved = Save(world);
+    swDestroyWorld(world);
+    const swRestoreDef def = swDefaultRestoreDef();
+    int refused = 0, made = 0;
+    size_t first = saved.size > 400 ? saved.size - 400 : 0;
+    for (size_t at = first; at < saved.size - 8; ++at)
+    {
+        uint8_t kept = saved.data[at];
+        for (int bit = 0; bit < 8; ++bit)
+        {
+            saved.data[at] = (uint8_t)(kept ^ 1u << bit);
+            Sign(&saved);
+            swResult result = swRestoreWorld(&host, saved.data, saved.size, &def, &world);
+            refused += result == SW_SUCCESS ? 0 : 1;
+            if (result == SW_SUCCESS)
+            {
+                made += 1;
+                for (int i = 0; i < swWorld_GetWaterBodyCount(world); ++i)
+                {
+                    swWaterBody_Get(world, swWorld_GetWaterBody(world, i));
+                }
+                swWorld_FindWaterBody(world, 0.0, 0.0);
+                assert_int_equal(swWorld_Step(world, 0.1), SW_SUCCESS);
+                swDestroyWorld(world);
+            }
+        }
+        saved.data[at] = kept;
+    }
+    print_message("%d changed bits were refused, %d made a world\n", refused, made);
+    assert_true(refused > 100 && made > 100);
+    free(saved.data);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -324,6 +487,10 @@ int main(void)
         cmocka_unit_test(ABodyHasItsOwnWavesAndKeepsThoseOfTheSeaOut),
         cmocka_unit_test(ABadShoreIsRefusedAndNothingIsMade),
         cmocka_unit_test(NothingIsHalfMadeWithoutMemory),
+        cmocka_unit_test(ARestoredWorldHasItsBodies),
+        cmocka_unit_test(AWorldGoesBackOverLevelsAndBodiesThatWereMade),
+        cmocka_unit_test(ABodyFarFromTheFirstOriginIsRestored),
+        cmocka_unit_test(DamagedBodiesAreRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -325,8 +325,85 @@ static swResult AddRegions(swWorld* world)
     return result != SW_SUCCESS ? result : swCreateInput(world, &plate, &id);
 }
 
-// One system alone, a minute in, and what is asked of it.
-static swResult MakeSmallParts(const swWaveSystemDef* def, bool withRegions, Parts* parts)
+// A river whose water flows, and a polygon in which there are other waves, where it ends.
+static swResult AddRiver(swWorld* world, swPos place)
+{
+    swHost host = swDefaultHost();
+    const swSplinePoint line[] = {swDefaultSplinePoint(0.0, 0.0, 0.0), swDefaultSplinePoint(300.0, 150.0, 0.0),
+                                  swDefaultSplinePoint(700.0, 100.0, 0.0), swDefaultSplinePoint(1000.0, 400.0, 0.0)};
+    swSplineDef splineDef = swDefaultSplineDef();
+    splineDef.points = line;
+    splineDef.pointCount = 4;
+    splineDef.width = 220.0f;
+    swSpline* spline = NULL;
+    swResult result = swCreateSpline(&host, &splineDef, &spline);
+    swInputId id;
+    swInputDef river = swDefaultInputDef();
+    river.field = SW_INPUT_FLOW;
+    river.shape = SW_SHAPE_SPLINE;
+    river.spline = spline;
+    river.position = place;
+    river.feather = 60.0f;
+    result = result != SW_SUCCESS ? result : swCreateInput(world, &river, &id);
+    swDestroySpline(spline);
+    const swInputPoint shore[] = {{.x = 0.0f, .z = 0.0f}, {.x = 900.0f, .z = -200.0f}, {.x = 700.0f, .z = 900.0f}};
+    swInputDef calm = swDefaultInputDef();
+    calm.field = SW_INPUT_WAVES;
+    calm.shape = SW_SHAPE_POLYGON;
+    calm.points = shore;
+    calm.pointCount = 3;
+    calm.position = (swPos){place.x + 400.0, 0.0, place.z};
+    calm.feather = 80.0f;
+    calm.value[0] = 0.4f;
+    return result != SW_SUCCESS ? result : swCreateInput(world, &calm, &id);
+}
+
+// A floor, a lake, a tide and a river where queries and rays ask.
+static swResult AddInputs(swWorld* world)
+{
+    const swPos place = {1.0e5, 0.0, -3.0e4};
+    static const float depths[2 * 3] = {-40.0f, -12.0f, -5.0f, -25.0f, -8.0f, -15.0f};
+    swHost host = swDefaultHost();
+    swRasterDef chart = swDefaultRasterDef();
+    chart.width = 3;
+    chart.height = 2;
+    chart.x = place.x - 200.0;
+    chart.z = place.z - 200.0;
+    chart.spacingX = 900.0;
+    chart.spacingZ = 1500.0;
+    chart.values = depths;
+    swRaster* raster = NULL;
+    swResult result = swCreateRaster(&host, &chart, &raster);
+    swInputId id;
+    swInputDef floor = swDefaultInputDef();
+    floor.shape = SW_SHAPE_RASTER;
+    floor.raster = raster;
+    floor.feather = 100.0f;
+    result = result != SW_SUCCESS ? result : swCreateInput(world, &floor, &id);
+    swDestroyRaster(raster);
+    swInputDef level = swDefaultInputDef();
+    level.field = SW_INPUT_LEVEL;
+    level.shape = SW_SHAPE_CIRCLE;
+    level.size = (swVec3){500.0f, 0.0f, 500.0f};
+    level.position = place;
+    level.feather = 120.0f;
+    level.value[0] = 3.0f;
+    result = result != SW_SUCCESS ? result : swCreateInput(world, &level, &id);
+    swInputDef tide = swDefaultInputDef();
+    tide.field = SW_INPUT_LEVEL;
+    tide.blend = SW_BLEND_ADD;
+    tide.order = 1;
+    bool isKnown =
+        swSetTideConstituent("M2", 2.1f, 1.2f, &tide.tide[0]) && swSetTideConstituent("S2", 0.7f, 1.9f, &tide.tide[1]);
+    result = result == SW_SUCCESS && !isKnown ? SW_ERROR_INVALID : result;
+    result = result != SW_SUCCESS ? result : swCreateInput(world, &tide, &id);
+    return result != SW_SUCCESS ? result : AddRiver(world, place);
+}
+
+typedef swResult AddFcn(swWorld* world);
+
+// One system, a minute in, with whatever is added to it, and what is asked of it.
+static swResult MakeSmallParts(const swWaveSystemDef* def, AddFcn* add, Parts* parts)
 {
     swHost host = swDefaultHost();
     swWorldDef worldDef = swDefaultWorldDef();
@@ -340,8 +417,12 @@ static swResult MakeSmallParts(const swWaveSystemDef* def, bool withRegions, Par
     swView* view = NULL;
     swResult result = swCreateWorld(&host, &worldDef, &world);
     result = result != SW_SUCCESS ? result : swCreateWaveSystem(world, def, &id);
-    result = result == SW_SUCCESS && withRegions ? AddRegions(world) : result;
+    result = result == SW_SUCCESS && add != NULL ? add(world) : result;
     result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
+    if (result == SW_SUCCESS && add == AddInputs)
+    {
+        swView_SetViewpoint(view, (swPos){1.0e5, 5.0, -3.0e4}); // where the inputs are
+    }
     result = result != SW_SUCCESS ? result : swWorld_Step(world, 60.0);
     result = result != SW_SUCCESS ? result : swWorld_Step(world, 0.25);
     if (result == SW_SUCCESS)
@@ -404,11 +485,12 @@ enum
 
 static swResult AddLine(Line* lines, int* count, const char* name, const swWaveSystemDef* def)
 {
+    AddFcn* add = strcmp(name, "regions") == 0 ? AddRegions : strcmp(name, "inputs") == 0 ? AddInputs : NULL;
     Line* line = &lines[(*count)++];
     snprintf(line->name, sizeof(line->name), "%s", name);
     if (def != NULL)
     {
-        return MakeSmallParts(def, strcmp(name, "regions") == 0, &line->parts);
+        return MakeSmallParts(def, add, &line->parts);
     }
     Run run = {SW_ISA_BEST, 1, 1.0, false};
     return MakeParts(&run, &line->parts);
@@ -451,7 +533,8 @@ static swResult MakeLines(Line* lines, int* count)
     measured.spectrum.table = &table;
     result = result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
     swWaveSystemDef open = MakeKind(SW_SPECTRUM_JONSWAP);
-    return result != SW_SUCCESS ? result : AddLine(lines, count, "regions", &open);
+    result = result != SW_SUCCESS ? result : AddLine(lines, count, "regions", &open);
+    return result != SW_SUCCESS ? result : AddLine(lines, count, "inputs", &open);
 }
 
 static int List(void)

@@ -48,7 +48,8 @@ swResult swCreateWaterBody(swWorld* world, const swWaterBodyDef* def, swWaterBod
     if (result == SW_SUCCESS)
     {
         const swWaterBodyDef placed = placeInSea(world, def);
-        result = swAddWaterBody(&world->waterBodies, &placed, &id);
+        result = swMakeViewFields(world);
+        result = result == SW_SUCCESS ? swAddWaterBody(&world->waterBodies, &placed, &id) : result;
         world->frame.bodies = world->waterBodies.shown.data; // which may have moved
     }
     *idOut = makeId(id);

@@ -542,6 +542,36 @@ static void streamNumber(swStream* stream, const swField* field, void* def, int 
     }
 }
 
+// Its length, then eight bytes at a time.
+static void streamText(swStream* stream, const swField* field, void* def)
+{
+    char* text = (char*)def + field->offset;
+    int length = 0;
+    while (!swIsReading(stream) && length < (int)field->size - 1 && text[length] != '\0')
+    {
+        length += 1;
+    }
+    swStreamRange(stream, &length, 0, (int)field->size - 1);
+    for (int i = 0; i < length; i += 8)
+    {
+        uint64_t word = 0;
+        for (int k = 0; k < 8 && i + k < length; ++k)
+        {
+            word |= (uint64_t)(unsigned char)text[i + k] << (8 * k);
+        }
+        swStreamU64(stream, &word);
+        for (int k = 0; k < 8 && i + k < length && swIsReading(stream); ++k)
+        {
+            text[i + k] = (char)(word >> (8 * k) & 255);
+        }
+    }
+    if (swIsReading(stream))
+    {
+        text[length] = '\0';
+        stream->isBroken = stream->isBroken || strlen(text) != (size_t)length;
+    }
+}
+
 void swStreamDef(swStream* stream, const swFields* fields, void* def)
 {
     for (int i = 0; i < fields->count; ++i)
@@ -550,7 +580,11 @@ void swStreamDef(swStream* stream, const swFields* fields, void* def)
         bool isDef = field->type == SW_FIELD_DEF || field->type == SW_FIELD_DEFS;
         for (int k = 0; k < field->count && field->use != SW_USE_HERE; ++k)
         {
-            if (isNumber(field))
+            if (field->type == SW_FIELD_TEXT)
+            {
+                streamText(stream, field, def);
+            }
+            else if (isNumber(field))
             {
                 streamNumber(stream, field, def, k);
             }

@@ -407,7 +407,7 @@ static bool isRasterGood(const swInputRecord* record)
 {
     uint64_t cells = (uint64_t)record->extra0 * record->extra1;
     bool isSized = record->extra0 >= 1 && record->extra0 <= SW_MAX_RASTER_SIDE && record->extra1 >= 1 &&
-                   record->extra1 <= SW_MAX_RASTER_SIDE && record->extra2 >= swCountInputNumbers(record->field) &&
+                   record->extra1 <= SW_MAX_RASTER_SIDE && record->extra2 >= swCountRecordNumbers(*record) &&
                    record->extra2 <= 4 && record->part0 > 0.0f && record->part1 > 0.0f;
     uint64_t frame = cells * record->extra2;
     return isSized && record->extra3 + frame <= record->wordCount && record->extra4 + frame <= record->wordCount;
@@ -423,7 +423,8 @@ static bool isHullGood(const swInputRecord* record)
 bool swIsInputRecordGood(const swInputRecord* record, const float* words)
 {
     if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
-        record->wordCount > SW_MAX_RASTER_VALUES)
+        record->wordCount > SW_MAX_RASTER_VALUES ||
+        ((record->flags & SW_INPUT_ALONG_SPLINE) != 0 && record->shape != SW_SHAPE_SPLINE))
     {
         return false;
     }
@@ -446,6 +447,8 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words)
         return swAreSplineWordsGood(words, record->wordCount);
     case SW_SHAPE_PARTICLES:
         return (uint64_t)record->extra0 * SW_PARTICLE_WORDS <= record->wordCount;
+    case SW_SHAPE_MESH:
+        return swAreMeshWordsGood(record, words);
     case SW_SHAPE_HULL:
         return isHullGood(record);
     case SW_SHAPE_RASTER:

@@ -4,6 +4,7 @@
 
 #include "core/input/inputs_save.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "core/base/host.h"
@@ -56,6 +57,21 @@ static void streamSaved(swStream* stream, Saved* saved)
     swStreamU64(stream, &saved->spline);
     swStreamU64(stream, &saved->function);
     swStreamRange(stream, &saved->def.pointCount, 0, SW_MAX_INPUT_POINTS);
+}
+
+// A host's places and its origin are within 1e9 m each.
+bool swTakeSavedPlace(swPos* position)
+{
+    bool isFine = fabs(position->x) <= 2e9 && fabs(position->z) <= 2e9; // false for NaN
+    position->x = position->z = 0.0;
+    return isFine;
+}
+
+static swResult checkSavedDef(const swHost* host, const swInputDef* saved)
+{
+    swInputDef def = *saved;
+    bool isFine = swTakeSavedPlace(&def.position) && swCheckInputDef(host, &def) == SW_SUCCESS;
+    return isFine ? SW_SUCCESS : SW_ERROR_FORMAT;
 }
 
 static void streamPoint(swStream* stream, swInputPoint* point)
@@ -167,7 +183,7 @@ static swResult readInput(swInputs* inputs, swStream* stream, const swRestoreDef
     swResult result = findResources(inputs->memory->uncounted, find, saved);
     if (result == SW_SUCCESS)
     {
-        result = swCheckInputDef(inputs->memory->uncounted, &saved->def) == SW_SUCCESS ? SW_SUCCESS : SW_ERROR_FORMAT;
+        result = checkSavedDef(inputs->memory->uncounted, &saved->def);
     }
     result =
         result == SW_SUCCESS ? swRestoreInput(inputs, &saved->def, slot, saved->generation, saved->serial) : result;
@@ -205,7 +221,8 @@ swResult swStreamInputs(swInputs* inputs, swStream* stream, const swRestoreDef* 
     swStreamU64(stream, &inputs->serials);
     if (swIsReading(stream))
     {
-        return stream->isBroken ? SW_ERROR_FORMAT : readSlots(inputs, stream, find, count);
+        bool isThere = swStreamHasLeft(stream, (size_t)count, 5); // of a free slot, which takes the least
+        return isThere && !stream->isBroken ? readSlots(inputs, stream, find, count) : SW_ERROR_FORMAT;
     }
     for (int slot = 0; slot < count; ++slot)
     {
@@ -263,7 +280,9 @@ swResult swCheckInputs(const swInputs* inputs, swStream* stream)
         saved.def.mesh = input != NULL ? input->def.mesh : NULL;
         saved.def.hull = input != NULL ? input->def.hull : NULL;
         saved.def.function = input != NULL ? input->def.function : NULL;
-        stream->isBroken = stream->isBroken || swCheckDef(&silent, &swInputFields, &saved.def) != SW_SUCCESS;
+        bool isPlace = swTakeSavedPlace(&saved.def.position);
+        bool isFine = isPlace && swCheckDef(&silent, &swInputFields, &saved.def) == SW_SUCCESS;
+        stream->isBroken = stream->isBroken || !isFine;
     }
     return stream->isBroken ? SW_ERROR_FORMAT : SW_SUCCESS;
 }

@@ -8,6 +8,10 @@
 #include "core/input/inputs.h"
 #include "seaway/save.h"
 
+// A place in the sea that was read: whether a host could have given it, which counts from an origin of its own. It then
+// counts from there, so that it can be checked as a def's is.
+bool swTakeSavedPlace(swPos* position);
+
 // All inputs. Those that are read are made, in a world that has none; what they use, `find` gives. SW_ERROR_FORMAT,
 // SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT, SW_ERROR_UNSUPPORTED (something is not given; the log names it).
 swResult swStreamInputs(swInputs* inputs, swStream* stream, const swRestoreDef* find);

@@ -57,6 +57,39 @@ static swResult checkDef(const swHost* host, const swMeshDef* def, const char* n
     return checkVertices(host, def, name);
 }
 
+// ---- words from outside ----
+
+// Whole numbers up to `most`, none less than the one before where they mount.
+static bool areWhole(const float* words, size_t count, size_t most, bool areMounting)
+{
+    float least = 0.0f;
+    for (size_t i = 0; i < count; ++i)
+    {
+        float word = words[i];
+        if (!(word >= least && word <= (float)most && floorf(word) == word))
+        {
+            return false;
+        }
+        least = areMounting ? word : least;
+    }
+    return true;
+}
+
+bool swAreMeshWordsGood(const swInputRecord* record, const float* words)
+{
+    size_t x = record->extra0, z = record->extra1, cells = x * z;
+    size_t entry = record->extra3, triangle = record->extra4, count = record->wordCount;
+    size_t triangleWords = 9 + 3 * (size_t)record->extra2;
+    // Numbers beyond 2^24 are no whole floats, and no mesh has them.
+    bool isSized = x >= 1 && z >= 1 && x <= 1u << 24 && z <= 1u << 24 && cells <= 1u << 24 &&
+                   record->extra2 <= SW_MAX_MESH_CHANNELS && SW_MESH_HEAD + cells + 1 <= entry && entry <= triangle &&
+                   triangle <= count && triangle - entry <= 1u << 24;
+    size_t triangles = isSized ? (count - triangle) / triangleWords : 0;
+    return triangles >= 1 && triangles <= SW_MAX_MESH_TRIANGLES &&
+           areWhole(words + SW_MESH_HEAD, cells + 1, triangle - entry, true) &&
+           areWhole(words + entry, triangle - entry, triangles - 1, false);
+}
+
 // ---- making ----
 
 // Where the parts of the block lie, in bytes.

@@ -37,3 +37,6 @@ void swReleaseMesh(const swMesh* mesh);
 
 // What a record says about the words of a mesh: sizes, and its bounds.
 void swDescribeMesh(const swMesh* mesh, swInputRecord* record);
+
+// Whether a record of words from elsewhere names none that it does not have.
+bool swAreMeshWordsGood(const swInputRecord* record, const float* words);

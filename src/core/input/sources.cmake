@@ -26,6 +26,7 @@ target_sources(seaway_core PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/spline_words.c
     ${CMAKE_CURRENT_LIST_DIR}/sample_inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/water_bodies.c
+    ${CMAKE_CURRENT_LIST_DIR}/water_bodies_save.c
     ${CMAKE_CURRENT_LIST_DIR}/water_body_def.c
     ${CMAKE_CURRENT_LIST_DIR}/wind.c
     ${CMAKE_CURRENT_LIST_DIR}/wind_def.c

@@ -161,6 +161,20 @@ static swResult fillBody(swWaterBodies* bodies, swWaterBody* body, const swWater
     return SW_SUCCESS;
 }
 
+// One more slot, which is free; NULL if there is no memory.
+static swWaterBody* appendSlot(swWaterBodies* bodies)
+{
+    const swHost* host = getHost(bodies);
+    bool isShown = bodies->shown.count > bodies->slots.count ||
+                   swAppendItems(host, &bodies->shown, 1, sizeof(swBodyFrame)) != NULL;
+    swWaterBody* slot = isShown ? swAppendItems(host, &bodies->slots, 1, sizeof(swWaterBody)) : NULL;
+    if (slot != NULL)
+    {
+        *slot = (swWaterBody){.isUsed = false};
+    }
+    return slot;
+}
+
 // A slot that is free, the first; NULL if there is no memory.
 static swWaterBody* takeSlot(swWaterBodies* bodies)
 {
@@ -171,16 +185,7 @@ static swWaterBody* takeSlot(swWaterBodies* bodies)
             return getSlot(bodies, i);
         }
     }
-    if (swAppendItems(getHost(bodies), &bodies->shown, 1, sizeof(swBodyFrame)) == NULL)
-    {
-        return NULL;
-    }
-    swWaterBody* slot = swAppendItems(getHost(bodies), &bodies->slots, 1, sizeof(swWaterBody));
-    if (slot != NULL)
-    {
-        *slot = (swWaterBody){.isUsed = false};
-    }
-    return slot;
+    return appendSlot(bodies);
 }
 
 swResult swAddWaterBody(swWaterBodies* bodies, const swWaterBodyDef* def, swId* id)
@@ -243,6 +248,67 @@ swWaterBody* swGetWaterBodyAt(const swWaterBodies* bodies, int slot)
 {
     bool isThere = slot >= 0 && (size_t)slot < bodies->slots.count && getSlot(bodies, (size_t)slot)->isUsed;
     return isThere ? getSlot(bodies, (size_t)slot) : NULL;
+}
+
+// ---- saved bodies ----
+
+swResult swRestoreFreeWaterBody(swWaterBodies* bodies, uint32_t generation)
+{
+    swWaterBody* body = appendSlot(bodies);
+    if (body == NULL)
+    {
+        return swFailMemory(bodies->inputs->memory, "a body of water");
+    }
+    body->generation = generation;
+    return SW_SUCCESS;
+}
+
+swResult swRestoreWaterBody(swWaterBodies* bodies, const swWaterBodyDef* def, uint32_t generation,
+                            const swId inputs[SW_BODY_INPUTS])
+{
+    size_t size = (size_t)def->pointCount * sizeof(swVec2);
+    swVec2* points = swAllocate(getHost(bodies), size);
+    swWaterBody* body = points != NULL ? appendSlot(bodies) : NULL;
+    if (body == NULL)
+    {
+        swFree(getHost(bodies), points, size);
+        return swFailMemory(bodies->inputs->memory, "a body of water");
+    }
+    body->isUsed = true;
+    body->generation = generation;
+    body->points = memcpy(points, def->points, size);
+    bodies->count += 1;
+    swRewindWaterBody(bodies, body, def, inputs);
+    findBounds(body);
+    return SW_SUCCESS;
+}
+
+void swRewindWaterBody(swWaterBodies* bodies, swWaterBody* body, const swWaterBodyDef* def,
+                       const swId inputs[SW_BODY_INPUTS])
+{
+    body->def = *def;
+    body->def.points = body->points;
+    memcpy(body->inputs, inputs, sizeof body->inputs);
+    for (int i = 0; i < SW_BODY_INPUTS; ++i)
+    {
+        swInput* input = swFindInput(bodies->inputs, inputs[i]);
+        if (input != NULL)
+        {
+            input->flags |= SW_INPUT_IS_OF_BODY;
+        }
+    }
+}
+
+void swForgetWaterBody(swWaterBodies* bodies, swWaterBody* body, uint32_t generation)
+{
+    if (body->isUsed)
+    {
+        freePoints(bodies, body);
+        body->isUsed = false;
+        bodies->count -= 1;
+    }
+    memset(body->inputs, 0, sizeof body->inputs);
+    body->generation = generation;
 }
 
 // ---- a frame ----

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The bodies of water of a world. Each owns up to four inputs over its polygon, which say all that queries, slices and
+// The bodies of water of a world. Each owns up to five inputs over its polygon, which say all that queries, slices and
 // pictures know of it. What a body's number is in the field BODY is its slot here.
 
 #include "core/base/field.h"
@@ -48,6 +48,15 @@ swWaterBody* swFindWaterBody(const swWaterBodies* bodies, swId id);
 swId swGetWaterBodyId(const swWaterBodies* bodies, const swWaterBody* body);
 // NULL where none has the number.
 swWaterBody* swGetWaterBodyAt(const swWaterBodies* bodies, int slot);
+
+// For saved worlds: the next slot, with a body or free; a body that is as it was, with the shore that it has; a slot
+// that is as free as it was. Inputs are read before.
+swResult swRestoreWaterBody(swWaterBodies* bodies, const swWaterBodyDef* def, uint32_t generation,
+                            const swId inputs[SW_BODY_INPUTS]);
+swResult swRestoreFreeWaterBody(swWaterBodies* bodies, uint32_t generation);
+void swRewindWaterBody(swWaterBodies* bodies, swWaterBody* body, const swWaterBodyDef* def,
+                       const swId inputs[SW_BODY_INPUTS]);
+void swForgetWaterBody(swWaterBodies* bodies, swWaterBody* body, uint32_t generation);
 
 // The bodies as pictures see them, of a frame. Allocates nothing.
 void swStepWaterBodies(swWaterBodies* bodies, swFrame* frame);

@@ -11,7 +11,8 @@
 //
 // Zones are there with their simulated fields, which have a past: what they are now decides what they will be.
 //
-// Inputs are there by their defs and the hashes of what they use, in the order in which they join.
+// Inputs are there by their defs and the hashes of what they use, in the order in which they join; bodies of water by
+// the inputs that they own.
 //
 // Not part of it are the origin, views and their foam, and handles: each machine has its own.
 //

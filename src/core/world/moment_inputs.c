@@ -94,14 +94,17 @@ void swStoreInputs(swInputArrays* arrays, void* place)
 
 // ---- reading ----
 
-static bool areNodesGood(const Stored* head, const swInputNode* nodes, const swInputRange* range)
+static bool areNodesGood(const swInputNode* nodes, const swInputRange* range)
 {
     uint32_t end = range->firstNode + range->nodeCount;
     for (uint32_t i = range->firstNode; i < end; ++i)
     {
         const swInputNode* node = &nodes[i];
-        bool isRecord = node->record == SW_NO_RECORD || node->record < (uint32_t)head->recordCount;
-        if (node->skip <= i || node->skip > end || !isRecord)
+        // A leaf names one record of its field, three times: a search that goes on behind it comes to an end.
+        bool isLeaf = node->record != SW_NO_RECORD;
+        bool isRecord = node->record >= range->firstRecord && node->record - range->firstRecord < range->recordCount &&
+                        node->firstRecord == node->record && node->lastRecord == node->record;
+        if (node->skip <= i || node->skip > end || (isLeaf && !isRecord))
         {
             return false;
         }
@@ -117,7 +120,7 @@ static bool areRangesGood(const Stored* head, const swInputRecord* records, cons
         uint32_t recordCount = (uint32_t)head->recordCount, nodeCount = (uint32_t)head->nodeCount;
         if (range->firstRecord > recordCount || range->recordCount > recordCount - range->firstRecord ||
             range->firstNode > nodeCount || range->nodeCount > nodeCount - range->firstNode ||
-            !areNodesGood(head, nodes, range))
+            !areNodesGood(nodes, range))
         {
             return false;
         }

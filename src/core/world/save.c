@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), handles, views
-// (view_save.c), zones (zone_save.c). What a step works out is not saved: it is derived again.
+// A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), inputs and
+// bodies of water (core/input), handles, views (view_save.c), zones (zone_save.c). What a step works out is not saved: it is derived again.
 
 #include <math.h>
 #include <string.h>
 
 #include "core/base/host.h"
+#include "core/input/water_bodies_save.h"
 #include "core/waves/waves_save.h"
 #include "core/world/view_save.h"
 #include "core/world/zone.h"
@@ -119,6 +120,7 @@ swResult swStreamState(swWorld* world, swStream* stream, const swRestoreDef* fin
         swReleaseSet(&world->waves, list.sets[i]);
     }
     result = result == SW_SUCCESS ? swStreamInputs(&world->inputs, stream, find) : result;
+    result = result == SW_SUCCESS ? swStreamWaterBodies(&world->waterBodies, stream) : result;
     for (int i = 0; i < world->inputs.count && result == SW_SUCCESS && swIsReading(stream); ++i)
     {
         bool isFlow = swGetInputAt(&world->inputs, i)->def.field == SW_INPUT_FLOW;
@@ -147,8 +149,8 @@ typedef struct Rewind
     swIdPool ids;
     swWaveSystem systems[SW_MAX_WAVE_SYSTEMS];
     swViewState views[SW_MAX_VIEWS];
-    size_t layers[SW_MAX_VIEWS]; // where they are in the stream
-    size_t inputs, zones;        // likewise
+    size_t layers[SW_MAX_VIEWS];  // where they are in the stream
+    size_t inputs, bodies, zones; // likewise
 } Rewind;
 
 static swResult failRewind(const swWorld* world, const char* what)
@@ -197,6 +199,14 @@ static swResult findInputs(const swWorld* world, swStream* stream)
                                    "for points");
 }
 
+static swResult findWaterBodies(const swWorld* world, swStream* stream)
+{
+    swResult result = swCheckWaterBodies(&world->waterBodies, stream);
+    return result != SW_ERROR_UNSUPPORTED
+               ? result
+               : failRewind(world, "a body of water that it had then is gone, or has another shore");
+}
+
 static swResult findZones(const swWorld* world, swStream* stream)
 {
     swResult result = swCheckZones(world, stream);
@@ -222,6 +232,9 @@ static void applyRewind(swWorld* world, const swStream* stream, const Rewind* re
     swStream inputs = *stream;
     inputs.at = rewind->inputs;
     swRewindInputs(&world->inputs, &inputs);
+    swStream bodies = *stream;
+    bodies.at = rewind->bodies;
+    swRewindWaterBodies(&world->waterBodies, &bodies);
     swStream zones = *stream;
     zones.at = rewind->zones;
     swReadZones(world, &zones);
@@ -241,6 +254,8 @@ swResult swRewindState(swWorld* world, swStream* stream)
     streamSystems(stream, &rewind.sets, &rewind.ids, rewind.systems);
     rewind.inputs = stream->at;
     result = stream->isBroken ? SW_ERROR_FORMAT : findInputs(world, stream);
+    rewind.bodies = stream->at;
+    result = result == SW_SUCCESS ? findWaterBodies(world, stream) : result;
     result = result == SW_SUCCESS ? readViews(world, stream, &rewind) : result;
     rewind.zones = stream->at;
     result = result == SW_SUCCESS ? findZones(world, stream) : result;
