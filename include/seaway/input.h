@@ -369,5 +369,5 @@ SW_API int swMoment_QueryFields(const swMoment* moment, int count, const swPosXZ
 SW_API swResult swBakeFloor(const swWorld* world, const swRasterDef* def, swRaster** raster);
 
 /// A hash of all that decides what swBakeFloor() makes: the floor inputs as they are now, with the bits of their
-/// rasters and meshes, and the lattice. A file that was made from another hash is stale.
+/// rasters and meshes, and the lattice. A file that was made from another hash is stale. 0: a lattice of no use.
 SW_API uint64_t swWorld_HashFloor(const swWorld* world, const swRasterDef* def);

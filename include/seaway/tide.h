@@ -49,5 +49,5 @@ SW_API float swGetTideSpeed(const char* name);
 /// @return false for a name that is not known; the constituent is 0 then
 SW_API bool swSetTideConstituent(const char* name, float amplitude, float phase, swTideConstituent* constituent);
 
-/// What constituents add up to at a time, s: of a level x, of a flow x and z.
+/// What constituents add up to at a time, s: of a level x, of a flow x and z. Without constituents both are 0.
 SW_API void swGetTide(int count, const swTideConstituent* constituents, double time, float* x, float* z);

@@ -279,14 +279,18 @@ static void BadMeshesAreRefusedWithTheVertex(void** state)
     def.values = values;
     def.channelCount = 1;
     CheckRefused(&def, SW_ERROR_INVALID, "the value inf at vertex 2");
+#ifdef NDEBUG // misuse: where asserts are on, the program stops
     def.channelCount = 5;
     CheckRefused(&def, SW_ERROR_INVALID, "channelCount is 5");
+#endif
     def.channelCount = 0;
     def.highest = NAN;
     CheckRefused(&def, SW_ERROR_INVALID, "highest");
     def.highest = 0.0f;
+#ifdef NDEBUG
     def.triangleCount = 0;
     CheckRefused(&def, SW_ERROR_INVALID, "1 to 1000000 triangles");
+#endif
 }
 
 static void ManyTrianglesMayLieAboveEachOther(void** state)

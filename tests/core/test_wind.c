@@ -137,7 +137,7 @@ static void WindsDependOnPlaceAndTimeAlone(void** state)
     swWorld_SetOrigin(world, (swPosXZ){1e6, 1e6});
     swVec2 moved = FindWind(world, SW_QUERY_NOW, 0.0, 1e6);
     assert_memory_equal(&before, &moved, sizeof(now));
-    swPosXZ bad[3] = {{NAN, 0.0}, {0.0, 1e13}, {0.0, 0.0}};
+    swPosXZ bad[3] = {{(double)NAN, 0.0}, {0.0, 1e13}, {0.0, 0.0}};
     swVec2 winds[3];
     swWorld_FindWind(world, 0.0, 3, bad, winds);
     assert_true(isnan(winds[0].x) && isnan(winds[1].y) && isfinite(winds[2].x));

@@ -13,6 +13,10 @@ uint64_t swWorld_HashFloor(const swWorld* world, const swRasterDef* def)
 {
     SW_REQUIRE(world != NULL && def != NULL && def->internalValue == SW_DEF_COOKIE, 0, swFindHost(world),
                "swWorld_HashFloor() needs a world and a def made by swDefaultRasterDef()");
+    if (swCheckDef(&world->host, swGetRasterFields(), def) != SW_SUCCESS)
+    {
+        return 0;
+    }
     swHash hash = swBeginHash();
     swAddHashDouble(&hash, world->def.seaLevel);
     swAddHash(&hash, (uint64_t)(uint32_t)def->width << 32 | (uint32_t)def->height);

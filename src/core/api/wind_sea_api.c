@@ -161,7 +161,7 @@ static void markWind(void* context, const double wind[2])
 
 static bool makePlan(const swWindSeaDef* def, Plan* plan)
 {
-    Range range = {.least = INFINITY};
+    Range range = {.least = (double)INFINITY};
     visitWinds(def, addToRange, &range);
     if (!(range.most >= LEAST_SPEED))
     {

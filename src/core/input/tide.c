@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/base/misuse.h"
 #include "core/frame/frame.h"
 #include "core/math/scalar.h"
 
@@ -57,6 +58,7 @@ float swGetTideSpeed(const char* name)
 
 bool swSetTideConstituent(const char* name, float amplitude, float phase, swTideConstituent* constituent)
 {
+    SW_REQUIRE(constituent != NULL, false, NULL, "swSetTideConstituent() needs a place for the constituent");
     float speed = swGetTideSpeed(name);
     *constituent = (swTideConstituent){0};
     if (speed > 0.0f)
@@ -76,6 +78,11 @@ static double swing(double speed, double time, float phase)
 
 void swGetTide(int count, const swTideConstituent* constituents, double time, float* x, float* z)
 {
+    SW_REQUIRE_VOID(x != NULL && z != NULL, NULL, "swGetTide() needs places for x and z");
+    *x = 0.0f;
+    *z = 0.0f;
+    SW_REQUIRE_VOID(count >= 0 && (constituents != NULL || count == 0), NULL,
+                    "swGetTide() needs as many constituents as it is told");
     double along = 0.0, across = 0.0;
     for (int i = 0; i < count; ++i)
     {
