@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A world's state as bytes, see seaway/save.h: clocks, waves (core/waves/waves_save.c), inputs and
-// bodies of water (core/input), handles, views (view_save.c), zones (zone_save.c). What a step works out is not saved: it is derived again.
+// bodies of water (core/input), handles, views (view_save.c), zones (zone_save.c). What a step works out is not saved:
+// it is derived again.
 
 #include <math.h>
 #include <string.h>
