@@ -145,6 +145,7 @@ static void BadMeshFilesAreNamed(void** state)
     CheckRefused(NULL, SW_ERROR_FORMAT, "cannot be read as a mesh");
     Write("obj", "v 0 0 0\nv 1e7 0 0\nv 0 0 1\nf 1 2 3\n");
     CheckRefused(NULL, SW_ERROR_FORMAT, "has vertex");
+#ifdef NDEBUG // misuse: where asserts are on, the program stops
     Write("obj", Quay);
     swMeshFileDef def = swDefaultMeshFileDef();
     def.scale = 0.0f;
@@ -153,6 +154,7 @@ static void BadMeshFilesAreNamed(void** state)
     def.up = SW_MESH_UP_COUNT;
     Write("obj", Quay);
     CheckRefused(&def, SW_ERROR_INVALID, "up is 2");
+#endif
 }
 
 static void RealMeshesAreRead(void** state)

@@ -141,8 +141,10 @@ static void NumbersWithoutAHeadingAreReadAsTheyAreSaidToBe(void** state)
     swDestroyRaster(raster);
     def.rawHeight = 2;
     CheckRefused(&def, SW_ERROR_FORMAT, "3 x 2 numbers of 4 bytes are 24. Set rawWidth");
+#ifdef NDEBUG // misuse: where asserts are on, the program stops
     def.rawHeight = 0;
     CheckRefused(&def, SW_ERROR_INVALID, "both are above 0, or both 0");
+#endif
 }
 
 static void ImagesAreCroppedAsTheyAreRead(void** state)
@@ -702,6 +704,7 @@ static void PointsMayLieOnBothSidesOfTheMeridian(void** state)
 static void DefsOutOfRangeAreRefused(void** state)
 {
     (void)state;
+#ifdef NDEBUG // misuse: where asserts are on, the program stops
     WriteBytes("0 0 1\n", 6);
     swRasterFileDef def = swDefaultRasterFileDef();
     def.scale = (double)NAN;
@@ -715,6 +718,7 @@ static void DefsOutOfRangeAreRefused(void** state)
     def = swDefaultRasterFileDef();
     def.imageEast = (double)INFINITY;
     CheckRefused(&def, SW_ERROR_INVALID, "infinite place");
+#endif
 }
 
 int main(void)
