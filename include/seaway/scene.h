@@ -93,7 +93,7 @@ typedef struct swSceneInput
 {
     swInputDef def;
     int waves;            ///< index of the scene's waves that it weighs; -1: all
-    bool isLeftOut;       ///< its raster is an optional file that is not there
+    bool isLeftOut;       ///< its raster is an optional file that is not there, or its waves were removed
     swInputPoint* points; ///< def.points points here; NULL if there are none
     int pointCount;
     int item; ///< which of the file's inputs it is, from 1 on
@@ -177,7 +177,9 @@ SW_API swResult swScene_AddWaves(swScene* scene, const swWaveSystemDef* def);
 /// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY
 SW_API swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDef* def);
 
-/// Remove a wave system; those behind it move up.
+/// Remove a wave system; those behind it move up. An input of the removed waves is left out, and a body of water that
+/// had them has none of its own. A file whose inputs or bodies name these or later waves by number is then refused by
+/// swPrintScene() and swWriteScene().
 SW_API void swScene_RemoveWaves(swScene* scene, int index);
 
 /// Add a viewpoint behind the others; it needs a name that no other has.

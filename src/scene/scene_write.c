@@ -96,10 +96,33 @@ swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDef* def)
     return result == SW_SUCCESS ? takeDef(scene, waves, def) : result;
 }
 
+// Inputs and bodies of water name waves by their number. The file's numbers are not changed, so it is no longer
+// written.
+static void renumber(swScene* scene, int index, int* waves, bool* isGone)
+{
+    *isGone = *isGone || *waves == index;
+    scene->source->isRenumbered = scene->source->isRenumbered || *waves >= index;
+    *waves = *waves == index ? -1 : *waves - (*waves > index ? 1 : 0);
+}
+
+static void renumberWaves(swScene* scene, int index)
+{
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        renumber(scene, index, &scene->inputs[i].waves, &scene->inputs[i].isLeftOut);
+    }
+    for (int i = 0; i < scene->waterBodyCount; ++i)
+    {
+        bool isGone = false; // the body stays, without waves of its own
+        renumber(scene, index, &scene->waterBodies[i].waves, &isGone);
+    }
+}
+
 void swScene_RemoveWaves(swScene* scene, int index)
 {
     SW_REQUIRE_VOID(scene != NULL && index >= 0 && index < scene->wavesCount, scene != NULL ? &scene->host : NULL,
                     "swScene_RemoveWaves() needs a scene and an index that it has");
+    renumberWaves(scene, index);
     swDestroyMeasuredSea(scene->waves[index].measured);
     swFreeComponents(&scene->host, &scene->waves[index]);
     scene->wavesCount -= 1;
@@ -153,6 +176,13 @@ static swResult checkScene(const swScene* scene)
     {
         return swFail(&scene->host, SW_ERROR_INVALID, "A scene has %d wave systems and %d views; at most %d and %d.",
                       scene->wavesCount, scene->viewCount, SW_MAX_WAVE_SYSTEMS, SW_MAX_SCENE_VIEWS);
+    }
+    if (scene->source->isRenumbered)
+    {
+        return swFail(&scene->host, SW_ERROR_FORMAT,
+                      "%s: waves were removed that inputs or bodies of water name, or that stand before those, so its "
+                      "numbers would be wrong; change the file by hand.",
+                      scene->source->name);
     }
     swResult result = swCheckDef(&scene->host, swGetSceneFields(), scene);
     for (int i = 0; i < SW_SCENE_PART_COUNT && result == SW_SUCCESS; ++i)

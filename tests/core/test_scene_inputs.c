@@ -148,6 +148,31 @@ static void WritingLeavesInputsAsTheyStand(void** state)
     swDestroyScene(scene);
 }
 
+// Numbers of waves in the file cannot follow; what the scene has in memory does.
+static void RemovedWavesAreNotWrittenUnderAnothersNumber(void** state)
+{
+    (void)state;
+    static const char text[] = "waves: [{beaufort: 2}, {beaufort: 4, seed: 2}, {beaufort: 5, seed: 3}]\n"
+                               "inputs: [{field: waves, waves: 3, value: 0.5}, {field: waves, waves: 1, value: 0.5}]\n";
+    swScene* scene = NULL;
+    char written[1024];
+    size_t size = sizeof(written);
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    swScene_RemoveWaves(scene, 0);
+    assert_int_equal(scene->inputs[0].waves, 1);
+    assert_false(scene->inputs[0].isLeftOut);
+    assert_true(scene->inputs[1].isLeftOut);
+    assert_int_equal(swPrintScene(scene, written, &size), SW_ERROR_FORMAT);
+    assert_non_null(strstr(s_messages, "its numbers would be wrong"));
+    swDestroyScene(scene);
+    size = sizeof(written);
+    static const char other[] = "waves: [{beaufort: 2}, {beaufort: 4, seed: 2}]\ninputs: [{field: waves, waves: 1}]\n";
+    assert_int_equal(ReadText(other, &scene), SW_SUCCESS);
+    swScene_RemoveWaves(scene, 1); // nobody names it
+    assert_int_equal(swPrintScene(scene, written, &size), SW_SUCCESS);
+    swDestroyScene(scene);
+}
+
 // Each text has one mistake.
 static void EveryMistakeHasItsLineAndCode(void** state)
 {
@@ -203,9 +228,13 @@ static void EveryMistakeHasItsLineAndCode(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(InputsOfASceneAreInItsSea),      cmocka_unit_test(ASplineOfASceneIsNamedByItsInputs),
-        cmocka_unit_test(ABodyOfWaterOfASceneIsInItsSea), cmocka_unit_test(AWaveSystemIsNamedByItsNumber),
-        cmocka_unit_test(WritingLeavesInputsAsTheyStand), cmocka_unit_test(EveryMistakeHasItsLineAndCode),
+        cmocka_unit_test(InputsOfASceneAreInItsSea),
+        cmocka_unit_test(ASplineOfASceneIsNamedByItsInputs),
+        cmocka_unit_test(ABodyOfWaterOfASceneIsInItsSea),
+        cmocka_unit_test(AWaveSystemIsNamedByItsNumber),
+        cmocka_unit_test(WritingLeavesInputsAsTheyStand),
+        cmocka_unit_test(RemovedWavesAreNotWrittenUnderAnothersNumber),
+        cmocka_unit_test(EveryMistakeHasItsLineAndCode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
