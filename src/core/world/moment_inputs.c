@@ -56,6 +56,16 @@ size_t swGetStoredInputsSize(const swInputSet* set)
     return size;
 }
 
+// Copy bytes to a place; returns the place behind them. A set without inputs has no arrays, and memcpy() wants one.
+static char* store(char* at, const void* bytes, size_t size)
+{
+    if (size > 0)
+    {
+        memcpy(at, bytes, size);
+    }
+    return at + roundUp(size);
+}
+
 void swStoreInputs(swInputArrays* arrays, void* place)
 {
     const swInputSet* set = &arrays->set;
@@ -77,10 +87,8 @@ void swStoreInputs(swInputArrays* arrays, void* place)
     char* at = place;
     memcpy(at, &head, sizeof head);
     at += roundUp(sizeof head);
-    memcpy(at, set->records, (size_t)set->recordCount * sizeof(swInputRecord));
-    at += roundUp((size_t)set->recordCount * sizeof(swInputRecord));
-    memcpy(at, set->nodes, (size_t)set->nodeCount * sizeof(swInputNode));
-    at += roundUp((size_t)set->nodeCount * sizeof(swInputNode));
+    at = store(at, set->records, (size_t)set->recordCount * sizeof(swInputRecord));
+    at = store(at, set->nodes, (size_t)set->nodeCount * sizeof(swInputNode));
     for (int i = 0; i < set->recordCount; ++i)
     {
         size_t count = set->records[i].wordCount;
