@@ -28,6 +28,9 @@
 
 // Texels of a column that a thread of slices_shaped.comp adds up waves for; a divisor of SW_SLICE_HEIGHT.
 #define SW_SHAPED_RUN 4
+// Tiles that it looks at together, and columns of them that it lays out in shared memory at once.
+#define SW_SHAPED_TILES 32
+#define SW_SHAPED_COLUMNS 256
 
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32

@@ -75,6 +75,12 @@ layout(push_constant) uniform Push
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
 #include "lib/slice_waves.glsl"
+#include "lib/slice_cubics.glsl"
+
+// A part of the slice's tiles.
+shared swSliceTile blockTiles[SW_SHAPED_TILES];
+// Cubics of columns of a batch of them, x, y and z of each.
+shared vec4 laidOut[3 * SW_SHAPED_COLUMNS];
 
 swFieldBlock fieldBlock;
 
@@ -137,116 +143,221 @@ void addToRun(inout Run run, uint i, Texel own, Shape shape)
     }
 }
 
-// ---- tiles ----
-
-// Four rows of a tile's coefficients around a texel, weighed along x: values, and slopes along x.
-struct Rows
+// Whether a place leaves anything of waves, in a run.
+bool isAnything(Shape shapes[SW_SHAPED_RUN])
 {
-    uint first; // row of the tile
-    vec3 valueA, valueB, valueC, valueD;
-    vec3 slopeA, slopeB, slopeC, slopeD;
-};
-
-void shiftRows(inout Rows rows, swSliceTile tile, uint first, vec4 value, vec4 slope)
-{
-    rows.valueA = rows.valueB;
-    rows.valueB = rows.valueC;
-    rows.valueC = rows.valueD;
-    rows.slopeA = rows.slopeB;
-    rows.slopeB = rows.slopeC;
-    rows.slopeC = rows.slopeD;
-    vec3 a = texelOf(tile, first, rows.first + 4), b = texelOf(tile, first + 1, rows.first + 4);
-    vec3 c = texelOf(tile, first + 2, rows.first + 4), d = texelOf(tile, first + 3, rows.first + 4);
-    rows.valueD = weigh(value, a, b, c, d);
-    rows.slopeD = weigh(slope, a, b, c, d);
-    rows.first += 1;
-}
-
-// Adds a tile to the texels of a run, from row `lowest` on.
-void addShapedTile(inout Run run, swSliceTile tile, uint column, uint lowest, Shape shapes[SW_SHAPED_RUN])
-{
-    float x = splineX(tile, column);
-    float cellX = floor(x);
-    uint first = (tile.base & 0xffffu) + uint(cellX);
-    vec4 value = swSplineWeights(x - cellX), slope = swSplineSlopes(x - cellX) * tile.perMetre;
-    Rows rows;
-    rows.first = uint(floor(splineZ(tile, lowest))) + (tile.base >> 16) - 4u;
-    for (uint i = 0; i < 4; ++i)
-    {
-        shiftRows(rows, tile, first, value, slope);
-    }
+    bool isAny = false;
     for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
-        float z = splineZ(tile, lowest + i);
-        float cellZ = floor(z);
-        uint row = uint(cellZ) + (tile.base >> 16);
-        while (rows.first != row)
+        isAny = isAny || shapes[i].weight != 0.0 || shapes[i].slope != vec2(0.0);
+    }
+    return isAny;
+}
+
+// ---- tiles ----
+
+uint lowestRow()
+{
+    return gl_WorkGroupID.y * SW_SHAPED_RUN;
+}
+
+bool isShapedTile(uint b)
+{
+    return isShapedIn(fieldBlock, blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
+}
+
+// The cubic of a column of a tile in one of the cells that the run touches, by texels from the run's first row.
+void placeCubic(swSliceTile tile, uint column, uint cell, uint to)
+{
+    float s = splineZ(tile, lowestRow());
+    float first = floor(s) + float(cell);
+    uint x = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
+    uint z = (tile.base >> 16) + uint(first);
+    vec3 a = texelOf(tile, x, z), b = texelOf(tile, x, z + 1);
+    vec3 c = texelOf(tile, x, z + 2), d = texelOf(tile, x, z + 3);
+    mat4 pieces = cubicPieces(s - first, tile.step);
+    laidOut[to] = pieces * vec4(a.x, b.x, c.x, d.x);
+    laidOut[SW_SHAPED_COLUMNS + to] = pieces * vec4(a.y, b.y, c.y, d.y);
+    laidOut[2 * SW_SHAPED_COLUMNS + to] = pieces * vec4(a.z, b.z, c.z, d.z);
+}
+
+// Lays out the shaped ones of tiles [first, end), each cubic by a thread.
+void placeCubics(uint first, uint end)
+{
+    uint count = blockTiles[first].firstShaped + blockTiles[first].shapedCells * blockTiles[first].columnCount;
+    for (uint i = gl_LocalInvocationIndex; i < count; i += SW_SLICE_WIDTH)
+    {
+        uint b = end - 1; // places begin with the last
+        while (b > first && i >= blockTiles[b - 1].firstShaped)
         {
-            shiftRows(rows, tile, first, value, slope);
+            b -= 1;
         }
-        vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
-        Texel own;
-        own.sum = weigh(valueZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD);
-        own.alongX = weigh(valueZ, rows.slopeA, rows.slopeB, rows.slopeC, rows.slopeD);
-        own.alongZ = weigh(slopeZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD).yz;
+        uint at = i - blockTiles[b].firstShaped;
+        if (isShapedTile(b))
+        {
+            placeCubic(blockTiles[b], at % blockTiles[b].columnCount, at / blockTiles[b].columnCount, i);
+        }
+    }
+}
+
+bool isAnyShaped(uint first, uint end)
+{
+    bool isAny = false;
+    for (uint b = first; b < end; ++b)
+    {
+        isAny = isAny || isShapedTile(b);
+    }
+    return isAny;
+}
+
+void addLaidOut(inout Cubic cubic, uint at, float value, float slope)
+{
+    addColumn(cubic, laidOut[at], laidOut[SW_SHAPED_COLUMNS + at], laidOut[2 * SW_SHAPED_COLUMNS + at], value, slope);
+}
+
+// Adds a tile that is laid out to the texels of a run.
+void addShapedTile(inout Run run, swSliceTile tile, uint column, float texelsPerMetre, Shape shapes[SW_SHAPED_RUN])
+{
+    Window window = makeWindow(tile, column);
+    float origin = floor(splineZ(tile, lowestRow()));
+    float last = -1.0;
+    Cubic cubic = FLAT;
+    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    {
+        float cell = floor(splineZ(tile, lowestRow() + i)) - origin;
+        if (cell != last)
+        {
+            uint at = tile.firstShaped + uint(cell) * tile.columnCount + window.first;
+            cubic = FLAT;
+            addLaidOut(cubic, at, window.value.x, window.slope.x);
+            addLaidOut(cubic, at + 1, window.value.y, window.slope.y);
+            addLaidOut(cubic, at + 2, window.value.z, window.slope.z);
+            addLaidOut(cubic, at + 3, window.value.w, window.slope.w);
+            last = cell;
+        }
+        addToRun(run, i, evaluateCubic(cubic, float(i), texelsPerMetre), shapes[i]);
+    }
+}
+
+// Adds a tile of which a block has too many columns.
+void addShapedWindow(inout Run run, swSliceTile tile, uint column, Shape shapes[SW_SHAPED_RUN])
+{
+    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    {
+        Texel own = CALM;
+        addWindow(own, tile, column, lowestRow() + i);
         addToRun(run, i, own, shapes[i]);
     }
 }
 
 // ---- free waves ----
 
-void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, Shape shapes[SW_SHAPED_RUN])
+void addShapedWave(inout Run run, swSliceWave wave, uint column, Shape shapes[SW_SHAPED_RUN])
 {
     for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
         Texel own = CALM;
-        addWave(own, wave, swingOf(wave, column, lowest + i));
+        addWave(own, wave, swingOf(wave, column, lowestRow() + i));
         addToRun(run, i, own, shapes[i]);
     }
 }
 
 // ---- all of a run ----
 
-// Adds the tiles and free waves that are shaped in this block.
-void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
+// What a place does to a run of texels of a column.
+struct RunPlaces
 {
     Ground grounds[SW_SHAPED_RUN];
-    Shape weights[SW_SHAPED_RUN], shapes[SW_SHAPED_RUN];
+    Shape weights[SW_SHAPED_RUN]; // of the system asked last
+    uint system;
+};
+
+RunPlaces placesOf(uint column)
+{
+    RunPlaces places;
     for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
-        grounds[i] = groundOf(column, lowest + i);
-        weights[i] = Shape(1.0, vec2(0.0));
+        places.grounds[i] = groundOf(column, lowestRow() + i);
+        places.weights[i] = Shape(1.0, vec2(0.0));
     }
-    uint system = ~0u; // that `weights` are of
-    uint tileCount = list.count + list.windowCount;
-    for (uint k = 0; k < tileCount + (WITH_WAVES ? list.waveCount : 0); ++k)
+    places.system = ~0u;
+    return places;
+}
+
+// How waves of a system, of wave number k, are shaped in a run.
+Shape[SW_SHAPED_RUN] shapesOf(inout RunPlaces places, uint column, uint system, float k, swAttenuation attenuation)
+{
+    Shape shapes[SW_SHAPED_RUN];
+    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
-        bool isTile = k < tileCount;
-        swSliceTile tile = tiles[list.first + min(k, tileCount - 1)];
-        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : k - tileCount)];
-        uint its = isTile ? tile.system : wave.system;
-        float number = isTile ? tile.waveNumber : wave.waveNumber;
-        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
-        if (!isShapedIn(fieldBlock, its, number, attenuation))
+        if (WITH_WEIGHTS && system != places.system)
+        {
+            places.weights[i] = weightOf(system, column, lowestRow() + i);
+        }
+        shapes[i] = attenuated(places.weights[i], places.grounds[i], k, attenuation);
+    }
+    places.system = system;
+    return shapes;
+}
+
+// Adds the shaped ones of tiles [first, end), which are laid out together.
+void addTiles(inout Run run, inout RunPlaces places, uint first, uint end, uint column, float texelsPerMetre)
+{
+    for (uint b = first; b < end; ++b)
+    {
+        if (!isShapedTile(b))
         {
             continue;
         }
-        for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+        swSliceTile tile = blockTiles[b];
+        Shape shapes[SW_SHAPED_RUN] = shapesOf(places, column, tile.system, tile.waveNumber, tile.attenuation);
+        if (!isAnything(shapes))
         {
-            if (WITH_WEIGHTS && its != system)
+            continue;
+        }
+        if (tile.shapedCells > 0)
+        {
+            addShapedTile(run, tile, column, texelsPerMetre, shapes);
+        }
+        else
+        {
+            addShapedWindow(run, tile, column, shapes);
+        }
+    }
+}
+
+// Adds the tiles and free waves that are shaped in this block.
+void addAllShaped(inout Run run, swSliceList list, uint column)
+{
+    RunPlaces places = placesOf(column);
+    uint count = list.count + list.windowCount;
+    for (uint part = (count + SW_SHAPED_TILES - 1) / SW_SHAPED_TILES; part-- > 0;)
+    {
+        uint first = part * SW_SHAPED_TILES, last = min(first + SW_SHAPED_TILES, count) - first;
+        barrier(); // nobody reads the part before
+        if (gl_LocalInvocationIndex < last)
+        {
+            blockTiles[gl_LocalInvocationIndex] = tiles[list.first + first + gl_LocalInvocationIndex];
+        }
+        barrier();
+        for (uint end = last, begin; end > 0; end = begin)
+        {
+            begin = blockTiles[end - 1].shapedBegin - first;
+            if (isAnyShaped(begin, end))
             {
-                weights[i] = weightOf(its, column, lowest + i);
+                placeCubics(begin, end);
+                barrier();
+                addTiles(run, places, begin, end, column, list.texelsPerMetre);
+                barrier(); // nobody reads what was laid out
             }
-            shapes[i] = attenuated(weights[i], grounds[i], number, attenuation);
         }
-        system = its;
-        if (isTile)
+    }
+    for (uint k = 0; WITH_WAVES && k < list.waveCount; ++k)
+    {
+        swSliceWave wave = waves[list.firstWave + k];
+        if (isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation))
         {
-            addShapedTile(run, tile, column, lowest, shapes);
-        }
-        else if (WITH_WAVES)
-        {
-            addShapedWave(run, wave, column, lowest, shapes);
+            addShapedWave(run, wave, column, shapesOf(places, column, wave.system, wave.waveNumber, wave.attenuation));
         }
     }
 }
@@ -261,18 +372,21 @@ void storeShaped(uint column, uint row, Texel texel)
 void main()
 {
     uint column = gl_GlobalInvocationID.x;
-    uint lowest = gl_WorkGroupID.y * SW_SHAPED_RUN;
+    uint lowest = lowestRow();
     uint blockRow = lowest / SW_SLICE_HEIGHT;
     fieldBlock =
         blocks[(gl_WorkGroupID.z * (resolution / SW_SLICE_HEIGHT) + blockRow) * gl_NumWorkGroups.x + gl_WorkGroupID.x];
-    if (!isTouched(fieldBlock) || column >= resolution)
+    if (!isTouched(fieldBlock))
     {
         return;
     }
     Run run = Run(CALM, CALM, CALM, CALM);
-    addAllShaped(run, lists[gl_WorkGroupID.z], column, lowest);
-    storeShaped(column, lowest, run.a);
-    storeShaped(column, lowest + 1, run.b);
-    storeShaped(column, lowest + 2, run.c);
-    storeShaped(column, lowest + 3, run.d);
+    addAllShaped(run, lists[gl_WorkGroupID.z], column);
+    if (column < resolution)
+    {
+        storeShaped(column, lowest, run.a);
+        storeShaped(column, lowest + 1, run.b);
+        storeShaped(column, lowest + 2, run.c);
+        storeShaped(column, lowest + 3, run.d);
+    }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a view for all its slices, where inputs say anything at all.
+// One dispatch a view for all its slices, where inputs say anything at all; none where all slices are as they were.
 
 #include <string.h>
 
@@ -20,6 +20,7 @@ typedef struct ViewState
     Made made;
     swBuffer blocks; // swFieldBlock[slices][rows of blocks][columns of blocks]
     swUpload slices; // swFieldSlice[sliceCount]; of this frame
+    bool isKept;     // all slices are as they were
     swFieldsConstants constants;
 } ViewState;
 
@@ -77,12 +78,14 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewStat
     swResult result = swGrowBuffer(gpuWorld->gpu, blocks * sizeof(swFieldBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                    SW_MEMORY_DEVICE, "blocks of fields", &state->blocks);
     bool isStill = before == state->blocks.handle && isMadeStill(gpuWorld, view, &state->made);
-    state->made.isThere = false; // until it is recorded
     swFillFieldSlices(stack, slices);
+    state->isKept = true;
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         slices[i].isKept = isStill && isSamePlace(&stack->slices[i], &state->made.slices[i]) ? 1 : 0;
+        state->isKept = state->isKept && slices[i].isKept != 0;
     }
+    state->made.isThere = state->isKept; // else until it is recorded
     state->constants = (swFieldsConstants){.withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0};
     return result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, slices, sizeof(slices), &state->slices) : result;
 }
@@ -96,8 +99,8 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
     {
         if (isMade(gpuWorld, &gpuWorld->views[i]))
         {
-            *isNeeded = true;
             result = uploadView(gpuWorld, &gpuWorld->views[i], &s->views[i]);
+            *isNeeded = *isNeeded || !s->views[i].isKept;
         }
         else
         {
@@ -145,7 +148,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!isMade(gpuWorld, view))
+        if (!isMade(gpuWorld, view) || s->views[i].isKept)
         {
             continue;
         }
