@@ -61,9 +61,8 @@ SW_PARAMS(swSliceTile)
     sw_uint firstOfAll;  // among those of all tiles
     sw_uint batchEnd;    // of the tiles that are laid out together: one past the last
     sw_uint firstJump;
-    // Likewise among what slices_shaped.comp lays out, from the last tile on, where a tile has its columns once for
-    // each of shapedCells.
-    sw_uint shapedCells; // cells along z that a run of texels touches at most; 0: it is added texel by texel
+    // Likewise among what slices_shaped.comp lays out, from the last tile on.
+    sw_uint shapedColumns; // as columnCount; 0: it is added texel by texel
     sw_uint firstShaped;
     sw_uint shapedBegin; // of the tiles that are laid out together: the first, counted from the list's
     float texelsPerUnit; // 1 / step

@@ -9,14 +9,17 @@
 // by isShapedIn(), so each is added once. The twin of core/surface/evaluate_shaped.c.
 //
 // Everything that makes waves differ from place to place is added here, in addAllShaped(), and slices.comp knows
-// nothing of it. A thread adds up a run of SW_SHAPED_RUN texels of a column, which share the rows of a tile's
-// coefficients that it has weighed along x.
+// nothing of it. A workgroup makes SW_SHAPED_ROWS rows of a block, a thread a texel. The spline is separable: for each
+// tile, what its columns are at each of the rows is interpolated along z once for all texels, in shared memory, and
+// each texel interpolates that along x. Runs of four texels a thread, which share cubics along z in registers, need
+// fewer operations, but took twice as long: their code has 37 KB and 168 registers, and a block took 20 us of an H100
+// from its beginning to its end.
 
 #include "shared/fields.h"
 #include "shared/spline.h"
 #include "shared/waves.h"
 
-layout(local_size_x = SW_SLICE_WIDTH) in;
+layout(local_size_x = SW_SLICE_WIDTH, local_size_y = SW_SHAPED_ROWS) in;
 layout(constant_id = 0) const bool WITH_WAVES = true;   // free waves
 layout(constant_id = 1) const bool WITH_WEIGHTS = true; // systems may have weights of their own there
 
@@ -75,21 +78,14 @@ layout(push_constant) uniform Push
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
 #include "lib/slice_waves.glsl"
-#include "lib/slice_cubics.glsl"
 
 // A part of the slice's tiles.
 shared swSliceTile blockTiles[SW_SHAPED_TILES];
-// Cubics of columns of a batch of them, x, y and z of each.
-shared vec4 laidOut[3 * SW_SHAPED_COLUMNS];
+// Columns of a batch of them at each row: displacement and the slope of y along z; the slope of z along z.
+shared vec4 laidOut[SW_SHAPED_ROWS * SW_SHAPED_COLUMNS];
+shared float laidOutSlope[SW_SHAPED_ROWS * SW_SHAPED_COLUMNS];
 
 swFieldBlock fieldBlock;
-
-// Texels of a column that follow each other. They have names, not indices: an array that is indexed would leave the
-// registers.
-struct Run
-{
-    Texel a, b, c, d;
-};
 
 // ---- what a place does ----
 
@@ -123,79 +119,49 @@ void addShaped(inout Texel texel, Texel own, Shape shape)
     texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
 }
 
-void addToRun(inout Run run, uint i, Texel own, Shape shape)
-{
-    if (i == 0)
-    {
-        addShaped(run.a, own, shape);
-    }
-    else if (i == 1)
-    {
-        addShaped(run.b, own, shape);
-    }
-    else if (i == 2)
-    {
-        addShaped(run.c, own, shape);
-    }
-    else
-    {
-        addShaped(run.d, own, shape);
-    }
-}
-
-// Whether a place leaves anything of waves, in a run.
-bool isAnything(Shape shapes[SW_SHAPED_RUN])
-{
-    bool isAny = false;
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-    {
-        isAny = isAny || shapes[i].weight != 0.0 || shapes[i].slope != vec2(0.0);
-    }
-    return isAny;
-}
-
 // ---- tiles ----
-
-uint lowestRow()
-{
-    return gl_WorkGroupID.y * SW_SHAPED_RUN;
-}
 
 bool isShapedTile(uint b)
 {
     return isShapedIn(fieldBlock, blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
 }
 
-// The cubic of a column of a tile in one of the cells that the run touches, by texels from the run's first row.
-void placeCubic(swSliceTile tile, uint column, uint cell, uint to)
+// First column of a tile that a block of texels touches, not wrapped.
+float firstOfBlock(swSliceTile tile)
 {
-    float s = splineZ(tile, lowestRow());
-    float first = floor(s) + float(cell);
-    uint x = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
-    uint z = (tile.base >> 16) + uint(first);
-    vec3 a = texelOf(tile, x, z), b = texelOf(tile, x, z + 1);
-    vec3 c = texelOf(tile, x, z + 2), d = texelOf(tile, x, z + 3);
-    mat4 pieces = cubicPieces(s - first, tile.step);
-    laidOut[to] = pieces * vec4(a.x, b.x, c.x, d.x);
-    laidOut[SW_SHAPED_COLUMNS + to] = pieces * vec4(a.y, b.y, c.y, d.y);
-    laidOut[2 * SW_SHAPED_COLUMNS + to] = pieces * vec4(a.z, b.z, c.z, d.z);
+    return floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH));
 }
 
-// Lays out the shaped ones of tiles [first, end), each cubic by a thread.
-void placeCubics(uint first, uint end)
+// A column of a tile, interpolated along z at a row of texels.
+void placeColumn(swSliceTile tile, uint column, uint row, uint to)
 {
-    uint count = blockTiles[first].firstShaped + blockTiles[first].shapedCells * blockTiles[first].columnCount;
-    for (uint i = gl_LocalInvocationIndex; i < count; i += SW_SLICE_WIDTH)
+    float s = splineZ(tile, row);
+    float cell = floor(s);
+    vec4 value = swSplineWeights(s - cell), slope = swSplineSlopes(s - cell) * tile.perMetre;
+    uint x = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
+    uint z = (tile.base >> 16) + uint(cell);
+    vec3 a = texelOf(tile, x, z), b = texelOf(tile, x, z + 1);
+    vec3 c = texelOf(tile, x, z + 2), d = texelOf(tile, x, z + 3);
+    vec3 along = weigh(slope, a, b, c, d);
+    laidOut[to] = vec4(weigh(value, a, b, c, d), along.y);
+    laidOutSlope[to] = along.z;
+}
+
+// Lays out the shaped ones of tiles [first, end): the threads of a row all columns at that row.
+void placeColumns(uint first, uint end, uint row)
+{
+    uint count = blockTiles[first].firstShaped + blockTiles[first].shapedColumns;
+    for (uint i = gl_LocalInvocationID.x; i < count; i += SW_SLICE_WIDTH)
     {
         uint b = end - 1; // places begin with the last
         while (b > first && i >= blockTiles[b - 1].firstShaped)
         {
             b -= 1;
         }
-        uint at = i - blockTiles[b].firstShaped;
         if (isShapedTile(b))
         {
-            placeCubic(blockTiles[b], at % blockTiles[b].columnCount, at / blockTiles[b].columnCount, i);
+            placeColumn(blockTiles[b], i - blockTiles[b].firstShaped, row,
+                        gl_LocalInvocationID.y * SW_SHAPED_COLUMNS + i);
         }
     }
 }
@@ -210,98 +176,50 @@ bool isAnyShaped(uint first, uint end)
     return isAny;
 }
 
-void addLaidOut(inout Cubic cubic, uint at, float value, float slope)
+// A tile that is laid out, at a texel: interpolated along x.
+Texel laidOutAt(swSliceTile tile, uint column)
 {
-    addColumn(cubic, laidOut[at], laidOut[SW_SHAPED_COLUMNS + at], laidOut[2 * SW_SHAPED_COLUMNS + at], value, slope);
+    float s = splineX(tile, column);
+    float cell = floor(s);
+    vec4 value = swSplineWeights(s - cell), slope = swSplineSlopes(s - cell) * tile.perMetre;
+    uint at = gl_LocalInvocationID.y * SW_SHAPED_COLUMNS + tile.firstShaped + uint(cell - firstOfBlock(tile));
+    vec4 a = laidOut[at], b = laidOut[at + 1], c = laidOut[at + 2], d = laidOut[at + 3];
+    vec4 along = vec4(laidOutSlope[at], laidOutSlope[at + 1], laidOutSlope[at + 2], laidOutSlope[at + 3]);
+    Texel own;
+    own.sum = weigh(value, a.xyz, b.xyz, c.xyz, d.xyz);
+    own.alongX = weigh(slope, a.xyz, b.xyz, c.xyz, d.xyz);
+    own.alongZ = vec2(dot(value, vec4(a.w, b.w, c.w, d.w)), dot(value, along));
+    return own;
 }
 
-// Adds a tile that is laid out to the texels of a run.
-void addShapedTile(inout Run run, swSliceTile tile, uint column, float texelsPerMetre, Shape shapes[SW_SHAPED_RUN])
+// ---- all of a texel ----
+
+// What a place does to a texel.
+struct TexelPlace
 {
-    Window window = makeWindow(tile, column);
-    float origin = floor(splineZ(tile, lowestRow()));
-    float last = -1.0;
-    Cubic cubic = FLAT;
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-    {
-        float cell = floor(splineZ(tile, lowestRow() + i)) - origin;
-        if (cell != last)
-        {
-            uint at = tile.firstShaped + uint(cell) * tile.columnCount + window.first;
-            cubic = FLAT;
-            addLaidOut(cubic, at, window.value.x, window.slope.x);
-            addLaidOut(cubic, at + 1, window.value.y, window.slope.y);
-            addLaidOut(cubic, at + 2, window.value.z, window.slope.z);
-            addLaidOut(cubic, at + 3, window.value.w, window.slope.w);
-            last = cell;
-        }
-        addToRun(run, i, evaluateCubic(cubic, float(i), texelsPerMetre), shapes[i]);
-    }
-}
-
-// Adds a tile of which a block has too many columns.
-void addShapedWindow(inout Run run, swSliceTile tile, uint column, Shape shapes[SW_SHAPED_RUN])
-{
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-    {
-        Texel own = CALM;
-        addWindow(own, tile, column, lowestRow() + i);
-        addToRun(run, i, own, shapes[i]);
-    }
-}
-
-// ---- free waves ----
-
-void addShapedWave(inout Run run, swSliceWave wave, uint column, Shape shapes[SW_SHAPED_RUN])
-{
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-    {
-        Texel own = CALM;
-        addWave(own, wave, swingOf(wave, column, lowestRow() + i));
-        addToRun(run, i, own, shapes[i]);
-    }
-}
-
-// ---- all of a run ----
-
-// What a place does to a run of texels of a column.
-struct RunPlaces
-{
-    Ground grounds[SW_SHAPED_RUN];
-    Shape weights[SW_SHAPED_RUN]; // of the system asked last
+    Ground ground;
+    Shape weight; // of the system asked last
     uint system;
 };
 
-RunPlaces placesOf(uint column)
+// How waves of a system, of wave number k, are shaped there.
+Shape shapeOf(inout TexelPlace place, uint column, uint row, uint system, float k, swAttenuation attenuation)
 {
-    RunPlaces places;
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    if (WITH_WEIGHTS && system != place.system)
     {
-        places.grounds[i] = groundOf(column, lowestRow() + i);
-        places.weights[i] = Shape(1.0, vec2(0.0));
+        place.weight = weightOf(system, column, row);
+        place.system = system;
     }
-    places.system = ~0u;
-    return places;
+    return attenuated(place.weight, place.ground, k, attenuation);
 }
 
-// How waves of a system, of wave number k, are shaped in a run.
-Shape[SW_SHAPED_RUN] shapesOf(inout RunPlaces places, uint column, uint system, float k, swAttenuation attenuation)
+bool isAnything(Shape shape)
 {
-    Shape shapes[SW_SHAPED_RUN];
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-    {
-        if (WITH_WEIGHTS && system != places.system)
-        {
-            places.weights[i] = weightOf(system, column, lowestRow() + i);
-        }
-        shapes[i] = attenuated(places.weights[i], places.grounds[i], k, attenuation);
-    }
-    places.system = system;
-    return shapes;
+    return shape.weight != 0.0 || shape.slope != vec2(0.0);
 }
 
 // Adds the shaped ones of tiles [first, end), which are laid out together.
-void addTiles(inout Run run, inout RunPlaces places, uint first, uint end, uint column, float texelsPerMetre)
+void addTiles(inout Texel texel, inout TexelPlace place, uint first, uint end, uint column, uint row)
 {
     for (uint b = first; b < end; ++b)
     {
@@ -309,27 +227,29 @@ void addTiles(inout Run run, inout RunPlaces places, uint first, uint end, uint 
         {
             continue;
         }
-        swSliceTile tile = blockTiles[b];
-        Shape shapes[SW_SHAPED_RUN] = shapesOf(places, column, tile.system, tile.waveNumber, tile.attenuation);
-        if (!isAnything(shapes))
+        Shape shape =
+            shapeOf(place, column, row, blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
+        if (!isAnything(shape))
         {
             continue;
         }
-        if (tile.shapedCells > 0)
+        Texel own = CALM;
+        if (blockTiles[b].shapedColumns > 0)
         {
-            addShapedTile(run, tile, column, texelsPerMetre, shapes);
+            own = laidOutAt(blockTiles[b], column);
         }
         else
         {
-            addShapedWindow(run, tile, column, shapes);
+            addWindow(own, blockTiles[b], column, row);
         }
+        addShaped(texel, own, shape);
     }
 }
 
 // Adds the tiles and free waves that are shaped in this block.
-void addAllShaped(inout Run run, swSliceList list, uint column)
+void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
 {
-    RunPlaces places = placesOf(column);
+    TexelPlace place = TexelPlace(groundOf(column, row), Shape(1.0, vec2(0.0)), ~0u);
     uint count = list.count + list.windowCount;
     for (uint part = (count + SW_SHAPED_TILES - 1) / SW_SHAPED_TILES; part-- > 0;)
     {
@@ -345,9 +265,9 @@ void addAllShaped(inout Run run, swSliceList list, uint column)
             begin = blockTiles[end - 1].shapedBegin - first;
             if (isAnyShaped(begin, end))
             {
-                placeCubics(begin, end);
+                placeColumns(begin, end, row);
                 barrier();
-                addTiles(run, places, begin, end, column, list.texelsPerMetre);
+                addTiles(texel, place, begin, end, column, row);
                 barrier(); // nobody reads what was laid out
             }
         }
@@ -357,7 +277,9 @@ void addAllShaped(inout Run run, swSliceList list, uint column)
         swSliceWave wave = waves[list.firstWave + k];
         if (isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation))
         {
-            addShapedWave(run, wave, column, shapesOf(places, column, wave.system, wave.waveNumber, wave.attenuation));
+            Texel own = CALM;
+            addWave(own, wave, swingOf(wave, column, row));
+            addShaped(texel, own, shapeOf(place, column, row, wave.system, wave.waveNumber, wave.attenuation));
         }
     }
 }
@@ -372,21 +294,18 @@ void storeShaped(uint column, uint row, Texel texel)
 void main()
 {
     uint column = gl_GlobalInvocationID.x;
-    uint lowest = lowestRow();
-    uint blockRow = lowest / SW_SLICE_HEIGHT;
+    uint row = gl_GlobalInvocationID.y;
+    uint blockRow = row / SW_SLICE_HEIGHT;
     fieldBlock =
         blocks[(gl_WorkGroupID.z * (resolution / SW_SLICE_HEIGHT) + blockRow) * gl_NumWorkGroups.x + gl_WorkGroupID.x];
     if (!isTouched(fieldBlock))
     {
         return;
     }
-    Run run = Run(CALM, CALM, CALM, CALM);
-    addAllShaped(run, lists[gl_WorkGroupID.z], column);
+    Texel texel = CALM;
+    addAllShaped(texel, lists[gl_WorkGroupID.z], column, row);
     if (column < resolution)
     {
-        storeShaped(column, lowest, run.a);
-        storeShaped(column, lowest + 1, run.b);
-        storeShaped(column, lowest + 2, run.c);
-        storeShaped(column, lowest + 3, run.d);
+        storeShaped(column, row, texel);
     }
 }

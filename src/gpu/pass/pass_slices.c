@@ -120,10 +120,8 @@ static void placeShaped(uint32_t count, swSliceTile* tiles)
     uint32_t end = count, columns = 0;
     for (uint32_t i = count; i-- > 0;)
     {
-        uint32_t cells = (uint32_t)((float)(SW_SHAPED_RUN - 1) * tiles[i].step * 1.0001f) + 2;
-        bool isCubic = tiles[i].step <= SW_SLICE_STEP && cells * tiles[i].columnCount <= SW_SHAPED_COLUMNS;
-        tiles[i].shapedCells = isCubic ? cells : 0;
-        uint32_t own = tiles[i].shapedCells * tiles[i].columnCount;
+        uint32_t own = tiles[i].columnCount <= SW_SHAPED_COLUMNS ? tiles[i].columnCount : 0;
+        tiles[i].shapedColumns = own;
         if (columns + own > SW_SHAPED_COLUMNS || (i + 1) % SW_SHAPED_TILES == 0)
         {
             end = i + 1;
