@@ -27,7 +27,7 @@
 ViewerOptions DefaultViewerOptions(void)
 {
     return (ViewerOptions){
-        .device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true, .uiScale = 1.0f};
+        .device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true, .uiScale = 1.0f, .sheet = swDefaultSheetDef()};
 }
 
 void ShowNote(App* app, const char* format, ...)

@@ -285,6 +285,9 @@ typedef struct swInputDef
     int internalValue;
 } swInputDef;
 
+/// How many numbers a field has, 1 to 4: those of swInputDef::value that count.
+SW_API int swInputField_CountNumbers(swInputField field);
+
 SW_API swInputDef swDefaultInputDef(void);
 SW_API const swFields* swGetInputFields(void);
 
