@@ -246,7 +246,9 @@ static bool DrawFrame(Render* render, int frame, double time)
                    .water = render->scene->water,
                    .debug = options->debug.mode,
                    .time = time + frame / options->fps,
-                   .exposureEv = render->scene->exposureEv + (float)options->exposureEv};
+                   .exposureEv = render->scene->exposureEv + (float)options->exposureEv,
+                   .bodyWaters = render->scene->looks,
+                   .bodyWaterCount = render->scene->lookCount};
     int factor = (int)lround(sqrt((double)options->samples));
     shot.camera.width *= (uint32_t)factor;
     shot.camera.height *= (uint32_t)factor;
