@@ -201,7 +201,7 @@ static void PrintSheet(const Render* render, double time)
     swSheetInfo info = swSheet_GetInfo(render->sheet);
     FILE* to = IsDevice(render->options.outPath) ? stderr : stdout; // which may be the picture itself
     fprintf(to, "%s.%s at %.10g s: ", swLayer_GetName(info.def.layer),
-           swLayer_GetChannelName(info.def.layer, info.def.channel), time);
+            swLayer_GetChannelName(info.def.layer, info.def.channel), time);
     if (info.sliceCount == 1)
     {
         fprintf(to, "slice %d", info.firstSlice);
@@ -210,8 +210,8 @@ static void PrintSheet(const Render* render, double time)
     {
         fprintf(to, "slices 0 to %d", info.sliceCount - 1);
     }
-    fprintf(to, " of %d x %d texels, least %.6g, greatest %.6g, shown from %.6g to %.6g", info.resolution, info.resolution,
-           (double)info.least, (double)info.greatest, (double)info.low, (double)info.high);
+    fprintf(to, " of %d x %d texels, least %.6g, greatest %.6g, shown from %.6g to %.6g", info.resolution,
+            info.resolution, (double)info.least, (double)info.greatest, (double)info.low, (double)info.high);
     fprintf(to, info.unknownCount > 0 ? ", %d texels hold nothing\n" : "\n", info.unknownCount);
 }
 
@@ -484,8 +484,7 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
                                .supersample = (int)lround(sqrt((double)options->samples)),
                                .enableValidation = options->enableValidation};
         render.maker = CreatePictureMaker(&render.host, &def);
-        isFine = render.maker != NULL && OpenSea(&render, scenePath) && OpenSheet(&render) &&
-                 DrawFrames(&render);
+        isFine = render.maker != NULL && OpenSea(&render, scenePath) && OpenSheet(&render) && DrawFrames(&render);
     }
     if (render.video != NULL)
     {
@@ -746,11 +745,7 @@ int RunRender(int argumentCount, char** arguments)
          .placeholder = "S",
          .help = "seconds of foam before the first frame (default 5)",
          .max = 600},
-        {.name = "debug",
-         .kind = OPTION_DEBUG,
-         .value = &render.debug,
-         .placeholder = "MODE",
-         .help = DEBUG_MODE_HELP},
+        {.name = "debug", .kind = OPTION_DEBUG, .value = &render.debug, .placeholder = "MODE", .help = DEBUG_MODE_HELP},
         {.name = "layer-range",
          .kind = OPTION_TEXT,
          .value = &render.rangeText,

@@ -297,6 +297,11 @@ typedef struct swSceneSea
 /// @return what swCreateWaveSystem(), swCreateSeaReplay() and swCreateInput() return; the world is then as it was
 SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea);
 
+/// The same of a host that makes the wave systems itself: `systems` are those of the scene's waves, in its order; null
+/// handles of those that are not there, whose inputs are left out. Nothing is replayed.
+SW_API swResult swCreateSceneInputs(swWorld* world, const swScene* scene, const swWaveSystemId* systems,
+                                    swSceneSea* sea);
+
 /// Set replayed systems to a time; call it before each step to that time. Does nothing for a scene without replays.
 /// @return as swSeaReplay_Advance()
 SW_API swResult swSceneSea_Advance(swSceneSea* sea, double time);

@@ -271,8 +271,9 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)
     {
-        result = swKeepFailure(
-            result, swReadYamlNumbers(yaml, value, "value", swInputField_CountNumbers(input->def.field), input->def.value));
+        result =
+            swKeepFailure(result, swReadYamlNumbers(yaml, value, "value", swInputField_CountNumbers(input->def.field),
+                                                    input->def.value));
     }
     return points != NULL ? swKeepFailure(result, readPoints(yaml, points, input)) : result;
 }
@@ -389,7 +390,7 @@ static void* makeRoom(const swScene* scene, int count, size_t size, bool* isMiss
     return room;
 }
 
-swResult swMakeRoomForInputs(const swScene* scene, swSceneSea* sea)
+static swResult makeRoomForInputs(const swScene* scene, swSceneSea* sea)
 {
     bool isMissing = false;
     sea->host = scene->host;
@@ -426,12 +427,13 @@ static swResult createInput(swWorld* world, const swSceneInput* input, swSceneSe
     return result;
 }
 
-swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
+static swResult createInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
     for (int i = 0; i < scene->inputCount; ++i)
     {
         sea->inputCount = i + 1;
-        if (scene->inputs[i].isLeftOut)
+        int waves = scene->inputs[i].waves;
+        if (scene->inputs[i].isLeftOut || (waves >= 0 && SW_IS_NULL(sea->systems[waves])))
         {
             continue;
         }
@@ -457,7 +459,7 @@ static void removeInputs(swWorld* world, int count, const swInputId* ids)
     }
 }
 
-void swRemoveSceneInputs(swWorld* world, swSceneSea* sea)
+static void removeAll(swWorld* world, swSceneSea* sea)
 {
     removeInputs(world, sea->inputCount, sea->inputs);
     removeInputs(world, sea->nestedCount, sea->nested);
@@ -469,4 +471,17 @@ void swRemoveSceneInputs(swWorld* world, swSceneSea* sea)
     {
         swDestroyWindSea(world, &sea->windSeas[i]);
     }
+}
+
+swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
+{
+    swResult result = makeRoomForInputs(scene, sea);
+    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
+    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
+    result = result == SW_SUCCESS ? createInputs(world, scene, sea) : result;
+    if (result != SW_SUCCESS)
+    {
+        removeAll(world, sea);
+    }
+    return result;
 }

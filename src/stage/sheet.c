@@ -331,7 +331,7 @@ static ptrdiff_t findTexel(const swSheet* sheet, const swSheetLayout* layout, in
 // From dark blue by green to yellow, ever brighter: a difference shows in black and white too.
 static void colorOf(float t, uint8_t* rgb)
 {
-    static const uint8_t colors[9][3] = {{30, 10, 70},   {45, 45, 130},  {40, 90, 150}, {30, 130, 145}, {45, 165, 120},
+    static const uint8_t colors[9][3] = {{30, 10, 70},   {45, 45, 130},  {40, 90, 150},  {30, 130, 145}, {45, 165, 120},
                                          {105, 190, 85}, {175, 205, 60}, {235, 215, 70}, {255, 245, 190}};
     t = t > 0.0f ? t : 0.0f;
     t = 8.0f * (t < 1.0f ? t : 1.0f);

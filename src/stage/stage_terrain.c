@@ -241,8 +241,8 @@ static void setTree(swTerrainTiles* tiles, const swStageTerrainDef* def)
 
 static bool isTerrainDefGood(const swStageTerrainDef* def)
 {
-    return (def->floor != NULL) != (def->world != NULL) && def->finestSpacing >= 0.01f && def->finestSpacing <= 1000.0f && def->reach >= 10.0f &&
-           def->reach <= 1e6f;
+    return (def->floor != NULL) != (def->world != NULL) && def->finestSpacing >= 0.01f &&
+           def->finestSpacing <= 1000.0f && def->reach >= 10.0f && def->reach <= 1e6f;
 }
 
 swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* def, swStageTerrain** terrain)
@@ -255,11 +255,11 @@ swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* def, swS
     SW_REQUIRE(def != NULL && def->internalValue == SW_TERRAIN_COOKIE && terrain != NULL, SW_ERROR_INVALID,
                &stage->host,
                "swStage_CreateTerrain() needs a def made by swDefaultStageTerrainDef() and a place for the terrain");
-    SW_REQUIRE(
-        isTerrainDefGood(def), SW_ERROR_INVALID, &stage->host,
-        "swStage_CreateTerrain() needs a world or a function of the floor, not both, a spacing from 0.01 to 1000 m and a reach from 10 "
-        "m to 1000 km; it was given %g m and %g m",
-        (double)def->finestSpacing, (double)def->reach);
+    SW_REQUIRE(isTerrainDefGood(def), SW_ERROR_INVALID, &stage->host,
+               "swStage_CreateTerrain() needs a world or a function of the floor, not both, a spacing from 0.01 to "
+               "1000 m and a reach from 10 "
+               "m to 1000 km; it was given %g m and %g m",
+               (double)def->finestSpacing, (double)def->reach);
     swStageTerrain* created = swAllocateZero(&stage->host, sizeof(*created));
     if (created == NULL)
     {

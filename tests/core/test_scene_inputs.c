@@ -437,22 +437,23 @@ static void ChangedInputsAreWritten(void** state)
     scene->inputs[2].def.blend = SW_BLEND_MAX;
     scene->waterBodies[0].def.position.y = -1.0;
     scene->waterBodies[0].def.isCalm = true;
-    CheckPrinted(scene, "splines:\n"
-                        "  - {name: s, points: [{x_m: 0, z_m: 0}, {x_m: 9, z_m: 0}]}\n"
-                        "inputs: # all of them\n"
-                        "  - field: level # a lake\n"
-                        "    value: 2.25 # a metre and a half\n"
-                        "    shape: polygon\n"
-                        "    points: [[0, 0], [9, 0], {x_m: 0, z_m: 9}] # its shore\n"
-                        "    position_m: [0, 3, 0]\n"
-                        "  - {field: flow, value: [0, 2.0], shape: spline, spline: s, weight: 0.5}\n"
-                        "  - field: foam\n"
-                        "    is_enabled: true\n"
-                        "    blend: max\n"
-                        "    value: 0.75\n"
-                        "\n"
-                        "water_bodies:\n"
-                        "  - {name: 'pond', points: [[0, 0], [1, 0], [0, 1]], position_m: [0, -1, 0], is_calm: true}\n");
+    CheckPrinted(scene,
+                 "splines:\n"
+                 "  - {name: s, points: [{x_m: 0, z_m: 0}, {x_m: 9, z_m: 0}]}\n"
+                 "inputs: # all of them\n"
+                 "  - field: level # a lake\n"
+                 "    value: 2.25 # a metre and a half\n"
+                 "    shape: polygon\n"
+                 "    points: [[0, 0], [9, 0], {x_m: 0, z_m: 9}] # its shore\n"
+                 "    position_m: [0, 3, 0]\n"
+                 "  - {field: flow, value: [0, 2.0], shape: spline, spline: s, weight: 0.5}\n"
+                 "  - field: foam\n"
+                 "    is_enabled: true\n"
+                 "    blend: max\n"
+                 "    value: 0.75\n"
+                 "\n"
+                 "water_bodies:\n"
+                 "  - {name: 'pond', points: [[0, 0], [1, 0], [0, 1]], position_m: [0, -1, 0], is_calm: true}\n");
     scene->inputs[0].def.weight = -1.0f;
     size_t size = 0;
     assert_int_equal(swPrintScene(scene, NULL, &size), SW_ERROR_INVALID);

@@ -118,8 +118,8 @@ static void AnUnknownNameListsTheKnownOnes(void** state)
     (void)state;
     swSheetDef def = swDefaultSheetDef();
     char problem[512];
-    static const char* const wrong[] = {"depth", "", "places.", "places.w", "foam:", "foam:15", "foam:-1", "foam:1x",
-                                        "foam.amount.x", "Foam"};
+    static const char* const wrong[] = {
+        "depth", "", "places.", "places.w", "foam:", "foam:15", "foam:-1", "foam:1x", "foam.amount.x", "Foam"};
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); ++i)
     {
         problem[0] = '\0';
@@ -201,8 +201,8 @@ static void ColoursFollowTheRange(void** state)
     assert_int_equal(swSheet_Read(s_sheet, s_gpuWorld, s_view, &def), SW_SUCCESS);
     swSheet_Draw(s_sheet, W, H, rgba);
     const uint8_t* bar = &rgba[4 * W * (H - 1)];
-    assert_memory_equal(rgba, bar, 4);                                       // the first colour of the bar
-    assert_memory_not_equal(rgba, bar + 4 * (W - 1), 4);                     // the last is another
+    assert_memory_equal(rgba, bar, 4);                                      // the first colour of the bar
+    assert_memory_not_equal(rgba, bar + 4 * (W - 1), 4);                    // the last is another
     assert_memory_equal(rgba, &rgba[4 * (W * (SIDE - 1) + (SIDE - 1))], 4); // everywhere
     def.low = -200.0f;
     def.high = -100.0f; // all is above
