@@ -576,6 +576,7 @@ static bool ParseRange(const char* text, swSheetDef* def)
         Complain("render: --layer-range wants two numbers within 1e9, the lower first, such as -2:2, not \"%s\"", text);
         return false;
     }
+    def->hasRange = true;
     def->low = (float)numbers[0];
     def->high = (float)numbers[1];
     return true;

@@ -76,8 +76,6 @@ ALLOWED = {
     ("swMoment_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
     ("swCreateSceneInputs", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("swSheet_Read", "sheet", "NULL"): "it is the sheet that knows whom to tell",
-    ("swSheet_Read", "def.low", "NaN"): "the least number that there is",
-    ("swSheet_Read", "def.high", "NaN"): "the greatest number that there is",
     ("swCreateSceneSea", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("*", "spectrum.depth", "infinite"): "deep water",
     ("swLookAtPatches", "depth", "infinite"): "deep water",

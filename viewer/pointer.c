@@ -33,11 +33,8 @@ PointerWater FindWater(const swWorld* world, const Camera* camera, double column
         return water;
     }
     swPosXZ place = {hit.point.x, hit.point.z};
-    const swFieldSamples samples = {.depth = &water.depth,
-                                    .level = &water.level,
-                                    .flow = &water.flow,
-                                    .clip = &water.clip,
-                                    .body = &water.body};
+    const swFieldSamples samples = {
+        .depth = &water.depth, .level = &water.level, .flow = &water.flow, .clip = &water.clip, .body = &water.body};
     swMoment_QueryFields(moment, 1, &place, &samples);
     water.isHit = true;
     water.place = hit.point;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sheet_view.h"
 
-#include <math.h>
-
 #define LEAST_WIDTH 64 // pixels; in less there is nothing to see
 
 void CloseSheetView(SheetView* view, swStage* stage)
@@ -38,8 +36,7 @@ bool UpdateSheetView(SheetView* view, const swHost* host, swStage* stage, swGpuW
     swSheetDef def = view->def;
     int sliceCount = swView_GetSliceCount(from);
     def.slice = def.slice < sliceCount ? def.slice : sliceCount - 1;
-    def.low = view->hasRange && view->low < view->high ? view->low : NAN;
-    def.high = view->hasRange && view->low < view->high ? view->high : NAN;
+    def.hasRange = def.hasRange && def.low < def.high;
     if ((view->sheet == NULL && swCreateSheet(host, &view->sheet) != SW_SUCCESS) || !FitPixels(view, stage) ||
         swSheet_Read(view->sheet, gpuWorld, from, &def) != SW_SUCCESS) // it waits for frames that read the pixels
     {

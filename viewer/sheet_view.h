@@ -9,9 +9,7 @@
 typedef struct SheetView
 {
     bool isShown;
-    bool hasRange; // low and high of the def count, instead of the least and the greatest
     swSheetDef def;
-    float low, high;
     swSheet* sheet;       // NULL until it is shown
     swStageBuffer pixels; // RGBA, as large as the part of the window that it covers
     int x, width, height; // of that part, pixels; it reaches from top to bottom

@@ -15,9 +15,10 @@ typedef struct swSheetDef
     int channel;   ///< which of the layer's numbers, see swLayer_GetChannelName(). Default 1, the height
     int slice;     ///< -1, the default: all of them
 
-    /// The numbers that the first and the last colour stand for. NaN, the default: the least, and the greatest, that
-    /// the shown slices hold.
-    float low, high;
+    /// The first and the last colour stand for `low` and `high`. Default false: for the least and the greatest number
+    /// that the shown slices hold.
+    bool hasRange;
+    float low, high; ///< the lower first. Default 0 and 1
 
     int internalValue; ///< set by swDefaultSheetDef()
 } swSheetDef;

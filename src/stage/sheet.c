@@ -27,12 +27,8 @@ struct swSheet
 
 swSheetDef swDefaultSheetDef(void)
 {
-    return (swSheetDef){.layer = SW_LAYER_DISPLACEMENT,
-                        .channel = 1,
-                        .slice = -1,
-                        .low = NAN,
-                        .high = NAN,
-                        .internalValue = SW_SHEET_COOKIE};
+    return (swSheetDef){
+        .layer = SW_LAYER_DISPLACEMENT, .channel = 1, .slice = -1, .high = 1.0f, .internalValue = SW_SHEET_COOKIE};
 }
 
 // ---- names ----
@@ -195,14 +191,14 @@ static void findRange(swSheetInfo* info, const float* values)
             info->unknownCount += 1;
         }
     }
-    info->low = isnan(info->def.low) ? info->least : info->def.low;
-    info->high = isnan(info->def.high) ? info->greatest : info->def.high;
+    info->low = info->def.hasRange ? info->def.low : info->least;
+    info->high = info->def.hasRange ? info->def.high : info->greatest;
 }
 
 static bool isDefGood(const swSheetDef* def)
 {
     return swLayer_GetName(def->layer) != NULL && swLayer_GetChannelName(def->layer, def->channel) != NULL &&
-           def->slice >= -1 && !isinf(def->low) && !isinf(def->high) && !(def->low >= def->high);
+           def->slice >= -1 && isfinite(def->low) && isfinite(def->high) && (!def->hasRange || def->low < def->high);
 }
 
 swResult swSheet_Read(swSheet* sheet, swGpuWorld* gpuWorld, const swView* view, const swSheetDef* def)

@@ -196,6 +196,7 @@ static void ColoursFollowTheRange(void** state)
     };
     static uint8_t rgba[4 * W * H];
     swSheetDef def = Parse("displacement.y:2");
+    def.hasRange = true;
     def.low = 100.0f; // all is below
     def.high = 200.0f;
     assert_int_equal(swSheet_Read(s_sheet, s_gpuWorld, s_view, &def), SW_SUCCESS);

@@ -36,11 +36,11 @@ static void DrawLayerChoice(SheetView* view, int sliceCount)
     if (UiChoice("layer", &layer, SW_LAYER_COUNT, GetLayerName, NULL))
     {
         swParseSheet(swLayer_GetName((swLayer)layer), def, NULL, 0); // with the channel that it begins with
-        view->hasRange = false;
+        view->def.hasRange = false;
     }
     if (UiChoice("channel", &def->channel, CountChannels(def->layer), GetChannelName, def))
     {
-        view->hasRange = false;
+        view->def.hasRange = false;
     }
     UiSliderInt("slice", &def->slice, -1, sliceCount - 1, def->slice < 0 ? "all" : "%d");
 }
@@ -53,18 +53,18 @@ static void DrawRange(SheetView* view)
         return;
     }
     UiText("least %.5g, greatest %.5g", (double)info.least, (double)info.greatest);
-    bool isAutomatic = !view->hasRange;
+    bool isAutomatic = !view->def.hasRange;
     if (UiCheckbox("colours from the least to the greatest", &isAutomatic))
     {
-        view->hasRange = !isAutomatic;
-        view->low = info.low;
-        view->high = info.high;
+        view->def.hasRange = !isAutomatic;
+        view->def.low = info.low;
+        view->def.high = info.high;
     }
-    if (view->hasRange)
+    if (view->def.hasRange)
     {
         float span = fmaxf(info.greatest - info.least, 1e-3f);
-        UiSlider("first colour", &view->low, fminf(info.least, view->low) - span, info.greatest, "%.4g");
-        UiSlider("last colour", &view->high, info.least, fmaxf(info.greatest, view->high) + span, "%.4g");
+        UiSlider("first colour", &view->def.low, fminf(info.least, view->def.low) - span, info.greatest, "%.4g");
+        UiSlider("last colour", &view->def.high, info.least, fmaxf(info.greatest, view->def.high) + span, "%.4g");
     }
 }
 
@@ -121,8 +121,7 @@ static void DrawWater(const App* app)
         return;
     }
     swPosXZ origin = swWorld_GetOrigin(app->sea.world);
-    UiText("x %.2f  z %.2f m, %.1f m away", origin.x + water.place.x, origin.z + water.place.z,
-           (double)water.distance);
+    UiText("x %.2f  z %.2f m, %.1f m away", origin.x + water.place.x, origin.z + water.place.z, (double)water.distance);
     UiText("water at %.2f m, level %+.2f m", water.place.y, (double)water.level);
     UiText(isinf(water.depth) ? "no floor" : "depth %.2f m", (double)water.depth);
     UiText("flow %.2f, %.2f m/s along x, z", (double)water.flow.x, (double)water.flow.y);

@@ -5,6 +5,9 @@
 // line.
 SW_LAYER(PLACES, places, Fields, .kind = SW_LAYER_IS_FIELD, .format = SW_TEXEL_RGBA32F, .rest = {1e30f},
          .channels = {"depth", "slope_x", "slope_z", "level"})
+SW_LAYER(FLOW, flow, Fields, .kind = SW_LAYER_IS_FIELD, .format = SW_TEXEL_RGBA32F, .channels = {"x", "z"})
+SW_LAYER(FLOW_SLOPES, flow_slopes, Fields, .kind = SW_LAYER_IS_FIELD, .format = SW_TEXEL_RGBA16F,
+         .channels = {"x_by_x", "x_by_z", "z_by_x", "z_by_z"})
 SW_LAYER(DISPLACEMENT, displacement, Slices, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_RGBA32F,
          .channels = {"x", "y", "z"})
 SW_LAYER(DERIVATIVES, derivatives, Slices, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_RGBA16F, .isLinear = true,
