@@ -7,9 +7,6 @@
 #include "core/math/scalar.h"
 #include "shared/carry.h"
 
-// Octaves begin anew at different times: none of them is seen to.
-#define OCTAVE_TURNS 0x9e3779b9u // of 2^32: the golden section
-
 static int64_t getLoopTicks(const swWaveGroup* group)
 {
     return group->tile != NULL ? group->tile->loopTicks : group->waves[0].loopTicks;
@@ -17,22 +14,7 @@ static int64_t getLoopTicks(const swWaveGroup* group)
 
 uint32_t swFindCarryPhase(const swWaveGroup* group, int64_t ticks, float* period)
 {
-    int64_t loopTicks = getLoopTicks(group);
-    *period = swGetCarryPeriod(group->k);
-    int exponent;
-    frexpf(group->k, &exponent);
-    uint32_t begin = (uint32_t)exponent * OCTAVE_TURNS;
-    if (loopTicks > 0)
-    {
-        double loop = (double)loopTicks / SW_TICKS_PER_SECOND;
-        double count = fmax(floor(loop / (double)*period + 0.5), 1.0); // whole periods a loop
-        *period = (float)(loop / count);
-        return begin + swGetFractionOfTurn(count * ((double)(ticks % loopTicks) / (double)loopTicks));
-    }
-    int64_t periodTicks = (int64_t)((double)*period * SW_TICKS_PER_SECOND); // below 2^32
-    int64_t rest = ticks % periodTicks;
-    rest += rest < 0 ? periodTicks : 0;
-    return begin + (uint32_t)(((uint64_t)rest << 32) / (uint64_t)periodTicks);
+    return swGetCarryPhase(group->k, getLoopTicks(group), ticks, period);
 }
 
 // ---- correlation ----
@@ -92,7 +74,7 @@ static bool areWaysEqual(int count, const swPosXZ* ways)
 static void correlate(const swPlaceBlock* block, const swWaveGroup* group, int count, const swPosXZ* ways,
                       bool withSlopes, float* rho, float (*slopes)[2])
 {
-    int own = areWaysEqual(count, ways) ? 1 : count;
+    int own = count > 0 && areWaysEqual(count, ways) ? 1 : count;
     if (group->tile != NULL)
     {
         correlateTile(block, group->tile, own, ways, withSlopes, rho, slopes);
@@ -168,11 +150,8 @@ static void findMoving(const swPlaceBlock* block, const swWarp* warps, Moving* m
 // What a copy's waves count by at a moving point: its part of both, over the root of the sum's variance.
 static void weighCopies(const Moving* moving, int m, const float weights[2], float half, swLook* look)
 {
-    float variance = swGetCarryVariance(weights[0], moving->rho[m]);
-    bool isLeast = !(variance > SW_LEAST_CARRY_VARIANCE);
-    variance = isLeast ? SW_LEAST_CARRY_VARIANCE : variance;
-    float factor = 1.0f / sqrtf(variance);
-    float slope = isLeast ? 0.0f : -weights[0] * weights[1] * factor / variance * half; // by rho, times the way's
+    swCarryFactor found = swGetCarryFactor(weights[0], moving->rho[m]);
+    float factor = found.value, slope = found.slope * half; // by rho, times the way's
     const float* g = moving->gradients[m];
     const float* along = moving->slopes[m];
     float factorX = slope * (along[0] * g[0] + along[1] * g[2]);
