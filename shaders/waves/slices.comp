@@ -103,7 +103,7 @@ shared uint knotTiles[SW_SLICE_HEIGHT];
 
 // ---- what shapes waves in this block ----
 
-swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0);
+swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0, 0);
 
 // Whether waves of a system, of wave number k, are shaped anywhere in the block.
 bool isShaped(uint system, float k, swAttenuation attenuation)

@@ -20,6 +20,7 @@
 #include "seaway/view.h"
 
 #define SW_FOAM_RATE 30
+#define SW_FOAM_MOST_STEPS 10 // in a frame of a third of a second
 
 typedef enum swLayerKind
 {
@@ -47,7 +48,7 @@ typedef struct swLayerInfo
     int mostSteps;     // in one frame; more are taken as this many longer ones
     double longestGap; // s between two frames; what is longer is a jump, after which the layer starts anew
     bool isExact;      // n steps of dt are one of n dt, and one of no time changes nothing: the maker takes all at
-                       // once, and looks up the past by itself
+                       // once unless water carries the layer, and looks up the past by itself
     bool isSaved;
     bool isOnDemand; // held only while its swPlan function says that there is something in it; authored fields all are
     float least, most; // what a saved texel may hold
@@ -68,6 +69,8 @@ enum
     SW_LAYERS
 };
 static_assert((int)SW_LAYER_PLACES == (int)SW_LAYER_INDEX_PLACES, "one order");
+static_assert((int)SW_LAYER_FLOW == (int)SW_LAYER_INDEX_FLOW, "one order");
+static_assert((int)SW_LAYER_FLOW_SLOPES == (int)SW_LAYER_INDEX_FLOW_SLOPES, "one order");
 static_assert((int)SW_LAYER_DISPLACEMENT == (int)SW_LAYER_INDEX_DISPLACEMENT, "one order");
 static_assert((int)SW_LAYER_DERIVATIVES == (int)SW_LAYER_INDEX_DERIVATIVES, "one order");
 static_assert((int)SW_LAYER_FOAM == (int)SW_LAYER_INDEX_FOAM, "one order");

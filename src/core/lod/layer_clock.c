@@ -23,7 +23,11 @@ void swAdvanceLayerClock(swLayerClock* clock, const swLayerInfo* info, int64_t e
         clock->clock += steps;
     }
     frame->steps = steps < info->mostSteps ? (int)steps : info->mostSteps;
-    frame->stepDt = frame->steps == 0 ? 0.0f : (float)steps / (float)info->rate / (float)frame->steps;
+    bool isCut = steps > info->mostSteps;
+    frame->stepDt = (isCut               ? (float)steps / (float)info->mostSteps
+                     : frame->steps == 0 ? 0.0f
+                                         : 1.0f) /
+                    (float)info->rate;
     frame->clock = clock->clock;
     frame->resetCount = clock->resetCount;
 }
