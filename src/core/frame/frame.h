@@ -176,6 +176,7 @@ typedef struct swLayerFrame
 {
     int steps;    // to take now, 0 .. mostSteps
     float stepDt; // s
+    int64_t due;  // steps of the layer's rate that passed
     bool isReset; // first step, or a jump in time: nothing has a past
     // Of a layer on demand, set by its swPlan function: there is something in it. It has no texels otherwise, and is
     // the same everywhere, see swLayerInfo::rest. Before, what it was in the step before.
