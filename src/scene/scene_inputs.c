@@ -168,7 +168,7 @@ static swResult findResource(swYaml* yaml, const InputKeys* keys, const char* ke
 // Rasters of a nest; those of optional files that are not there are left out.
 static swResult readNest(swYaml* yaml, yaml_node_t* node, const swScene* scene, swSceneInput* input)
 {
-    int count = 0, missing = 0;
+    int count = 0;
     swResult result = swReadYamlList(yaml, node, "nest", SW_MAX_NEST, &count);
     input->nest = count > 0 ? swAllocateZero(yaml->host, SW_MAX_NEST * sizeof(*input->nest)) : NULL;
     if (count > 0 && input->nest == NULL)
@@ -193,12 +193,12 @@ static swResult readNest(swYaml* yaml, yaml_node_t* node, const swScene* scene, 
                              "there is no raster named '%s'; the scene's list of rasters has %d.", name,
                              scene->rasterCount);
         }
-        const swRaster* raster = index >= 0 ? scene->rasters[index].raster : NULL;
-        missing += raster == NULL;
-        input->nest[i - missing] = raster != NULL ? raster : input->nest[i - missing];
+        if (index >= 0 && scene->rasters[index].raster != NULL)
+        {
+            input->nest[input->nestCount++] = scene->rasters[index].raster;
+        }
         result = swKeepFailure(result, own);
     }
-    input->nestCount = count - missing;
     input->isLeftOut = input->nestCount == 0;
     return result;
 }

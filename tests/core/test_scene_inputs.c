@@ -2,6 +2,7 @@
 // Rasters and inputs in scene files: what they say is in the sea, and every mistake has its line and code.
 
 #include "support/cmocka_setup.h"
+#include "support/counting_host.h"
 #include "support/messages.h"
 
 #include <math.h>
@@ -340,6 +341,40 @@ static void ABodyOfWaterHasALookOfTheScene(void** state)
     swDestroyScene(scene);
 }
 
+static void FailingMemoryLeavesNothingBehind(void** state)
+{
+    (void)state;
+    WriteText("u.asc", "ncols 2\nnrows 2\nxllcenter -2000\nyllcenter -2000\ncellsize 4000\n14 6\n14 6\n");
+    static const char text[] =
+        "rasters:\n"
+        "  - {name: winds, files: [u.asc, u.asc], coordinates: metres}\n"
+        "  - {name: chart, file: u.asc, coordinates: metres}\n"
+        "  - {name: frames, file: u.asc, coordinates: metres, frames: 2}\n"
+        "looks: [{absorption_per_m: [1, 2, 3]}]\n"
+        "wind_seas: [{raster: winds, waves: {components: [{wavelength_m: 9, amplitude_m: 1,\n"
+        "  direction_from_deg: 0}]}}]\n"
+        "inputs:\n"
+        "  - {field: floor, shape: raster, nest: [chart, chart]}\n"
+        "  - {field: level, shape: raster, raster: frames, tide: [{constituent: M2, amplitude: 1}]}\n";
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    swScene* scene = NULL;
+    assert_int_equal(swReadSceneText(&host, text, strlen(text), "a.yaml", ".", &scene), SW_SUCCESS);
+    swDestroyScene(scene);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+    long long allocations = atomic_load(&memory.allocations);
+    assert_true(allocations > 15);
+    for (long long i = 0; i < allocations; ++i)
+    {
+        atomic_store(&memory.allocations, 0);
+        atomic_store(&memory.failAt, i);
+        assert_int_equal(swReadSceneText(&host, text, strlen(text), "a.yaml", ".", &scene), SW_ERROR_NO_MEMORY);
+        assert_null(scene);
+        assert_int_equal(atomic_load(&memory.bytes), 0);
+    }
+    remove("u.asc");
+}
+
 #if SW_HAS_ASSIMP
 static void AHullOfASceneCutsWater(void** state)
 {
@@ -544,6 +579,7 @@ int main(void)
         cmocka_unit_test(ANestIsOneInputOfSeveralRasters),
         cmocka_unit_test(AWindSeaOfASceneIsInItsSea),
         cmocka_unit_test(ABodyOfWaterHasALookOfTheScene),
+        cmocka_unit_test(FailingMemoryLeavesNothingBehind),
 #if SW_HAS_ASSIMP
         cmocka_unit_test(AHullOfASceneCutsWater),
 #endif
