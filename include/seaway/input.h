@@ -268,7 +268,7 @@ typedef struct swInputDef
     /// spectrum adds to it. Range [-1000, 1000]. Default 0.
     float heading;
 
-    /// Of SW_SHAPE_POLYGON (3 or more), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
+    /// Of SW_SHAPE_POLYGON (3 to 4096), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
     const swInputPoint* points;
     int pointCount;
 

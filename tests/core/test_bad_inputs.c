@@ -236,9 +236,8 @@ static void SayIt(void* context, double time, int count, const swPosXZ* points, 
 static void AFunctionThatExaggeratesCoversNothing(void** state)
 {
     (void)state;
-    static const Answerer odd[] = {{1e6f, 0.0f, 1.0f},  {101.0f, 0.0f, 1.0f}, {1e30f, 0.0f, 1.0f},
-                                   {1.0f, 1e30f, 1.0f}, {1.0f, 0.0f, 1.5f},   {NAN, 0.0f, 1.0f},
-                                   {2.0f, 0.0f, 1.0f}};
+    static const Answerer odd[] = {{1e6f, 0.0f, 1.0f}, {101.0f, 0.0f, 1.0f}, {1e30f, 0.0f, 1.0f}, {1.0f, 1e30f, 1.0f},
+                                   {1.0f, 0.0f, 1.5f}, {NAN, 0.0f, 1.0f},    {2.0f, 0.0f, 1.0f}};
     swHost host = MakeStrictHost();
     swWorld* world = MakeWorld(&host);
     Answerer answerer = {0};
@@ -288,8 +287,8 @@ static void TooManyAndCrossingPointsAreRefused(void** state)
     def.shape = SW_SHAPE_POLYGON;
     def.pointCount = 100000;
     RefuseInput(world, &def, "3 to");
-    const swInputPoint eight[4] = {{.x = -10.0f, .z = -10.0f}, {.x = 10.0f, .z = 10.0f}, {.x = 10.0f, .z = -10.0f},
-                                   {.x = -10.0f, .z = 10.0f}};
+    const swInputPoint eight[4] = {
+        {.x = -10.0f, .z = -10.0f}, {.x = 10.0f, .z = 10.0f}, {.x = 10.0f, .z = -10.0f}, {.x = -10.0f, .z = 10.0f}};
     def.points = eight;
     def.pointCount = 4;
     RefuseInput(world, &def, "crosses itself");

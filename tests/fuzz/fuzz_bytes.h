@@ -27,9 +27,9 @@ static inline int TakeChoice(Bytes* bytes, int count)
 // Small numbers, those at which things break, or any.
 static inline float TakeNumber(Bytes* bytes)
 {
-    static const float odd[] = {NAN,    INFINITY, -INFINITY, 1e30f,  -1e30f, 1e-30f, 1e9f,    -1e9f,
-                                1e6f,   -1e6f,    0.5f,      1e-3f,  1e-6f,  100.0f, -100.0f, 1000.0f,
-                                0.999f, 1.001f,   127.99f,   128.0f, -128.0f};
+    static const float odd[] = {NAN,     INFINITY, -INFINITY, 1e30f,  -1e30f,  1e-30f, 1e9f,
+                                -1e9f,   1e6f,     -1e6f,     0.5f,   1e-3f,   1e-6f,  100.0f,
+                                -100.0f, 1000.0f,  0.999f,    1.001f, 127.99f, 128.0f, -128.0f};
     int kind = TakeByte(bytes);
     if (kind < 128)
     {

@@ -45,7 +45,8 @@ static inline swRaster* MakeFuzzRaster(const swHost* host, int channels)
 
 static inline Resources MakeResources(const swHost* host)
 {
-    static const swVec3 corners[4] = {{0.0f, 5.0f, 0.0f}, {30.0f, -5.0f, 0.0f}, {0.0f, -5.0f, 30.0f}, {-20.0f, -5.0f, -20.0f}};
+    static const swVec3 corners[4] = {
+        {0.0f, 5.0f, 0.0f}, {30.0f, -5.0f, 0.0f}, {0.0f, -5.0f, 30.0f}, {-20.0f, -5.0f, -20.0f}};
     static const uint32_t faces[12] = {0, 2, 1, 0, 3, 2, 0, 1, 3, 1, 2, 3};
     const swSplinePoint points[3] = {swDefaultSplinePoint(-70.0, 5.0, 0.0), swDefaultSplinePoint(0.0, -20.0, -1.0),
                                      swDefaultSplinePoint(60.0, 30.0, -2.0)};

@@ -34,10 +34,10 @@ static void AddShape(swWorld* world, const Resources* resources, swWaveSystemId 
                                            {40.0f, -50.0f, 8.0f, 0.7f, {0.1f, 0.0f, 0.0f, 0.0f}},
                                            {60.0f, 30.0f, 5.0f, 0.9f, {0.3f, 0.0f, 0.0f, 0.0f}},
                                            {-30.0f, 50.0f, 7.0f, 1.0f, {0.0f, 0.0f, 0.0f, 0.0f}}};
-    static const swInputField fields[] = {
-        [SW_SHAPE_EVERYWHERE] = SW_INPUT_LEVEL, [SW_SHAPE_CIRCLE] = SW_INPUT_WAVES, [SW_SHAPE_POLYGON] = SW_INPUT_LEVEL,
-        [SW_SHAPE_POLYLINE] = SW_INPUT_FOAM,    [SW_SHAPE_SPLINE] = SW_INPUT_WAVES, [SW_SHAPE_MESH] = SW_INPUT_FLOOR,
-        [SW_SHAPE_RASTER] = SW_INPUT_FLOW,      [SW_SHAPE_PARTICLES] = SW_INPUT_FOAM};
+    static const swInputField fields[] = {[SW_SHAPE_EVERYWHERE] = SW_INPUT_LEVEL, [SW_SHAPE_CIRCLE] = SW_INPUT_WAVES,
+                                          [SW_SHAPE_POLYGON] = SW_INPUT_LEVEL,    [SW_SHAPE_POLYLINE] = SW_INPUT_FOAM,
+                                          [SW_SHAPE_SPLINE] = SW_INPUT_WAVES,     [SW_SHAPE_MESH] = SW_INPUT_FLOOR,
+                                          [SW_SHAPE_RASTER] = SW_INPUT_FLOW,      [SW_SHAPE_PARTICLES] = SW_INPUT_FOAM};
     swInputDef def = swDefaultInputDef();
     swInputId id;
     bool isSolid = shape >= SW_SHAPE_BOX;

@@ -259,10 +259,9 @@ static swResult checkSpeed(const swHost* host, const swInputDef* def)
     if (!(most <= SW_MAX_INPUT_SPEED))
     {
         return swFail(host, SW_ERROR_INVALID,
-                      "the input '%s' says %s of up to %g m/s, by its %s, its value, its gain and its weight together; "
-                      "at most %g is taken",
-                      def->name, swGetInputFieldWord((int)def->field), (double)most,
-                      swGetInputShapeWord((int)def->shape), (double)SW_MAX_INPUT_SPEED);
+                      "the input '%s' says %s of up to %g m/s, by what its shape brings, its value, gain and weight "
+                      "together; at most %g is taken",
+                      def->name, swGetInputFieldWord((int)def->field), (double)most, (double)SW_MAX_INPUT_SPEED);
     }
     return SW_SUCCESS;
 }
@@ -403,7 +402,8 @@ swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count
         return SW_SUCCESS;
     }
     char name[SW_MAX_INPUT_NAME + 32];
-    snprintf(name, sizeof name, "the input '%s'", def->name);
+    bool isNamed = def->name[0] != '\0';
+    snprintf(name, sizeof name, "the input%s%s%s", isNamed ? " '" : "", def->name, isNamed ? "'" : "");
     if (points == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no points");
