@@ -107,11 +107,8 @@ static void AddShoal(Parity* parity, swPosXZ middle)
 }
 
 static const Feature features[] = {
-    {"0.02 m/s", AddSlow},
-    {"a stream of 2 m/s", AddStream},
-    {"a map of an eddy", AddMap},
-    {"free waves", AddFreeWaves},
-    {"an eddy over a shoal", AddShoal},
+    {"0.02 m/s", AddSlow},        {"a stream of 2 m/s", AddStream},   {"a map of an eddy", AddMap},
+    {"free waves", AddFreeWaves}, {"an eddy over a shoal", AddShoal},
 };
 #define FEATURES (int)(sizeof(features) / sizeof(features[0]))
 
@@ -136,8 +133,8 @@ static Difference CompareFlow(Parity* parity, swLayer layer)
     Difference difference = {0};
     for (int slice = 0; slice < parity->sliceCount; ++slice)
     {
-        const float* cpu = layer == SW_LAYER_FLOW ? swView_GetFlow(parity->view, slice)
-                                                  : swView_GetFlowSlopes(parity->view, slice);
+        const float* cpu =
+            layer == SW_LAYER_FLOW ? swView_GetFlow(parity->view, slice) : swView_GetFlowSlopes(parity->view, slice);
         assert_non_null(cpu);
         assert_int_equal(swGpuWorld_ReadLayer(parity->gpuWorld, parity->view, layer, slice, gpu), SW_SUCCESS);
         difference = MaxDifference(difference, Compare(cpu, gpu, count, 4, 4));
@@ -226,8 +223,7 @@ static void AskBoth(Parity* parity, swPosXZ middle)
     swGpuQueryDef gpuDef = swDefaultGpuQueryDef();
     gpuDef.capacity = POINTS;
     gpuDef.tolerance = TOLERANCE;
-    gpuDef.outputs =
-        SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL | SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION;
+    gpuDef.outputs = SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL | SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION;
     swGpuQuery* query = NULL;
     assert_int_equal(swCreateGpuQuery(parity->gpuWorld, &gpuDef, &query), SW_SUCCESS);
     ScatterPoints(points, POINTS, middle.x, middle.z, 300.0);
