@@ -20,8 +20,10 @@
 #include "shared/waves.h"
 
 layout(local_size_x = SW_SLICE_WIDTH, local_size_y = SW_SHAPED_ROWS) in;
-layout(constant_id = 0) const bool WITH_WAVES = true;   // free waves
-layout(constant_id = 1) const bool WITH_WEIGHTS = true; // systems may have weights of their own there
+layout(constant_id = 0) const bool WITH_WAVES = true;        // free waves
+layout(constant_id = 1) const bool WITH_WEIGHTS = true;      // systems may have weights of their own there
+layout(constant_id = 2) const bool WITH_FLOW = true;         // a flow may carry waves
+layout(constant_id = 3) const bool WITH_DISPLACEMENT = true; // inputs may displace the water
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -70,12 +72,21 @@ layout(std430, binding = 11) writeonly buffer Shaped
 {
     vec4 shaped[];
 };
+layout(binding = 12, rgba32f) uniform readonly image2DArray flow;       // velocity along x and z
+layout(binding = 13, rgba16f) uniform readonly image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(std430, binding = 14) readonly buffer Likeness
+{
+    float likeness[]; // see lib/likeness.glsl
+};
 layout(push_constant) uniform Push
 {
     uint resolution;
 };
 
 #include "lib/inputs.glsl"
+
+#include "lib/displaced.glsl"
+#include "lib/likeness.glsl"
 #include "lib/places.glsl"
 #include "lib/slice_waves.glsl"
 
@@ -109,6 +120,17 @@ Shape weightOf(uint system, uint column, uint row)
     }
     vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
     return Shape(weight.x, weight.yz);
+}
+
+bool doesCarry()
+{
+    return WITH_FLOW && (fieldBlock.flags & SW_BLOCK_FLOWS) != 0;
+}
+
+Flow flowAt(uint column, uint row)
+{
+    ivec3 texel = ivec3(column, row, gl_WorkGroupID.z);
+    return Flow(imageLoad(flow, texel).xy, imageLoad(flowSlopes, texel));
 }
 
 // Adds waves of one shape.
@@ -192,12 +214,95 @@ Texel laidOutAt(swSliceTile tile, uint column)
     return own;
 }
 
+// ---- waves that a flow carries ----
+
+// Adds a copy of waves: what it counts, and the slopes of where it is looked up less where that is.
+void addCopy(inout Texel texel, float weight, vec4 way, Texel own)
+{
+    vec3 alongZ = vec3(own.alongX.z, own.alongZ);
+    texel.sum += weight * own.sum;
+    texel.alongX += weight * (own.alongX * (1.0 + way.x) + alongZ * way.z);
+    texel.alongZ += weight * (own.alongX.yz * way.y + own.alongZ * (1.0 + way.w));
+}
+
+// Adds both copies of a tile to a texel, from all sixteen coefficients around each.
+void addCarriedTile(inout Texel texel, swSliceTile tile, uint column, uint row, Flow moved, Shape shape)
+{
+    Texel sum = CALM;
+    Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
+    float between = 0.5 * tile.carryPeriod;
+    vec3 rho = likenessOf(tile.firstTexel, tile.resolution, tile.perMetre, between * moved.velocity);
+    for (uint c = 0; c < 2; ++c)
+    {
+        vec2 way = -carry.seconds[c] * moved.velocity * tile.perMetre;
+        Texel own = CALM;
+        addWindowAt(own, tile, splineX(tile, column) + way.x, splineZ(tile, row) + way.y);
+        addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
+    }
+    addShaped(texel, sum, carried(shape, carry, between, moved, rho));
+}
+
+// The same of the tiles that were joined: how alike copies are is each one's own.
+void addCarriedTiles(inout Texel texel, swSliceTile tile, uint column, uint row, Flow moved, Shape shape)
+{
+    uint second = tile.secondTexel;
+    tile.secondTexel = SW_NO_TEXEL;
+    for (uint i = 0; i < 2 && tile.firstTexel != SW_NO_TEXEL; ++i)
+    {
+        addCarriedTile(texel, tile, column, row, moved, shape);
+        tile.firstTexel = second;
+    }
+}
+
+float turnsOf(swSliceWave wave, vec2 way)
+{
+    return (wave.kx * way.x + wave.kz * way.y) * (1.0 / 6.28318530718);
+}
+
+// How alike the heights of free waves [first, end) are a way apart: the mean of cos(k . way), by energy.
+vec3 likenessOf(uint first, uint end, vec2 way)
+{
+    float energy = 0.0;
+    vec3 found = vec3(0.0);
+    for (uint i = first; i < end; ++i)
+    {
+        swSliceWave wave = waves[i];
+        float square = wave.amplitude * wave.amplitude;
+        vec2 unit = square * unitOf(toTurns(turnsOf(wave, way)));
+        energy += square;
+        found += vec3(unit.x, -unit.y * vec2(wave.kx, wave.kz));
+    }
+    return energy > 0.0 ? found / energy : vec3(1.0, 0.0, 0.0);
+}
+
+// Both copies of free waves [first, end), which are of one octave and one system.
+void addCarriedWaves(inout Texel texel, uint first, uint end, uint column, uint row, Flow moved, Shape shape)
+{
+    Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+    float between = 0.5 * waves[first].carryPeriod;
+    vec3 rho = likenessOf(first, end, between * moved.velocity);
+    Texel sum = CALM;
+    for (uint c = 0; c < 2; ++c)
+    {
+        vec2 way = -carry.seconds[c] * moved.velocity;
+        Texel own = CALM;
+        for (uint k = first; k < end; ++k)
+        {
+            swSliceWave wave = waves[k];
+            addWave(own, wave, wave.amplitude * unitOf(phaseOfTexel(wave, column, row) + toTurns(turnsOf(wave, way))));
+        }
+        addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
+    }
+    addShaped(texel, sum, carried(shape, carry, between, moved, rho));
+}
+
 // ---- all of a texel ----
 
 // What a place does to a texel.
 struct TexelPlace
 {
     Ground ground;
+    Flow flow;
     Shape weight; // of the system asked last
     uint system;
 };
@@ -233,6 +338,11 @@ void addTiles(inout Texel texel, inout TexelPlace place, uint first, uint end, u
         {
             continue;
         }
+        if (doesCarry() && blockTiles[b].carryPeriod > 0.0 && isMoved(place.flow))
+        {
+            addCarriedTiles(texel, blockTiles[b], column, row, place.flow, shape);
+            continue;
+        }
         Texel own = CALM;
         if (blockTiles[b].shapedColumns > 0)
         {
@@ -249,7 +359,11 @@ void addTiles(inout Texel texel, inout TexelPlace place, uint first, uint end, u
 // Adds the tiles and free waves that are shaped in this block.
 void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
 {
-    TexelPlace place = TexelPlace(groundOf(column, row), Shape(1.0, vec2(0.0)), ~0u);
+    TexelPlace place = TexelPlace(groundOf(column, row), STILL, Shape(1.0, vec2(0.0)), ~0u);
+    if (doesCarry())
+    {
+        place.flow = flowAt(column, row);
+    }
     uint count = list.count + list.windowCount;
     for (uint part = (count + SW_SHAPED_TILES - 1) / SW_SHAPED_TILES; part-- > 0;)
     {
@@ -272,16 +386,36 @@ void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
             }
         }
     }
-    for (uint k = 0; WITH_WAVES && k < list.waveCount; ++k)
+    for (uint k = 0, next; WITH_WAVES && k < list.waveCount; k = next)
     {
         swSliceWave wave = waves[list.firstWave + k];
-        if (isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation))
+        next = doesCarry() ? wave.groupEnd : k + 1;
+        if (!isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation))
+        {
+            continue;
+        }
+        Shape shape = shapeOf(place, column, row, wave.system, wave.waveNumber, wave.attenuation);
+        if (doesCarry())
+        {
+            addCarriedWaves(texel, list.firstWave + k, list.firstWave + next, column, row, place.flow, shape);
+        }
+        else
         {
             Texel own = CALM;
             addWave(own, wave, swingOf(wave, column, row));
-            addShaped(texel, own, shapeOf(place, column, row, wave.system, wave.waveNumber, wave.attenuation));
+            addShaped(texel, own, shape);
         }
     }
+}
+
+// Once inputs have joined that displace the water.
+Texel displacedTexel(Texel texel, float least, uint column, uint row)
+{
+    swInputValue waves =
+        swInputValue(vec4(texel.sum, 0.0), vec4(texel.alongX, 0.0), vec4(texel.alongX.z, texel.alongZ, 0.0));
+    waves = displacedWater(placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row), swDisplaceRange(least, 0.0, 0.0),
+                           waves);
+    return Texel(waves.value.xyz, waves.alongX.xyz, waves.alongZ.yz);
 }
 
 void storeShaped(uint column, uint row, Texel texel)
@@ -304,6 +438,10 @@ void main()
     }
     Texel texel = CALM;
     addAllShaped(texel, lists[gl_WorkGroupID.z], column, row);
+    if (WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0)
+    {
+        texel = displacedTexel(texel, lists[gl_WorkGroupID.z].minWavelength, column, row);
+    }
     if (column < resolution)
     {
         storeShaped(column, row, texel);

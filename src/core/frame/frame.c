@@ -25,6 +25,9 @@ swFoamSliceParams swGetFoamParams(const swFrame* frame, const swStackFrame* stac
         .dt = seconds,
         .start = frame->foamLaw.cover,
         .isSteady = isSteady ? 1 : 0,
+        .texel = (float)stack->slices[i].texel,
+        .currentX = frame->foamLaw.currentX,
+        .currentZ = frame->foamLaw.currentZ,
     };
 }
 
@@ -39,6 +42,8 @@ swMadeFoamParams swGetMadeFoamParams(const swFrame* frame, int layer, float seco
         .dt = seconds,
         .isSteady = isSteady ? 1 : 0,
         .isWake = layer == SW_LAYER_WAKE_FOAM ? 1 : 0,
+        .currentX = frame->foamLaw.currentX,
+        .currentZ = frame->foamLaw.currentZ,
     };
 }
 
@@ -62,4 +67,15 @@ uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* perio
     int64_t rest = ticks % periodTicks;
     rest += rest < 0 ? periodTicks : 0;
     return begin + (uint32_t)(((uint64_t)rest << 32) / (uint64_t)periodTicks);
+}
+
+int swFindCarriedEnd(const swFreeWave* waves, int first, int count)
+{
+    float k = swGetOctaveWaveNumber(waves[first].wavelength);
+    int end = first + 1;
+    while (end < count && waves[end].system == waves[first].system && swGetOctaveWaveNumber(waves[end].wavelength) == k)
+    {
+        end += 1;
+    }
+    return end;
 }

@@ -150,7 +150,8 @@ static bool joinTile(uint32_t count, swSliceTile* tiles, const swSliceTile* tile
         swSliceTile* other = &tiles[i];
         if (other->secondTexel == SW_NO_TEXEL && other->step == tile->step && other->resolution == tile->resolution &&
             other->base == tile->base && other->fractionX == tile->fractionX && other->fractionZ == tile->fractionZ &&
-            other->waveNumber == tile->waveNumber && isAlike(&other->attenuation, &tile->attenuation))
+            other->waveNumber == tile->waveNumber && other->carryTurns == tile->carryTurns &&
+            other->carryPeriod == tile->carryPeriod && isAlike(&other->attenuation, &tile->attenuation))
         {
             other->secondTexel = tile->firstTexel;
             return true;
@@ -173,6 +174,11 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
             continue;
         }
         swSliceTile tile = makeSliceTile(slice, &frame->tiles[i], gpuWorld->tiles.params[i].firstTexel);
+        if (gpuWorld->tiles.isCarried)
+        {
+            tile.carryTurns =
+                swGetCarryPhase(tile.waveNumber, frame->tiles[i].loopTicks, frame->ticks, &tile.carryPeriod);
+        }
         tile.columnCount = countColumns(&tile);
         if (isJoined && (joinTile(count, tiles, &tile) || joinTile(list->windowCount, others, &tile)))
         {
@@ -230,10 +236,21 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
 // Longest first, as the frame has them.
 static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWave* waves, swSliceList* list)
 {
-    for (int i = 0; i < frame->waveCount && frame->waves[i].wavelength >= slice->minWavelength; ++i)
+    int count = 0, groupEnd = 0;
+    while (count < frame->waveCount && frame->waves[count].wavelength >= slice->minWavelength)
     {
-        waves[list->waveCount++] = makeSliceWave(slice, &frame->waves[i], frame->ticks);
+        count += 1;
     }
+    for (int i = 0; i < count; ++i)
+    {
+        const swFreeWave* wave = &frame->waves[i];
+        swSliceWave seen = makeSliceWave(slice, wave, frame->ticks);
+        groupEnd = i == groupEnd ? swFindCarriedEnd(frame->waves, i, count) : groupEnd;
+        seen.groupEnd = (uint32_t)groupEnd;
+        seen.carryTurns = swGetCarryPhase(seen.waveNumber, wave->loopTicks, frame->ticks, &seen.carryPeriod);
+        waves[i] = seen;
+    }
+    list->waveCount = (uint32_t)count;
 }
 
 static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, ViewState* view)
@@ -262,6 +279,7 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
         list->first = tileCount;
         list->firstWave = waveCount;
         list->texelsPerMetre = (float)(1.0 / slice->texel);
+        list->minWavelength = slice->minWavelength;
         makeSliceTiles(gpuWorld, frame, slice, tiles, list);
         uint32_t all = list->count + list->windowCount;
         memcpy((swSliceTile*)view->tiles.data + tileCount, tiles, all * sizeof(swSliceTile));
