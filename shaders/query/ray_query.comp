@@ -24,6 +24,7 @@
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
 layout(constant_id = 0) const bool WITH_INPUTS = false;
+layout(constant_id = 1) const bool WITH_RIBBONS = false;
 
 layout(std140, binding = 0) uniform Tiles
 {

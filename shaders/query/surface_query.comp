@@ -20,6 +20,7 @@ const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
 layout(constant_id = 0) const bool WITH_MOTION = false;
 layout(constant_id = 1) const bool WITH_INPUTS = false;
+layout(constant_id = 2) const bool WITH_RIBBONS = false;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -147,6 +148,53 @@ Motion addMotion(ivec2 cell, vec2 rest, uint lane)
     return motion;
 }
 
+void addLookedMotion(Look look, Shape shape, Motion own, inout Motion motion)
+{
+    motion.velocity += shape.weight * turnByLook(look, own.velocity);
+    motion.acceleration += shape.weight * turnByLook(look, own.acceleration);
+}
+
+// Adds the motion by systems of which some waves run along splines.
+void addRibbonMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Motion motion)
+{
+    SeaPlace place = seaPlaceAt(cell, rest);
+    uint waveCount = params.water.waveCount;
+    uint systems = shaper.ribbonSystems & systemsOf(params.water.tileCount, waveCount, lane);
+    for (; systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        swWaveLooks looks = looksAt(system, place);
+        for (uint l = 0; l < SW_LOOKS; ++l)
+        {
+            Look look = lookOf(looks, l, place);
+            ivec2 cellThere = queryCellOf(look.at);
+            vec2 restThere = queryRestOf(look.at);
+            for (uint i = 0; i < params.water.tileCount && isLookThere(look); ++i)
+            {
+                if (tiles[i].system == system)
+                {
+                    Motion own = NO_MOTION;
+                    addTileMotion(tiles[i], cellThere, restThere, lane, cubic, own);
+                    addLookedMotion(look,
+                                    attenuated(look.shape, shaper.ground, tiles[i].waveNumber, attenuationOf(tiles[i])),
+                                    own, motion);
+                }
+            }
+            for (uint i = lane; i < waveCount && isLookThere(look); i += SW_QUERY_LANES)
+            {
+                if (waves[i].system == system)
+                {
+                    Motion own = NO_MOTION;
+                    addWaveMotion(waves[i], cellThere, restThere, own);
+                    addLookedMotion(look,
+                                    attenuated(look.shape, shaper.ground, waves[i].waveNumber, waves[i].attenuation),
+                                    own, motion);
+                }
+            }
+        }
+    }
+}
+
 // The same where inputs shape waves, which they do as at the rest place that was tried last. How a particle's place
 // changes makes no part of how it moves.
 Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
@@ -155,6 +203,10 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     Motion motion = NO_MOTION;
     for (uint i = 0; i < params.water.tileCount; ++i)
     {
+        if (runsAlong(shaper, tiles[i].system))
+        {
+            continue;
+        }
         Motion own = NO_MOTION;
         addTileMotion(tiles[i], cell, rest, lane, cubic, own);
         Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
@@ -163,11 +215,19 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     }
     for (uint i = lane; i < params.water.waveCount; i += SW_QUERY_LANES)
     {
+        if (runsAlong(shaper, waves[i].system))
+        {
+            continue;
+        }
         Motion own = NO_MOTION;
         addWaveMotion(waves[i], cell, rest, own);
         Shape shape = shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation);
         motion.velocity += shape.weight * own.velocity;
         motion.acceleration += shape.weight * own.acceleration;
+    }
+    if (WITH_RIBBONS && shaper.ribbonSystems != 0)
+    {
+        addRibbonMotion(shaper, cell, rest, lane, cubic, motion);
     }
     return motion;
 }

@@ -23,11 +23,12 @@
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
 // `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
-// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constant `bool
-// WITH_INPUTS`.
+// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constants `bool
+// WITH_INPUTS` and, where some waves run along splines, `bool WITH_RIBBONS`.
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
+#include "lib/ribbons.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 
@@ -201,13 +202,24 @@ bool areSystemsWeighted(SeaPlace place)
     return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
 }
 
+// Bits of the systems that are added by addRibbonWater().
+uint ribbonSystemsNear(SeaPlace place)
+{
+    return WITH_RIBBONS ? ribbonSystemsAt(place) : 0u;
+}
+
 // A lane's part of what is asked for a point of a cell, at a place in it and a rest place. Lanes meet before they read.
 void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
 {
     SeaPlace atRest = seaPlaceAt(cell, rest);
     uint count = areSystemsWeighted(atRest) ? ASKED_SYSTEMS + SW_LIMIT_SYSTEMS : ASKED_SYSTEMS;
+    uint ribbonSystems = ribbonSystemsNear(atRest); // which are asked for where they are added
     for (uint i = lane; i < count; i += SW_QUERY_LANES)
     {
+        if (i >= ASKED_SYSTEMS && (ribbonSystems >> (i - ASKED_SYSTEMS) & 1u) != 0)
+        {
+            continue;
+        }
         uint field = i == ASKED_FLOOR ? SW_FIELD_OF_FLOOR : i < ASKED_FLOOR ? SW_FIELD_OF_LEVEL : SW_FIELD_OF_WAVES;
         SeaPlace asked = i == ASKED_PLACE_LEVEL ? seaPlaceAt(cell, place) : atRest;
         placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = firstOf(fieldAt(field, i - ASKED_SYSTEMS, asked));
@@ -224,11 +236,13 @@ struct Shaper
 {
     Ground ground;
     bool isWeighted; // inputs weigh systems
+    uint ribbonSystems;
 };
 
 Shaper shaperAt(SeaPlace place)
 {
-    return Shaper(groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR)), areSystemsWeighted(place));
+    return Shaper(groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR)), areSystemsWeighted(place),
+                  ribbonSystemsNear(place));
 }
 
 bool doesShape(Shaper shaper)
@@ -240,6 +254,11 @@ Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)
 {
     vec3 weight = shaper.isWeighted ? askedOf(ASKED_SYSTEMS + system) : vec3(1.0, 0.0, 0.0);
     return attenuated(Shape(weight.x, weight.yz), shaper.ground, k, attenuation);
+}
+
+bool runsAlong(Shaper shaper, uint system)
+{
+    return WITH_RIBBONS && (shaper.ribbonSystems >> system & 1u) != 0;
 }
 
 swAttenuation attenuationOf(swQueryTile tile)
@@ -256,21 +275,105 @@ void addShaped(Shape shape, Sum own, inout Sum sum)
 
 const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
 
+// A place of the sea as a cell and a rest of the query's.
+ivec2 queryCellOf(SeaPlace place)
+{
+    return place.cell - ivec2(params.sea.cellX, params.sea.cellZ);
+}
+
+vec2 queryRestOf(SeaPlace place)
+{
+    return place.rest - vec2(params.sea.restX, params.sea.restZ);
+}
+
+// Bits of the systems of the first tiles and of a lane's waves.
+uint systemsOf(uint tileCount, uint waveCount, uint lane)
+{
+    uint systems = 0;
+    for (uint i = 0; i < tileCount; ++i)
+    {
+        systems |= 1u << tiles[i].system;
+    }
+    for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
+    {
+        systems |= 1u << waves[i].system;
+    }
+    return systems;
+}
+
+void addLooked(Look look, Shape shape, Sum own, inout Sum sum)
+{
+    turnWaterByLook(look, own.value, own.alongX, own.alongZ);
+    addShaped(shape, own, sum);
+}
+
+// Adds the systems of which some waves run along splines, one after the other: what is asked for one of them is too
+// much to be kept for all.
+void addRibbonWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, vec4 cubic,
+                    inout Sum sum)
+{
+    SeaPlace place = seaPlaceAt(cell, rest);
+    uint systems = shaper.ribbonSystems & systemsOf(tileCount, waveCount, lane);
+    for (; systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        swWaveLooks looks = looksAt(system, place);
+        for (uint l = 0; l < SW_LOOKS; ++l)
+        {
+            Look look = lookOf(looks, l, place);
+            ivec2 cellThere = queryCellOf(look.at);
+            vec2 restThere = queryRestOf(look.at);
+            for (uint i = 0; i < tileCount && isLookThere(look); ++i)
+            {
+                if (tiles[i].system == system)
+                {
+                    Sum own = NO_WATER;
+                    addTile(tiles[i], cellThere, restThere, lane, cubic, own);
+                    addLooked(look, attenuated(look.shape, shaper.ground, tiles[i].waveNumber, attenuationOf(tiles[i])),
+                              own, sum);
+                }
+            }
+            for (uint i = lane; i < waveCount && isLookThere(look); i += SW_QUERY_LANES)
+            {
+                if (waves[i].system == system)
+                {
+                    Sum own = NO_WATER;
+                    addWave(waves[i], cellThere, restThere, own);
+                    addLooked(look, attenuated(look.shape, shaper.ground, waves[i].waveNumber, waves[i].attenuation),
+                              own, sum);
+                }
+            }
+        }
+    }
+}
+
 // addWater() of the first tiles and waves, shaped.
 void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
 {
     vec4 cubic = splineCubic(lane);
     for (uint i = 0; i < tileCount; ++i)
     {
+        if (runsAlong(shaper, tiles[i].system))
+        {
+            continue;
+        }
         Sum own = NO_WATER;
         addTile(tiles[i], cell, rest, lane, cubic, own);
         addShaped(shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i])), own, sum);
     }
     for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
     {
+        if (runsAlong(shaper, waves[i].system))
+        {
+            continue;
+        }
         Sum own = NO_WATER;
         addWave(waves[i], cell, rest, own);
         addShaped(shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation), own, sum);
+    }
+    if (WITH_RIBBONS && shaper.ribbonSystems != 0)
+    {
+        addRibbonWater(shaper, tileCount, waveCount, cell, rest, lane, cubic, sum);
     }
 }
 

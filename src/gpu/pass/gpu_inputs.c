@@ -170,9 +170,8 @@ static void tellLacks(swGpuWorld* gpuWorld)
     static const char* const told[LACKS_COUNT] = {
         [LACKS_FUNCTIONS] = "layers, queries and rays of the GPU leave out functions of the host",
         [LACKS_FLOW] = "layers, queries and rays of the GPU leave out flow",
-        [LACKS_RIBBONS] =
-            "layers, queries and rays of the GPU leave out how waves along splines turn with the line: they "
-            "have the ribbon's weight only",
+        [LACKS_RIBBONS] = "layers of the GPU leave out how waves along splines turn with the line: they have the "
+                          "ribbon's weight only",
         [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs, which a view "
                                "with CPU layers on a software device has",
         [LACKS_FLOORS_BELOW] = "queries of the water below on the GPU leave out what a floor does to the motion there",
@@ -202,7 +201,7 @@ static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inpu
     result = result == SW_SUCCESS ? uploadRecords(gpu, set, inputs) : result;
     VkDeviceSize nodes = (VkDeviceSize)set->nodeCount * sizeof(swInputNode);
     result = result == SW_SUCCESS ? swUploadData(gpu, set->nodes, nodes, &inputs->nodesUpload) : result;
-    swInputHead head = {.localSystems = set->localSystems};
+    swInputHead head = {.localSystems = set->localSystems, .ribbonSystems = set->ribbonSystems};
     memcpy(head.ranges, set->ranges, sizeof(head.ranges));
     return result == SW_SUCCESS ? swUploadData(gpu, &head, sizeof(head), &inputs->headUpload) : result;
 }
@@ -212,6 +211,7 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
     swGpuInputs* inputs = &gpuWorld->inputs;
     const swInputSet* set = frame->inputs;
     inputs->isAuthored = set != NULL && (set->recordCount > 0 || set->localSystems != 0);
+    inputs->hasRibbons = set != NULL && set->ribbonSystems != 0;
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded

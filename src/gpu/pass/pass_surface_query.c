@@ -16,7 +16,8 @@ static swSurfaceQueryConstants constantsOf(const swGpuWorld* gpuWorld, const swG
     bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
     bool hasMotion = (query->def.outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
     return (swSurfaceQueryConstants){.withMotion = isSurface && hasMotion ? 1 : 0,
-                                     .withInputs = gpuWorld->inputs.isAuthored ? 1 : 0};
+                                     .withInputs = gpuWorld->inputs.isAuthored ? 1 : 0,
+                                     .withRibbons = gpuWorld->inputs.hasRibbons ? 1 : 0};
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)

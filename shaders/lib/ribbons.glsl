@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Waves of systems of which some run along splines: the twin of swFindWaveLooks() in core/input and of what
+// core/surface/evaluate_shaped.c makes of its answers.
+//
+// Before including: lib/inputs.glsl and lib/places.glsl.
+#ifndef SW_LIB_RIBBONS
+#define SW_LIB_RIBBONS
+#include "shared/ribbon_looks.h"
+
+// Looks at a system's waves at a place: as they lie in the sea, and along two splines.
+#define SW_LOOKS 3u
+
+// Bits of the systems of which some waves run along splines near a place.
+uint ribbonSystemsAt(SeaPlace place)
+{
+    return touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell) ? inputHead.ribbonSystems : 0u;
+}
+
+swWaveLooks looksAt(uint system, SeaPlace place)
+{
+    swWaveLooks looks = swWaveLooks(swGetFieldBelow(SW_FIELD_OF_WAVES), swBeginLooks());
+    looks.plain.value.x = isLocalSystem(system) ? 0.0 : looks.plain.value.x;
+    uint i = findInput(SW_FIELD_OF_WAVES, place.cell, place.cell, 0);
+    while (i != SW_NO_RECORD)
+    {
+        swInputRecord record = inputRecords[i];
+        if (swHasSay(record, system))
+        {
+            looks = swJoinLooks(record.firstWord, record, system, looks, place.cell.x, place.cell.y, place.rest.x,
+                                place.rest.y);
+        }
+        i = findInput(SW_FIELD_OF_WAVES, place.cell, place.cell, i + 1);
+    }
+    return looks;
+}
+
+// Where waves are looked up in the sea, how much of them counts, and how they are turned.
+struct Look
+{
+    Shape shape;
+    SeaPlace at;
+    swRibbonSource source; // of a plain look not looked at
+    bool isPlain;
+};
+
+// The look number `i` of a place.
+Look lookOf(swWaveLooks looks, uint i, SeaPlace place)
+{
+    if (i == 0)
+    {
+        vec3 weight = firstOf(looks.plain);
+        return Look(Shape(weight.x, weight.yz), place, looks.ribbons.first.source, true);
+    }
+    swRibbonLook look = looks.ribbons.first;
+    if (i == 2)
+    {
+        look = looks.ribbons.second;
+    }
+    SeaPlace at = SeaPlace(ivec2(look.source.cellX, look.source.cellZ), vec2(look.source.restX, look.source.restZ));
+    return Look(Shape(look.weight.value, vec2(look.weight.alongX, look.weight.alongZ)), at, look.source, false);
+}
+
+// Whether it adds anything.
+bool isLookThere(Look look)
+{
+    return look.shape.weight != 0.0 || look.shape.slope != vec2(0.0);
+}
+
+// A vector from a look's axes to the sea's.
+vec3 turnByLook(Look look, vec3 v)
+{
+    float c = look.source.cosine, s = look.source.sine;
+    return look.isPlain ? v : vec3(c * v.x - s * v.z, v.y, s * v.x + c * v.z);
+}
+
+// Displacement with its derivatives from a look's coordinates to the sea's. Waves lie in the look's coordinates so that
+// dDx/dz is dDz/dx there.
+void turnWaterByLook(Look look, inout vec3 value, inout vec3 alongX, inout vec2 alongZ)
+{
+    if (look.isPlain)
+    {
+        return;
+    }
+    vec3 ownZ = vec3(alongX.z, alongZ);
+    vec4 way = look.source.way;
+    vec3 x = turnByLook(look, alongX * (1.0 + way.x) + ownZ * way.z);
+    vec3 z = turnByLook(look, alongX * way.y + ownZ * (1.0 + way.w));
+    value = turnByLook(look, value);
+    // The axes turn from place to place.
+    x.xz += look.source.turnX * vec2(-value.z, value.x);
+    z.xz += look.source.turnZ * vec2(-value.z, value.x);
+    alongX = x;
+    alongZ = z.yz;
+}
+#endif
