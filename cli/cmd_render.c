@@ -214,7 +214,9 @@ static bool DrawFrame(Render* render, int frame, double time)
                    .water = render->scene->water,
                    .debug = (swDebugMode)options->debug,
                    .time = time + frame / options->fps,
-                   .exposureEv = render->scene->exposureEv + (float)options->exposureEv};
+                   .exposureEv = render->scene->exposureEv + (float)options->exposureEv,
+                   .bodyWaters = render->scene->looks,
+                   .bodyWaterCount = render->scene->lookCount};
     int factor = (int)lround(sqrt((double)options->samples));
     shot.camera.width *= (uint32_t)factor;
     shot.camera.height *= (uint32_t)factor;

@@ -251,6 +251,8 @@ static PictureDef DescribePicture(App* app, const swStageFrame* frame, double pa
                 .debug = app->debug,
                 .time = swWorld_GetTime(sea->world),
                 .exposureEv = sea->look.exposureEv,
+                .bodyWaters = sea->scene != NULL ? sea->scene->looks : NULL,
+                .bodyWaterCount = sea->scene != NULL ? sea->scene->lookCount : 0,
             },
         .frame = *frame,
         .dt = (float)passed,

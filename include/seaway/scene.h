@@ -50,12 +50,19 @@ typedef struct swSceneWaves
 #define SW_MAX_SCENE_RESOURCES 256
 #define SW_MAX_SCENE_INPUTS 4096
 
+/// Numbers that a cell of a scene's raster can have.
+#define SW_MAX_SCENE_CHANNELS 4
+
 /// A raster that inputs of the scene name: a file, or a made-up island. The scene owns it.
 typedef struct swSceneRaster
 {
     char name[64];
-    char file[512];      ///< relative to the scene's folder
-    char variable[64];   ///< of def.variable; empty: NULL
+    char file[512];    ///< relative to the scene's folder
+    char variable[64]; ///< of def.variable; empty: NULL
+    int channelCount;  ///< of a raster of several channels, one after another: their files, or their variables; or 0
+    char files[SW_MAX_SCENE_CHANNELS][512];
+    char variables[SW_MAX_SCENE_CHANNELS][64];
+    int frames;          ///< lattices of the same size that stand below each other in the file
     bool isOptional;     ///< a file that is not there leaves out the inputs that name it, with a warning
     swRasterFileDef def; ///< how the file was read
     bool isIsland;       ///< made of `island` instead of a file
@@ -75,6 +82,18 @@ typedef struct swSceneMesh
     int item;          ///< which of the file's meshes it is, from 1 on
     int line;          ///< of the file, where it begins; 0: none
 } swSceneMesh;
+
+/// A hull that inputs of the scene name: the inside of a closed mesh. The scene owns it.
+typedef struct swSceneHull
+{
+    char name[64];
+    char file[512];    ///< relative to the scene's folder
+    swMeshFileDef def; ///< how the file was read
+    int resolution;    ///< see swHullDef
+    swHull* hull;      ///< NULL until it is made
+    int item;          ///< which of the file's hulls it is, from 1 on
+    int line;          ///< of the file, where it begins; 0: none
+} swSceneHull;
 
 /// A spline that inputs of the scene name. The scene owns it.
 typedef struct swSceneSpline
@@ -96,8 +115,10 @@ typedef struct swSceneInput
     bool isLeftOut;       ///< its raster is an optional file that is not there, or its waves were removed
     swInputPoint* points; ///< def.points points here; NULL if there are none
     int pointCount;
-    int item; ///< which of the file's inputs it is, from 1 on
-    int line; ///< of the file, where it begins; 0: none
+    const swRaster** nest; ///< rasters of a nest, see swCreateNest(); NULL if it is none
+    int nestCount;         ///< those that are there
+    int item;              ///< which of the file's inputs it is, from 1 on
+    int line;              ///< of the file, where it begins; 0: none
 } swSceneInput;
 
 /// A body of water of a scene.
@@ -110,6 +131,19 @@ typedef struct swSceneWaterBody
     int item; ///< which of the file's bodies of water it is, from 1 on
     int line; ///< of the file, where it begins; 0: none
 } swSceneWaterBody;
+
+/// A sea by a map of the wind, see swCreateWindSea(). The scene owns it.
+typedef struct swSceneWindSea
+{
+    swWindSeaDef def;    ///< its raster is the scene's, its waves are those of `waves`
+    swSceneWaves* waves; ///< what its systems have in common
+    bool isLeftOut;      ///< its raster is an optional file that is not there
+    int item;            ///< which of the file's it is, from 1 on
+    int line;            ///< of the file, where it begins; 0: none
+} swSceneWindSea;
+
+/// Other waters that a scene can have, see swWaterBodyDef::look.
+#define SW_MAX_SCENE_LOOKS 255
 
 /// The text that a scene was read from.
 typedef struct swSceneSource swSceneSource;
@@ -133,12 +167,18 @@ typedef struct swScene
     swSceneRaster* rasters;
     int meshCount;
     swSceneMesh* meshes;
+    int hullCount;
+    swSceneHull* hulls;
     int splineCount;
     swSceneSpline* splines;
+    int lookCount;
+    swWaterDef* looks; ///< of bodies of water, for swShot::bodyWaters
     int waterBodyCount;
     swSceneWaterBody* waterBodies;
     int inputCount;
     swSceneInput* inputs;
+    int windSeaCount;
+    swSceneWindSea* windSeas;
     swHost host;           ///< who gave the memory
     swSceneSource* source; ///< what it was read from
 } swScene;
@@ -240,9 +280,13 @@ typedef struct swSceneSea
     swSeaReplay* replays[SW_MAX_WAVE_SYSTEMS]; ///< NULL where nothing is replayed
     int inputCount;
     swInputId* inputs; ///< in the scene's order; null handles of those that are left out. NULL if there are none
+    int nestedCount;
+    swInputId* nested; ///< inputs of nests but the first of each, which stands among `inputs`
     int waterBodyCount;
     swWaterBodyId* waterBodies; ///< in the scene's order; NULL if there are none
-    int inputRoom, waterBodyRoom;
+    int windSeaCount;
+    swWindSea* windSeas; ///< in the scene's order; NULL if there are none
+    int inputRoom, nestedRoom, waterBodyRoom, windSeaRoom;
     swHost host; ///< who gave the memory of inputs and bodies
 } swSceneSea;
 

@@ -26,6 +26,9 @@
 // Spline units a texel of such a tile, at most.
 #define SW_SLICE_STEP 0.75f
 
+// Texels of a column that a thread of slices_shaped.comp adds up waves for; a divisor of SW_SLICE_HEIGHT.
+#define SW_SHAPED_RUN 4
+
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32
 #define SW_DETAIL_MIPS 6

@@ -22,10 +22,8 @@
 // so are free waves, with their phases in integers: four texels at a time, each by turning the sine and cosine of the
 // one before on. Pipelines of views that have neither are compiled without (WITH_OTHERS).
 //
-// Where waves differ from place to place (WITH_PLACES), the pass before says of each block how deep its shallowest
-// texel is and which wave systems have weights of their own there. Tiles whose waves do not feel that are added as
-// above, so that over a floor of 20 m only waves of more than 40 m are not. The others are added texel by texel, each
-// with the weight that its place gives it, and free waves too. See shapeOf().
+// Where waves differ from place to place (WITH_PLACES), slices_shaped.comp has added up those that are shaped somewhere
+// in the block. The others are added here as above, so that over a floor of 20 m only waves of more than 40 m are not.
 //
 // What decides is how many blocks run at once, and the length of the code. A compiler gives a thread as many registers
 // as shared memory leaves it, whatever would fit. Slower on an H100 than what is here (33.6 us): columns of eight
@@ -35,15 +33,13 @@
 // memory.
 
 #include "shared/fields.h"
-#include "lib/turns.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 #include "shared/waves.h"
 
 layout(local_size_x = SW_SLICE_WIDTH) in;
-layout(constant_id = 0) const bool WITH_OTHERS = true;   // tiles added texel by texel, and free waves
-layout(constant_id = 1) const bool WITH_PLACES = false;  // waves differ from place to place
-layout(constant_id = 2) const bool WITH_WEIGHTS = false; // systems may have weights of their own there
+layout(constant_id = 0) const bool WITH_OTHERS = true;  // tiles added texel by texel, and free waves
+layout(constant_id = 1) const bool WITH_PLACES = false; // waves differ from place to place
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -63,34 +59,21 @@ layout(std430, binding = 5) readonly buffer Waves
 {
     swSliceWave waves[];
 };
-layout(binding = 6, rgba32f) uniform readonly image2DArray places; // depth, its slopes along x and z, level
-layout(std430, binding = 7) readonly buffer Blocks
+layout(std430, binding = 6) readonly buffer Blocks
 {
     swFieldBlock blocks[];
 };
-layout(std430, binding = 8) readonly buffer FieldSlices
+// See slices_shaped.comp.
+layout(std430, binding = 7) readonly buffer Shaped
 {
-    swFieldSlice fieldSlices[];
+    vec4 shaped[];
 };
-layout(std430, binding = 9) readonly buffer InputHead
+layout(push_constant) uniform Push
 {
-    swInputHead inputHead;
-};
-layout(std430, binding = 10) readonly buffer InputRecords
-{
-    swInputRecord inputRecords[];
-};
-layout(std430, binding = 11) readonly buffer InputNodes
-{
-    swInputNode inputNodes[];
-};
-layout(std430, binding = 12) readonly buffer InputWords
-{
-    float inputWords[];
+    uint resolution;
 };
 
-#include "lib/inputs.glsl"
-#include "lib/places.glsl"
+#include "lib/slice_waves.glsl"
 
 // The slice's tiles that are added as cubics.
 shared swSliceTile blockTiles[SW_SLICE_TILES];
@@ -101,26 +84,18 @@ shared float jumps[3 * SW_SLICE_JUMPS];
 // Bit b of a row: tile b has a knot between the row before and this one.
 shared uint knotTiles[SW_SLICE_HEIGHT];
 
-// ---- what shapes waves in this block ----
-
+// What shapes waves in this block.
 swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0);
 
-// Whether waves of a system, of wave number k, are shaped anywhere in the block.
+// Whether waves are added by slices_shaped.comp.
 bool isShaped(uint system, float k, swAttenuation attenuation)
 {
-    return WITH_PLACES &&
-           (!swIsDeepFor(attenuation, k, fieldBlock.leastDepth) || (fieldBlock.systems >> (system & 31u) & 1u) != 0);
+    return WITH_PLACES && isShapedIn(fieldBlock, system, k, attenuation);
 }
 
 bool isShapedTile(uint b)
 {
     return isShaped(blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
-}
-
-// Whether any waves are: the block's longest may feel its depth.
-bool isTouched()
-{
-    return fieldBlock.leastDepth < SW_NO_DEPTH || fieldBlock.systems != 0;
 }
 
 // Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's middle row, y and z the same; slopeX
@@ -143,12 +118,6 @@ float evaluateSlope(vec4 c, float t)
     return fma(fma(3.0 * c.w, t, 2.0 * c.z), t, c.y);
 }
 
-// Interpolated along x.
-vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
-{
-    return fma(vec3(weights.w), d, fma(vec3(weights.z), c, fma(vec3(weights.y), b, weights.x * a)));
-}
-
 // What each of four coefficients of the spline adds to its cubic, as Taylor polynomials t beyond a knot.
 mat4 cubicPieces(float t, float step)
 {
@@ -159,15 +128,9 @@ mat4 cubicPieces(float t, float step)
     return transpose(mat4(swSplineWeights(t), w1, w2, w3));
 }
 
-// Spline coordinates. The same bits wherever they are asked for: cells and weights must not disagree.
-float splineZ(swSliceTile tile, uint row)
+float splineOfRow(swSliceTile tile, uint row)
 {
-    return fma(float(gl_WorkGroupID.y * SW_SLICE_HEIGHT + row), tile.step, tile.fractionZ);
-}
-
-float splineX(swSliceTile tile, uint column)
-{
-    return fma(float(column), tile.step, tile.fractionX);
+    return splineZ(tile, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
 }
 
 // First tile column that the block touches, not wrapped.
@@ -193,12 +156,6 @@ uvec2 rowsOfGroup(swSliceList list, uint step)
 
 // Laying out tiles ---------------------------------------------------------------------------------------------------
 
-vec3 texelOf(swSliceTile tile, uint column, uint row)
-{
-    uint mask = tile.resolution - 1;
-    return texels[tile.firstTexel + (column & mask) + (row & mask) * (tile.resolution + 3)].xyz;
-}
-
 // Lays out by how much the coefficient of the third power changes at a knot, from the five coefficients around it.
 void placeJump(uint at, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e, float cube)
 {
@@ -211,7 +168,7 @@ void placeJump(uint at, vec3 a, vec3 b, vec3 c, vec3 d, vec3 e, float cube)
 // The cubic of a column of a tile, at the block's middle.
 void placeCubic(swSliceTile tile, uint column, uint at)
 {
-    float s = splineZ(tile, MIDDLE);
+    float s = splineOfRow(tile, MIDDLE);
     float cell = floor(s);
     uint row = (tile.base >> 16) + uint(cell);
     vec3 a = texelOf(tile, at, row), b = texelOf(tile, at, row + 1);
@@ -225,7 +182,7 @@ void placeCubic(swSliceTile tile, uint column, uint at)
 // Lays out a column of a tile: its cubic if it is the first time, and what changes at its knots between two rows.
 void placeColumn(swSliceTile tile, uint column, bool isFirst, uvec2 rows)
 {
-    float cell = floor(splineZ(tile, rows.x));
+    float cell = floor(splineOfRow(tile, rows.x));
     uint row = (tile.base >> 16) + uint(cell);
     uint at = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
     if (isFirst)
@@ -234,7 +191,7 @@ void placeColumn(swSliceTile tile, uint column, bool isFirst, uvec2 rows)
     }
     vec3 a = texelOf(tile, at, row), b = texelOf(tile, at, row + 1);
     vec3 c = texelOf(tile, at, row + 2), d = texelOf(tile, at, row + 3);
-    uint knotCount = uint(floor(splineZ(tile, rows.y)) - cell);
+    uint knotCount = uint(floor(splineOfRow(tile, rows.y)) - cell);
     uint to = tile.firstJump + column;
     float cube = tile.step * tile.step * tile.step * (1.0 / 6.0);
     for (uint k = 0; k < knotCount; k += 3) // three loads at a time
@@ -291,7 +248,8 @@ void prepareTiles(swSliceList list)
     for (uint i = thread; i < list.count * SW_SLICE_HEIGHT; i += SW_SLICE_WIDTH)
     {
         uint b = i / SW_SLICE_HEIGHT, row = i % SW_SLICE_HEIGHT;
-        if (row > 0 && !isShapedTile(b) && floor(splineZ(blockTiles[b], row)) != floor(splineZ(blockTiles[b], row - 1)))
+        if (row > 0 && !isShapedTile(b) &&
+            floor(splineOfRow(blockTiles[b], row)) != floor(splineOfRow(blockTiles[b], row - 1)))
         {
             atomicOr(knotTiles[row], 1u << b);
         }
@@ -359,9 +317,9 @@ void addKnots(inout Cubic cubic, uint row, uint origin, float sign, uint column)
     for (uint bits = knotTiles[row]; bits != 0; bits &= bits - 1)
     {
         swSliceTile tile = blockTiles[findLSB(bits)];
-        float cell = floor(splineZ(tile, row));
-        uint knot = uint(cell - floor(splineZ(tile, origin))) - 1;
-        float t = (cell - splineZ(tile, MIDDLE)) * tile.texelsPerUnit;
+        float cell = floor(splineOfRow(tile, row));
+        uint knot = uint(cell - floor(splineOfRow(tile, origin))) - 1;
+        float t = (cell - splineOfRow(tile, MIDDLE)) * tile.texelsPerUnit;
         Window window = makeWindow(tile, column);
         uint at = tile.firstJump + knot * tile.columnCount + window.first;
         vec3 a = readJump(at), b = readJump(at + 1), c = readJump(at + 2), d = readJump(at + 3);
@@ -372,48 +330,11 @@ void addKnots(inout Cubic cubic, uint row, uint origin, float sign, uint column)
 
 // Texels -------------------------------------------------------------------------------------------------------------
 
-// What is known of a texel: displacement, and its slopes; along z those of y and z only.
-struct Texel
-{
-    vec3 sum;
-    vec3 alongX;
-    vec2 alongZ;
-};
-
 Texel evaluateCubic(Cubic cubic, float t, float texelsPerMetre)
 {
     return Texel(vec3(evaluate(cubic.x, t), evaluate(cubic.y, t), evaluate(cubic.z, t)),
                  vec3(evaluate(cubic.slopeX, t), evaluate(cubic.slopeY, t), evaluate(cubic.slopeZ, t)),
                  texelsPerMetre * vec2(evaluateSlope(cubic.y, t), evaluateSlope(cubic.z, t)));
-}
-
-// Adds a tile to one texel, from all sixteen coefficients around it.
-void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
-{
-    float x = splineX(tile, column), z = splineZ(tile, row);
-    float cellX = floor(x), cellZ = floor(z);
-    uint firstX = (tile.base & 0xffffu) + uint(cellX);
-    uint firstZ = (tile.base >> 16) + uint(cellZ);
-    vec4 valueX = swSplineWeights(x - cellX), slopeX = swSplineSlopes(x - cellX) * tile.perMetre;
-    vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
-    for (uint k = 0; k < 4; ++k)
-    {
-        vec3 a = texelOf(tile, firstX, firstZ + k), b = texelOf(tile, firstX + 1, firstZ + k);
-        vec3 c = texelOf(tile, firstX + 2, firstZ + k), d = texelOf(tile, firstX + 3, firstZ + k);
-        vec3 value = weigh(valueX, a, b, c, d);
-        texel.sum = fma(vec3(valueZ[k]), value, texel.sum);
-        texel.alongX = fma(vec3(valueZ[k]), weigh(slopeX, a, b, c, d), texel.alongX);
-        texel.alongZ = fma(vec2(slopeZ[k]), value.yz, texel.alongZ);
-    }
-}
-
-// Adds a free wave, `unit` its amplitude times cosine and sine there.
-void addWave(inout Texel texel, swSliceWave wave, vec2 unit)
-{
-    vec3 rate = vec3(wave.dx * unit.x, unit.y, wave.dz * unit.x);
-    texel.sum -= vec3(wave.dx * unit.y, -unit.x, wave.dz * unit.y);
-    texel.alongX = fma(vec3(-wave.kx), rate, texel.alongX);
-    texel.alongZ = fma(vec2(-wave.kz), rate.yz, texel.alongZ);
 }
 
 // Columns beyond a narrow slice's edge store nothing: Vulkan drops what is outside an image.
@@ -425,14 +346,6 @@ void storeTexel(ivec3 at, Texel texel)
     imageStore(displacement, at, vec4(texel.sum, jacobian));
     imageStore(derivatives, at, vec4(gx, gz, jacobian, 0.0));
 }
-
-vec2 swingOf(swSliceWave wave, uint column, uint row)
-{
-    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + row;
-    return wave.amplitude * unitOf(wave.phase + column * wave.stepX + z * wave.stepZ);
-}
-
-const Texel CALM = Texel(vec3(0.0), vec3(0.0), vec2(0.0));
 
 // Four texels that follow each other. They have names, not indices: an array that is indexed would leave the registers.
 struct Run
@@ -457,7 +370,7 @@ Run sumWaves(swSliceList list, uint column, uint row, bool isBack)
             continue;
         }
         vec2 turn = vec2(wave.cosZ, isBack ? -wave.sinZ : wave.sinZ);
-        vec2 unit = swingOf(wave, column, row);
+        vec2 unit = swingOf(wave, column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
         addWave(run.a, wave, unit);
         unit = turnOn(unit, turn);
         addWave(run.b, wave, unit);
@@ -469,13 +382,6 @@ Run sumWaves(swSliceList list, uint column, uint row, bool isBack)
     return run;
 }
 
-void addTexel(inout Texel texel, Texel other)
-{
-    texel.sum += other.sum;
-    texel.alongX += other.alongX;
-    texel.alongZ += other.alongZ;
-}
-
 // Tiles that are no cubics, and the free waves of texel `i` of a run.
 void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run run, uint i)
 {
@@ -484,7 +390,7 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
         swSliceTile tile = tiles[list.first + k];
         if (!isShaped(tile.system, tile.waveNumber, tile.attenuation))
         {
-            addWindow(texel, tile, column, row);
+            addWindow(texel, tile, column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
         }
     }
     if (i < 2)
@@ -497,170 +403,12 @@ void addOthers(inout Texel texel, swSliceList list, uint column, uint row, Run r
     }
 }
 
-// Places -------------------------------------------------------------------------------------------------------------
-
-// The texel of the authored fields.
-Ground groundOf(uint column, uint row)
+// What slices_shaped.comp has added up.
+Texel shapedAt(uint column, uint row)
 {
-    if (fieldBlock.leastDepth >= SW_NO_DEPTH) // perhaps there is no such layer
-    {
-        return NO_GROUND;
-    }
-    vec4 texel = imageLoad(places, ivec3(column, row, gl_WorkGroupID.z));
-    return Ground(texel.x, texel.yz, texel.w);
-}
-
-// The weight of a system's waves where a texel rests.
-Shape weightOf(uint system, uint column, uint row)
-{
-    if (!WITH_WEIGHTS || (fieldBlock.systems >> (system & 31u) & 1u) == 0)
-    {
-        return Shape(1.0, vec2(0.0));
-    }
-    vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
-    return Shape(weight.x, weight.yz);
-}
-
-// Adds waves of one shape.
-void addShaped(inout Texel texel, Texel own, Shape shape)
-{
-    texel.sum += shape.weight * own.sum;
-    texel.alongX += shape.weight * own.alongX + shape.slope.x * own.sum;
-    texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
-}
-
-// Four rows of a tile's coefficients around a texel, weighed along x: values, and slopes along x. Four texels of a
-// column share most of them.
-struct Rows
-{
-    uint first; // row of the tile
-    vec3 valueA, valueB, valueC, valueD;
-    vec3 slopeA, slopeB, slopeC, slopeD;
-};
-
-void shiftRows(inout Rows rows, swSliceTile tile, uint first, vec4 value, vec4 slope)
-{
-    rows.valueA = rows.valueB;
-    rows.valueB = rows.valueC;
-    rows.valueC = rows.valueD;
-    rows.slopeA = rows.slopeB;
-    rows.slopeB = rows.slopeC;
-    rows.slopeC = rows.slopeD;
-    vec3 a = texelOf(tile, first, rows.first + 4), b = texelOf(tile, first + 1, rows.first + 4);
-    vec3 c = texelOf(tile, first + 2, rows.first + 4), d = texelOf(tile, first + 3, rows.first + 4);
-    rows.valueD = weigh(value, a, b, c, d);
-    rows.slopeD = weigh(slope, a, b, c, d);
-    rows.first += 1;
-}
-
-// Adds a shaped tile to the texels of a run, from its lowest row on.
-void addShapedTile(inout Run run, swSliceTile tile, uint column, uint lowest, bool isBack, Shape shapes[4])
-{
-    float x = splineX(tile, column);
-    float cellX = floor(x);
-    uint first = (tile.base & 0xffffu) + uint(cellX);
-    vec4 value = swSplineWeights(x - cellX), slope = swSplineSlopes(x - cellX) * tile.perMetre;
-    Rows rows;
-    rows.first = uint(floor(splineZ(tile, lowest))) + (tile.base >> 16) - 4u;
-    for (uint i = 0; i < 4; ++i)
-    {
-        shiftRows(rows, tile, first, value, slope);
-    }
-    for (uint i = 0; i < 4; ++i)
-    {
-        float z = splineZ(tile, lowest + i);
-        float cellZ = floor(z);
-        uint row = uint(cellZ) + (tile.base >> 16);
-        while (rows.first != row)
-        {
-            shiftRows(rows, tile, first, value, slope);
-        }
-        vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
-        Texel own;
-        own.sum = weigh(valueZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD);
-        own.alongX = weigh(valueZ, rows.slopeA, rows.slopeB, rows.slopeC, rows.slopeD);
-        own.alongZ = weigh(slopeZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD).yz;
-        uint at = isBack ? 3 - i : i; // of the run
-        Shape shape = shapes[i];
-        if (at == 0)
-        {
-            addShaped(run.a, own, shape);
-        }
-        else if (at == 1)
-        {
-            addShaped(run.b, own, shape);
-        }
-        else if (at == 2)
-        {
-            addShaped(run.c, own, shape);
-        }
-        else
-        {
-            addShaped(run.d, own, shape);
-        }
-    }
-}
-
-// A shaped free wave likewise.
-void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, bool isBack, Shape shapes[4])
-{
-    Texel own[4];
-    for (uint i = 0; i < 4; ++i)
-    {
-        own[i] = CALM;
-        addWave(own[i], wave, swingOf(wave, column, lowest + i));
-    }
-    addShaped(run.a, own[isBack ? 3 : 0], shapes[isBack ? 3 : 0]);
-    addShaped(run.b, own[isBack ? 2 : 1], shapes[isBack ? 2 : 1]);
-    addShaped(run.c, own[isBack ? 1 : 2], shapes[isBack ? 1 : 2]);
-    addShaped(run.d, own[isBack ? 0 : 3], shapes[isBack ? 0 : 3]);
-}
-
-// Adds the tiles and free waves that are shaped in this block to a run. The twin of swEvaluateShaped() in
-// core/surface/evaluate_shaped.c.
-void addAllShaped(inout Run run, swSliceList list, uint column, uint row, bool isBack)
-{
-    uint lowest = isBack ? row - 3 : row;
-    uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + lowest;
-    Ground grounds[4];
-    Shape weights[4], shapes[4];
-    for (uint i = 0; i < 4; ++i)
-    {
-        grounds[i] = groundOf(column, z + i);
-        weights[i] = Shape(1.0, vec2(0.0));
-    }
-    uint system = ~0u; // that `weights` are of
-    uint tileCount = list.count + list.windowCount;
-    for (uint k = 0; k < tileCount + list.waveCount; ++k)
-    {
-        bool isTile = k < tileCount;
-        swSliceTile tile = tiles[list.first + min(k, tileCount - 1)];
-        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : k - tileCount)];
-        uint its = isTile ? tile.system : wave.system;
-        float number = isTile ? tile.waveNumber : wave.waveNumber;
-        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
-        if (!isShaped(its, number, attenuation))
-        {
-            continue;
-        }
-        for (uint i = 0; i < 4; ++i)
-        {
-            if (WITH_WEIGHTS && its != system)
-            {
-                weights[i] = weightOf(its, column, z + i);
-            }
-            shapes[i] = attenuated(weights[i], grounds[i], number, attenuation);
-        }
-        system = its;
-        if (isTile)
-        {
-            addShapedTile(run, tile, column, lowest, isBack, shapes);
-        }
-        else if (WITH_OTHERS)
-        {
-            addShapedWave(run, wave, column, lowest, isBack, shapes);
-        }
-    }
+    uint at = (gl_WorkGroupID.z * resolution + row) * resolution + column;
+    vec4 a = shaped[at], b = shaped[at + gl_NumWorkGroups.z * resolution * resolution];
+    return Texel(a.xyz, vec3(a.w, b.xy), b.zw);
 }
 
 void main()
@@ -706,19 +454,20 @@ void main()
                 addKnots(cubic, isBack ? row + 1 : row, rows.x, isBack ? -1.0 : 1.0, column);
             }
             Texel texel = evaluateCubic(cubic, float(row) - float(MIDDLE), list.texelsPerMetre);
-            if ((WITH_OTHERS || WITH_PLACES) && i % 4 == 0)
+            if (WITH_OTHERS && i % 4 == 0)
             {
                 run = sumWaves(list, column, row, isBack);
-                if (WITH_PLACES && isTouched())
-                {
-                    addAllShaped(run, list, column, row, isBack);
-                }
             }
-            if (WITH_OTHERS || WITH_PLACES)
+            if (WITH_OTHERS)
             {
                 addOthers(texel, list, column, row, run, i % 4);
             }
-            storeTexel(ivec3(column, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row, gl_WorkGroupID.z), texel);
+            uint z = gl_WorkGroupID.y * SW_SLICE_HEIGHT + row;
+            if (WITH_PLACES && isTouched(fieldBlock) && column < resolution)
+            {
+                addTexel(texel, shapedAt(column, z));
+            }
+            storeTexel(ivec3(column, z, gl_WorkGroupID.z), texel);
         }
     }
 }

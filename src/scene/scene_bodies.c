@@ -1,9 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Bodies of water of a scene file.
+// Bodies of water of a scene file, and what their water looks like.
 
 #include "core/base/field.h"
 #include "scene/scene_inputs.h"
 #include "scene/scene_lists.h"
+
+// ---- looks ----
+
+swResult swReadLooks(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader)
+{
+    swScene* scene = reader->scene;
+    swResult result = swAllocateYamlItems(yaml, node, "looks", SW_MAX_SCENE_LOOKS, sizeof(swWaterDef),
+                                          (void**)&scene->looks, &scene->lookCount);
+    for (int i = 0; i < scene->lookCount && !swIsYamlOver(yaml, result); ++i)
+    {
+        swYamlMapping mapping;
+        scene->looks[i] = swDefaultWaterDef();
+        swBeginYamlMapping(&mapping, "a look");
+        swAddYamlFields(&mapping, swGetWaterFields(), 0, "water");
+        result =
+            swKeepFailure(result, swReadYamlMapping(yaml, swGetYamlItem(yaml, node, i), &mapping, &scene->looks[i]));
+    }
+    return result;
+}
+
+static swResult checkLook(swYaml* yaml, const swYamlMapping* mapping, const swScene* scene, int look)
+{
+    const yaml_node_t* node = swGetYamlNode(mapping, "look");
+    return node != NULL && !swIsYamlWrong(mapping, "look") && look > scene->lookCount
+               ? swFailYaml(yaml, node, SW_MISTAKE_OUT_OF_RANGE,
+                            "look is %d; it is 0, or the number of one of the scene's looks, 1 to %d.", look,
+                            scene->lookCount)
+               : SW_SUCCESS;
+}
+
+// ---- bodies ----
 
 static swResult readShorePoint(swYaml* yaml, yaml_node_t* node, swVec2* point)
 {
@@ -47,6 +78,7 @@ static swResult readBody(swYaml* yaml, yaml_node_t* node, const swSceneReader* r
     result = swKeepFailure(result, points != NULL ? readShore(yaml, points, body)
                                                   : swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
                                                                "the body of water has no points; give it its shore."));
+    result = swKeepFailure(result, checkLook(yaml, &mapping, reader->scene, body->def.look));
     return waves != NULL ? swKeepFailure(result, swReadWavesNumber(yaml, waves, reader->scene, &body->waves)) : result;
 }
 
@@ -70,8 +102,10 @@ void swFreeWaterBodies(swScene* scene)
         swFree(&scene->host, body->points, (size_t)body->pointCount * sizeof(swVec2));
     }
     swFree(&scene->host, scene->waterBodies, (size_t)scene->waterBodyCount * sizeof(swSceneWaterBody));
-    scene->waterBodyCount = 0;
+    swFree(&scene->host, scene->looks, (size_t)scene->lookCount * sizeof(swWaterDef));
+    scene->waterBodyCount = scene->lookCount = 0;
     scene->waterBodies = NULL;
+    scene->looks = NULL;
 }
 
 swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea)

@@ -103,7 +103,10 @@ static void checkEnergy(Checker* checker)
             return;
         }
     }
-    tell(checker, REMARK_FLAT, 0, "");
+    if (scene->windSeaCount == 0)
+    {
+        tell(checker, REMARK_FLAT, 0, "");
+    }
 }
 
 static void checkRegions(Checker* checker)
@@ -201,6 +204,10 @@ static bool bringsValues(swInputShape shape)
 static bool saysNothing(const swInputDef* def)
 {
     bool isZero = def->value[0] == 0.0f && def->value[1] == 0.0f && def->value[2] == 0.0f && def->value[3] == 0.0f;
+    for (int i = 0; i < SW_MAX_TIDE; ++i)
+    {
+        isZero = isZero && def->tide[i].amplitude == 0.0f && def->tide[i].amplitudeAcross == 0.0f;
+    }
     return def->weight <= 0.0f || (def->blend == SW_BLEND_ADD && isZero && !bringsValues(def->shape));
 }
 
@@ -248,15 +255,29 @@ static void checkInput(Checker* checker, int index)
     }
 }
 
+static bool isRasterUsed(const swScene* scene, const swRaster* raster)
+{
+    bool isUsed = false;
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        const swSceneInput* input = &scene->inputs[i];
+        isUsed = isUsed || input->def.raster == raster;
+        for (int k = 0; k < input->nestCount; ++k)
+        {
+            isUsed = isUsed || input->nest[k] == raster;
+        }
+    }
+    for (int i = 0; i < scene->windSeaCount; ++i)
+    {
+        isUsed = isUsed || scene->windSeas[i].def.raster == raster;
+    }
+    return isUsed;
+}
+
 static void checkRaster(Checker* checker, int index)
 {
     const swScene* scene = checker->scene;
     const swSceneRaster* raster = &scene->rasters[index];
-    bool isUsed = false;
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        isUsed = isUsed || (raster->raster != NULL && scene->inputs[i].def.raster == raster->raster);
-    }
     if (raster->raster == NULL)
     {
         return;
@@ -270,7 +291,7 @@ static void checkRaster(Checker* checker, int index)
     {
         tellOf(checker, REMARK_UNKNOWN_RASTER, raster->line, "raster", index, raster->name);
     }
-    if (!isUsed)
+    if (!isRasterUsed(scene, raster->raster))
     {
         tellOf(checker, REMARK_UNUSED_RASTER, raster->line, "raster", index, raster->name);
     }

@@ -74,6 +74,8 @@ static const swField rasterFields[] = {
     SW_SWITCH(isOptional, false, .key = "is_optional", .label = "optional",
               .tip = "If the file is not there, inputs that name it are left out, with a warning"),
     SW_TEXT(variable, .key = "variable", .label = "variable", .tip = "Of netCDF; the channel of an image"),
+    SW_NUMBER(frames, "", SW_WITHIN(1.0, 65536.0), 1.0, .key = "frames", .label = "frames",
+              .tip = "Lattices of the same size that stand below each other in the file, to be played"),
     SW_CHOICE(def.coordinates, coordinateWords, coordinateWords, SW_RASTER_BY_FILE, .key = "coordinates",
               .label = "coordinates", .tip = "What the file's are"),
     SW_NUMBER(def.originEast, "", SW_WITHIN(-1e9, 1e9), (double)NAN, .key = "origin_east", .label = "origin east",
@@ -132,6 +134,26 @@ static const swFields mesh = SW_PART_FIELDS(swSceneMesh, "meshes", "mesh", meshF
 const swFields* swGetSceneMeshFields(void)
 {
     return &mesh;
+}
+
+#define SW_DEF swSceneHull
+static const swField hullFields[] = {
+    SW_TEXT(name, .key = "name", .label = "name"),
+    SW_TEXT(file, .key = "file", .label = "file", .tip = "Relative to the scene file"),
+    SW_CHOICE(def.up, upWords, upWords, SW_MESH_Y_UP, .key = "up", .label = "up",
+              .tip = "The file's axis that points up"),
+    SW_NUMBER(def.scale, "m", SW_WITHIN(1e-6, 1e6), 1.0, .key = "scale_m", .label = "scale",
+              .tip = "Metres of one of the file's lengths"),
+    SW_NUMBER(resolution, "", SW_WITHIN(8.0, 256.0), 64.0, .key = "resolution", .label = "resolution",
+              .tip = "Spacings of its grid of distances along its longest side"),
+};
+#undef SW_DEF
+
+static const swFields hull = SW_PART_FIELDS(swSceneHull, "hulls", "hull", hullFields);
+
+const swFields* swGetSceneHullFields(void)
+{
+    return &hull;
 }
 
 #define SW_DEF swInputPoint

@@ -82,6 +82,7 @@ typedef struct Need
 static const Need needs[] = {
     {SW_SHAPE_RASTER, "raster"},    {SW_SHAPE_POLYGON, "points"}, {SW_SHAPE_POLYLINE, "points"},
     {SW_SHAPE_PARTICLES, "points"}, {SW_SHAPE_SPLINE, "spline"},  {SW_SHAPE_MESH, "mesh"},
+    {SW_SHAPE_HULL, "hull"},
 };
 
 static bool isNeeded(swInputShape shape, const char* key)
@@ -96,17 +97,36 @@ static bool isNeeded(swInputShape shape, const char* key)
     return false;
 }
 
+// A raster, or a nest of them.
+static swResult checkNest(swYaml* yaml, const InputKeys* keys)
+{
+    yaml_node_t* nest = swGetYamlNode(&keys->mapping, "nest");
+    if (nest != NULL && keys->input->def.shape != SW_SHAPE_RASTER)
+    {
+        return swFailYaml(yaml, nest, SW_MISTAKE_NO_EFFECT,
+                          "nest has an effect on the shape 'raster' alone; remove it.");
+    }
+    return nest != NULL && hasKey(keys, "raster")
+               ? swFailYaml(yaml, nest, SW_MISTAKE_CONFLICT, "nest stands beside raster; remove one.")
+               : SW_SUCCESS;
+}
+
 // Keys that are missing, and keys that say nothing beside the others.
 static swResult checkKeys(swYaml* yaml, yaml_node_t* node, const InputKeys* keys)
 {
-    static const char* const others[] = {"raster", "points", "spline", "mesh"};
+    static const char* const others[] = {"raster", "points", "spline", "mesh", "hull"};
     const swInputDef* def = &keys->input->def;
     const char* shape = swFields_Find(swGetInputFields(), "shape")->words[def->shape];
-    swResult result = SW_SUCCESS;
+    swResult result = checkNest(yaml, keys);
+    if (def->shape == SW_SHAPE_FUNCTION)
+    {
+        return swFailYaml(yaml, swGetYamlNode(&keys->mapping, "shape"), SW_MISTAKE_UNKNOWN_WORD,
+                          "the shape 'function' is of hosts that have one; a scene file takes a raster instead.");
+    }
     for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
     {
         bool needed = isNeeded(def->shape, others[i]);
-        if (needed && !hasKey(keys, others[i]))
+        if (needed && !hasKey(keys, others[i]) && !(i == 0 && hasKey(keys, "nest")))
         {
             result = swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "the shape '%s' needs %s.", shape, others[i]);
         }
@@ -159,6 +179,44 @@ static swResult findResource(swYaml* yaml, const InputKeys* keys, const char* ke
                : result;
 }
 
+// Rasters of a nest; those of optional files that are not there are left out.
+static swResult readNest(swYaml* yaml, yaml_node_t* node, const swScene* scene, swSceneInput* input)
+{
+    int count = 0, missing = 0;
+    swResult result = swReadYamlList(yaml, node, "nest", SW_MAX_NEST, &count);
+    input->nest = count > 0 ? swAllocateZero(yaml->host, SW_MAX_NEST * sizeof(*input->nest)) : NULL;
+    if (count > 0 && input->nest == NULL)
+    {
+        return swFail(yaml->host, SW_ERROR_NO_MEMORY, "No memory for a nest of %s.", yaml->name);
+    }
+    if (count == 0)
+    {
+        return swKeepFailure(
+            result, swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "nest is empty; name the rasters that it has."));
+    }
+    for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
+    {
+        char name[64] = "";
+        yaml_node_t* item = swGetYamlItem(yaml, node, i);
+        swResult own = swReadYamlText(yaml, item, "nest", name, sizeof(name));
+        int index =
+            own == SW_SUCCESS ? swFindYamlName(scene->rasters, sizeof(swSceneRaster), scene->rasterCount, name) : -1;
+        if (own == SW_SUCCESS && index < 0)
+        {
+            own = swFailYaml(yaml, item, SW_MISTAKE_UNKNOWN_WORD,
+                             "there is no raster named '%s'; the scene's list of rasters has %d.", name,
+                             scene->rasterCount);
+        }
+        const swRaster* raster = index >= 0 ? scene->rasters[index].raster : NULL;
+        missing += raster == NULL;
+        input->nest[i - missing] = raster != NULL ? raster : input->nest[i - missing];
+        result = swKeepFailure(result, own);
+    }
+    input->nestCount = count - missing;
+    input->isLeftOut = input->nestCount == 0;
+    return result;
+}
+
 static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene* scene)
 {
     int index = -1;
@@ -172,7 +230,23 @@ static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene
     result = swKeepFailure(
         result, findResource(yaml, keys, "mesh", scene->meshes, sizeof(swSceneMesh), scene->meshCount, &index));
     keys->input->def.mesh = index >= 0 ? scene->meshes[index].mesh : NULL;
-    return result;
+    result = swKeepFailure(
+        result, findResource(yaml, keys, "hull", scene->hulls, sizeof(swSceneHull), scene->hullCount, &index));
+    keys->input->def.hull = index >= 0 ? scene->hulls[index].hull : NULL;
+    yaml_node_t* nest = swGetYamlNode(&keys->mapping, "nest");
+    return nest != NULL ? swKeepFailure(result, readNest(yaml, nest, scene, keys->input)) : result;
+}
+
+// The tide of a level or a flow.
+static swResult readTide(swYaml* yaml, const InputKeys* keys)
+{
+    swInputDef* def = &keys->input->def;
+    yaml_node_t* tide = swGetYamlNode(&keys->mapping, "tide");
+    if (tide != NULL && def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    {
+        return swFailYaml(yaml, tide, SW_MISTAKE_NO_EFFECT, "tide has an effect on level and flow alone; remove it.");
+    }
+    return tide != NULL ? swReadTide(yaml, tide, def->field == SW_INPUT_FLOW, def->tide) : SW_SUCCESS;
 }
 
 static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader, int index)
@@ -188,8 +262,11 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     swAddYamlFields(&keys.mapping, swGetInputFields(), 0, "inputs");
     swAddYamlKey(&keys.mapping, "waves", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "raster", swKeepYamlNode);
+    swAddYamlKey(&keys.mapping, "nest", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "mesh", swKeepYamlNode);
+    swAddYamlKey(&keys.mapping, "hull", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "spline", swKeepYamlNode);
+    swAddYamlKey(&keys.mapping, "tide", swKeepYamlNode);
     swAddYamlKey(&keys.mapping, "points", swKeepYamlNode);
     swResult result = swReadYamlMapping(yaml, node, &keys.mapping, &input->def);
     if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
@@ -204,6 +281,7 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     result = swKeepFailure(result, checkKeys(yaml, node, &keys));
     result = swKeepFailure(result, readWaves(yaml, &keys, reader->scene));
     result = swKeepFailure(result, findResources(yaml, &keys, reader->scene));
+    result = swKeepFailure(result, readTide(yaml, &keys));
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)
     {
@@ -231,6 +309,7 @@ void swFreeInputs(swScene* scene)
     {
         swSceneInput* input = &scene->inputs[i];
         swFree(&scene->host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
+        swFree(&scene->host, input->nest, input->nest != NULL ? SW_MAX_NEST * sizeof(*input->nest) : 0);
     }
     swFree(&scene->host, scene->inputs, (size_t)scene->inputCount * sizeof(swSceneInput));
     scene->inputCount = 0;
@@ -241,31 +320,60 @@ void swFreeInputs(swScene* scene)
 
 void swFreeSceneSeaInputs(swSceneSea* sea)
 {
-    if (sea->inputs != NULL)
-    {
-        swFree(&sea->host, sea->inputs, (size_t)sea->inputRoom * sizeof(swInputId));
-    }
-    if (sea->waterBodies != NULL)
-    {
-        swFree(&sea->host, sea->waterBodies, (size_t)sea->waterBodyRoom * sizeof(swWaterBodyId));
-    }
-    sea->inputs = NULL;
+    swFree(&sea->host, sea->inputs, (size_t)sea->inputRoom * sizeof(swInputId));
+    swFree(&sea->host, sea->nested, (size_t)sea->nestedRoom * sizeof(swInputId));
+    swFree(&sea->host, sea->waterBodies, (size_t)sea->waterBodyRoom * sizeof(swWaterBodyId));
+    swFree(&sea->host, sea->windSeas, (size_t)sea->windSeaRoom * sizeof(swWindSea));
+    sea->inputs = sea->nested = NULL;
     sea->waterBodies = NULL;
-    sea->inputCount = sea->inputRoom = sea->waterBodyCount = sea->waterBodyRoom = 0;
+    sea->windSeas = NULL;
+    sea->inputCount = sea->inputRoom = sea->nestedCount = sea->nestedRoom = 0;
+    sea->waterBodyCount = sea->waterBodyRoom = sea->windSeaCount = sea->windSeaRoom = 0;
+}
+
+// NULL for none; `isMissing` becomes true where there is no memory.
+static void* makeRoom(const swScene* scene, int count, size_t size, bool* isMissing)
+{
+    void* room = count > 0 ? swAllocateZero(&scene->host, (size_t)count * size) : NULL;
+    *isMissing = *isMissing || (count > 0 && room == NULL);
+    return room;
 }
 
 swResult swMakeRoomForInputs(const swScene* scene, swSceneSea* sea)
 {
+    bool isMissing = false;
     sea->host = scene->host;
     sea->inputRoom = scene->inputCount;
     sea->waterBodyRoom = scene->waterBodyCount;
-    sea->inputs = swAllocateZero(&scene->host, (size_t)sea->inputRoom * sizeof(swInputId));
-    sea->waterBodies = swAllocateZero(&scene->host, (size_t)sea->waterBodyRoom * sizeof(swWaterBodyId));
-    bool isMissing =
-        (sea->inputRoom > 0 && sea->inputs == NULL) || (sea->waterBodyRoom > 0 && sea->waterBodies == NULL);
+    sea->windSeaRoom = scene->windSeaCount;
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        sea->nestedRoom += scene->inputs[i].nestCount > 1 ? scene->inputs[i].nestCount - 1 : 0;
+    }
+    sea->inputs = makeRoom(scene, sea->inputRoom, sizeof(swInputId), &isMissing);
+    sea->nested = makeRoom(scene, sea->nestedRoom, sizeof(swInputId), &isMissing);
+    sea->waterBodies = makeRoom(scene, sea->waterBodyRoom, sizeof(swWaterBodyId), &isMissing);
+    sea->windSeas = makeRoom(scene, sea->windSeaRoom, sizeof(swWindSea), &isMissing);
     return isMissing
                ? swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for the inputs of the scene '%s'.", scene->name)
                : SW_SUCCESS;
+}
+
+static swResult createInput(swWorld* world, const swSceneInput* input, swSceneSea* sea, swInputId* id)
+{
+    swInputDef def = input->def;
+    def.system = input->waves >= 0 ? sea->systems[input->waves] : def.system;
+    if (input->nest == NULL)
+    {
+        return swCreateInput(world, &def, id);
+    }
+    swInputId ids[SW_MAX_NEST];
+    swResult result = swCreateNest(world, &def, input->nestCount, input->nest, ids);
+    for (int i = 0; i < input->nestCount && result == SW_SUCCESS; ++i)
+    {
+        *(i == 0 ? id : &sea->nested[sea->nestedCount++]) = ids[i];
+    }
+    return result;
 }
 
 swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
@@ -277,14 +385,38 @@ swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* s
         {
             continue;
         }
-        swInputDef def = scene->inputs[i].def;
-        def.system = scene->inputs[i].waves >= 0 ? sea->systems[scene->inputs[i].waves] : def.system;
-        swResult result = swCreateInput(world, &def, &sea->inputs[i]);
+        swResult result = createInput(world, &scene->inputs[i], sea, &sea->inputs[i]);
         if (result != SW_SUCCESS)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Input %d of the scene '%s' could not be created.", i + 1, scene->name);
+            swLog(&scene->host, SW_LOG_ERROR, "Input %d of the scene '%s', on its line %d, could not be created.",
+                  i + 1, scene->name, scene->inputs[i].line);
             return result;
         }
     }
     return SW_SUCCESS;
+}
+
+static void removeInputs(swWorld* world, int count, const swInputId* ids)
+{
+    for (int i = 0; i < count; ++i)
+    {
+        if (swInput_IsValid(world, ids[i]))
+        {
+            swDestroyInput(world, ids[i]);
+        }
+    }
+}
+
+void swRemoveSceneInputs(swWorld* world, swSceneSea* sea)
+{
+    removeInputs(world, sea->inputCount, sea->inputs);
+    removeInputs(world, sea->nestedCount, sea->nested);
+    for (int i = 0; i < sea->waterBodyCount; ++i)
+    {
+        swDestroyWaterBody(world, sea->waterBodies[i]);
+    }
+    for (int i = 0; i < sea->windSeaCount; ++i)
+    {
+        swDestroyWindSea(world, &sea->windSeas[i]);
+    }
 }

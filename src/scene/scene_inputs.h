@@ -17,10 +17,13 @@ void swFreeSceneInputs(swScene* scene);
 // Tables of what is no def.
 const swFields* swGetSceneRasterFields(void); // of swSceneRaster
 const swFields* swGetSceneMeshFields(void);   // of swSceneMesh
+const swFields* swGetSceneHullFields(void);   // of swSceneHull
 const swFields* swGetInputPointFields(void);  // of swInputPoint
 
 // Put a scene's inputs into a world whose wave systems the sea has. On failure the sea has those that were made.
 swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea);
 swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea);
+swResult swCreateSceneWindSeas(swWorld* world, const swScene* scene, swSceneSea* sea);
+void swRemoveSceneInputs(swWorld* world, swSceneSea* sea);
 swResult swMakeRoomForInputs(const swScene* scene, swSceneSea* sea);
 void swFreeSceneSeaInputs(swSceneSea* sea);

@@ -128,7 +128,10 @@ void swAddInputKeys(swYamlMapping* mapping)
 {
     swAddYamlKey(mapping, "rasters", swKeepYamlNode);
     swAddYamlKey(mapping, "meshes", swKeepYamlNode);
+    swAddYamlKey(mapping, "hulls", swKeepYamlNode);
     swAddYamlKey(mapping, "splines", swKeepYamlNode);
+    swAddYamlKey(mapping, "looks", swKeepYamlNode);
+    swAddYamlKey(mapping, "wind_seas", swKeepYamlNode);
     swAddYamlKey(mapping, "water_bodies", swKeepYamlNode);
     swAddYamlKey(mapping, "inputs", swKeepYamlNode);
 }
@@ -142,11 +145,9 @@ swResult swReadSceneInputs(swYaml* yaml, const swYamlMapping* mapping, const cha
     {
         const char* key;
         swResult (*read)(swYaml*, yaml_node_t*, const swSceneReader*);
-    } lists[] = {{"rasters", swReadRasters},
-                 {"meshes", swReadMeshes},
-                 {"splines", swReadSplines},
-                 {"water_bodies", swReadWaterBodies},
-                 {"inputs", swReadInputs}};
+    } lists[] = {{"rasters", swReadRasters},          {"meshes", swReadMeshes}, {"hulls", swReadHulls},
+                 {"splines", swReadSplines},          {"looks", swReadLooks},   {"wind_seas", swReadWindSeas},
+                 {"water_bodies", swReadWaterBodies}, {"inputs", swReadInputs}};
     for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]); ++i)
     {
         yaml_node_t* node = swGetYamlNode(mapping, lists[i].key);
@@ -162,5 +163,7 @@ void swFreeSceneInputs(swScene* scene)
 {
     swFreeInputs(scene);
     swFreeWaterBodies(scene);
+    swFreeWindSeas(scene);
+    swFreeHulls(scene);
     swFreeSceneResources(scene);
 }

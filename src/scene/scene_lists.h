@@ -3,6 +3,7 @@
 
 // What lists of a scene file share whose items have names and whose lengths are not known before.
 
+#include "files/file_text.h"
 #include "scene/yaml_read.h"
 #include "seaway/scene.h"
 
@@ -38,10 +39,25 @@ swResult swReadMeshes(swYaml* yaml, yaml_node_t* node, const swSceneReader* read
 swResult swReadSplines(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeSceneResources(swScene* scene);
 
+// The path of a file that a scene names.
+void swJoinScenePath(const char* folder, const char* file, char path[SW_MAX_PATH]);
+
+// scene_hulls.c
+swResult swReadHulls(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeHulls(swScene* scene);
+
+// scene_tide.c: the constituents of a level, or of a flow.
+swResult swReadTide(swYaml* yaml, yaml_node_t* node, bool isFlow, swTideConstituent tide[SW_MAX_TIDE]);
+
+// scene_wind_seas.c
+swResult swReadWindSeas(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeWindSeas(swScene* scene);
+
 // scene_inputs.c
 swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeInputs(swScene* scene);
 
-// scene_bodies.c
+// scene_bodies.c: other looks of water, and bodies that have them.
+swResult swReadLooks(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 swResult swReadWaterBodies(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeWaterBodies(swScene* scene);

@@ -9,7 +9,7 @@
 #include "scene/scene_inputs.h"
 #include "scene/scene_lists.h"
 
-static void joinPath(const char* folder, const char* file, char path[SW_MAX_PATH])
+void swJoinScenePath(const char* folder, const char* file, char path[SW_MAX_PATH])
 {
     bool isOwn = folder == NULL || folder[0] == '\0' || file[0] == '/';
     snprintf(path, SW_MAX_PATH, "%s%s%s", isOwn ? "" : folder, isOwn ? "" : "/", file);
@@ -24,27 +24,115 @@ static bool isLeftOut(swYaml* yaml, const swSceneRaster* raster, const char* pat
     if (isMissing)
     {
         swLog(yaml->host, SW_LOG_WARNING, "%s:%d: %s is not there; inputs of the raster '%s' are left out.", yaml->name,
-              raster->line, raster->file, raster->name);
+              raster->line, path, raster->name);
     }
     return isMissing;
+}
+
+// Where the values of a raster of several channels, or of a file of several frames, go.
+typedef struct Assembly
+{
+    swRasterDef def;
+    float* values;
+    size_t size; // bytes
+} Assembly;
+
+static swResult beginAssembly(swYaml* yaml, const swSceneRaster* raster, const swRasterInfo* info, Assembly* assembly)
+{
+    if (info->height % raster->frames != 0)
+    {
+        return swFail(yaml->host, SW_ERROR_FORMAT, "%s has %d rows, which are not %d frames of the same size.",
+                      info->name, info->height, raster->frames);
+    }
+    int channels = raster->channelCount > 0 ? raster->channelCount : 1;
+    assembly->size = (size_t)info->width * (size_t)info->height * (size_t)channels * sizeof(float);
+    assembly->values = swAllocate(yaml->host, assembly->size);
+    if (assembly->values == NULL)
+    {
+        return swFail(yaml->host, SW_ERROR_NO_MEMORY, "No memory for the raster '%s'.", raster->name);
+    }
+    assembly->def = swDefaultRasterDef();
+    assembly->def.name = raster->name;
+    assembly->def.width = info->width;
+    assembly->def.height = info->height / raster->frames;
+    assembly->def.x = info->x;
+    assembly->def.z = info->z;
+    assembly->def.spacingX = info->spacingX;
+    assembly->def.spacingZ = info->spacingZ;
+    assembly->def.channels = channels;
+    assembly->def.frames = raster->frames;
+    assembly->def.values = assembly->values;
+    return SW_SUCCESS;
+}
+
+// One channel of it, from a raster of the same lattice as the first.
+static swResult addChannel(swYaml* yaml, const swSceneRaster* raster, int channel, const swRaster* read,
+                           Assembly* assembly)
+{
+    swRasterInfo info = swRaster_GetInfo(read);
+    const swRasterDef* def = &assembly->def;
+    swResult result = channel == 0 ? beginAssembly(yaml, raster, &info, assembly) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (info.width != def->width || info.height != def->height * def->frames || info.x != def->x || info.z != def->z ||
+        info.spacingX != def->spacingX || info.spacingZ != def->spacingZ)
+    {
+        return swFail(yaml->host, SW_ERROR_FORMAT,
+                      "%s, channel %d of the raster '%s', has another lattice than the first.", info.name, channel + 1,
+                      raster->name);
+    }
+    const float* from = swRaster_GetValues(read);
+    for (size_t i = 0; i < (size_t)info.width * (size_t)info.height; ++i)
+    {
+        assembly->values[i * (size_t)def->channels + (size_t)channel] = from[i];
+    }
+    return SW_SUCCESS;
+}
+
+// A raster of one channel and one frame as the file has it, any other put together of several.
+static swResult assembleRaster(swYaml* yaml, const swSceneReader* reader, swSceneRaster* raster)
+{
+    char path[SW_MAX_PATH];
+    if (raster->channelCount == 0 && raster->frames == 1)
+    {
+        swJoinScenePath(reader->folder, raster->file, path);
+        return swReadRaster(yaml->host, path, &raster->def, &raster->raster);
+    }
+    Assembly assembly = {.values = NULL};
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < (raster->channelCount > 0 ? raster->channelCount : 1) && result == SW_SUCCESS; ++i)
+    {
+        swRasterFileDef def = raster->def;
+        swRaster* read = NULL;
+        swJoinScenePath(reader->folder, raster->files[i][0] != '\0' ? raster->files[i] : raster->file, path);
+        def.variable = raster->variables[i][0] != '\0' ? raster->variables[i] : def.variable;
+        result = swReadRaster(yaml->host, path, &def, &read);
+        result = result == SW_SUCCESS ? addChannel(yaml, raster, i, read, &assembly) : result;
+        swDestroyRaster(read);
+    }
+    result = result == SW_SUCCESS ? swCreateRaster(yaml->host, &assembly.def, &raster->raster) : result;
+    swFree(yaml->host, assembly.values, assembly.size);
+    return result;
 }
 
 static swResult openRaster(swYaml* yaml, const yaml_node_t* node, const swSceneReader* reader, swSceneRaster* raster)
 {
     char path[SW_MAX_PATH];
-    joinPath(reader->folder, raster->file, path);
+    swJoinScenePath(reader->folder, raster->files[0][0] != '\0' ? raster->files[0] : raster->file, path);
     raster->def.variable = raster->variable[0] != '\0' ? raster->variable : NULL;
     if (reader->opensNone || (!raster->isIsland && isLeftOut(yaml, raster, path)))
     {
         return SW_SUCCESS;
     }
     swResult result = raster->isIsland ? swCreateIsland(yaml->host, &raster->island, &raster->raster)
-                                       : swReadRaster(yaml->host, path, &raster->def, &raster->raster);
+                                       : assembleRaster(yaml, reader, raster);
     return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
                ? result
                : swFailYaml(yaml, node, SW_MISTAKE_BAD_FILE,
                             "the raster '%s' cannot be read from %s; the message before says why.", raster->name,
-                            raster->file);
+                            raster->files[0][0] != '\0' ? raster->files[0] : raster->file);
 }
 
 static swResult readIsland(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
@@ -57,11 +145,43 @@ static swResult readIsland(swYaml* yaml, yaml_node_t* node, const swYamlKey* key
     return swReadYamlMapping(yaml, node, &mapping, &raster->island);
 }
 
+// The files of the channels, or the variables of one file.
+static swResult readChannels(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
+{
+    swSceneRaster* raster = target;
+    bool isFiles = strcmp(key->key, "files") == 0;
+    int count = 0;
+    swResult result = swReadYamlList(yaml, node, key->key, SW_MAX_SCENE_CHANNELS, &count);
+    if (raster->channelCount > 0)
+    {
+        return swFailYaml(yaml, node, SW_MISTAKE_CONFLICT, "files and variables both name channels; remove one.");
+    }
+    for (int i = 0; i < count && !swIsYamlOver(yaml, result); ++i)
+    {
+        yaml_node_t* item = swGetYamlItem(yaml, node, i);
+        result = swKeepFailure(
+            result, isFiles ? swReadYamlText(yaml, item, key->key, raster->files[i], sizeof(raster->files[i]))
+                            : swReadYamlText(yaml, item, key->key, raster->variables[i], sizeof(raster->variables[i])));
+    }
+    raster->channelCount = count;
+    return result;
+}
+
 // A file or an island, and keys that go with it.
 static swResult checkSource(swYaml* yaml, yaml_node_t* node, const swYamlMapping* mapping)
 {
     const yaml_node_t *file = swGetYamlNode(mapping, "file"), *island = swGetYamlNode(mapping, "island");
-    if (file == NULL && island == NULL)
+    const yaml_node_t *files = swGetYamlNode(mapping, "files"), *variable = swGetYamlNode(mapping, "variable");
+    const yaml_node_t* variables = swGetYamlNode(mapping, "variables");
+    if (file != NULL && files != NULL)
+    {
+        return swFailYaml(yaml, file, SW_MISTAKE_CONFLICT, "file stands beside files; remove one.");
+    }
+    if (variable != NULL && variables != NULL)
+    {
+        return swFailYaml(yaml, variable, SW_MISTAKE_CONFLICT, "variable stands beside variables; remove one.");
+    }
+    if (file == NULL && files == NULL && island == NULL)
     {
         return swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
                           "the raster has no file; name the one that holds its numbers, or give it an island.");
@@ -90,6 +210,8 @@ static swResult readRaster(swYaml* yaml, yaml_node_t* node, const swSceneReader*
     swYamlMapping mapping;
     swBeginYamlMapping(&mapping, "a raster");
     swAddYamlFields(&mapping, swGetSceneRasterFields(), 0, "rasters");
+    swAddYamlKey(&mapping, "files", readChannels);
+    swAddYamlKey(&mapping, "variables", readChannels);
     swAddYamlKey(&mapping, "island", readIsland);
     swResult result = swReadYamlMapping(yaml, node, &mapping, raster);
     if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
@@ -120,7 +242,7 @@ swResult swReadRasters(swYaml* yaml, yaml_node_t* node, const swSceneReader* rea
 static swResult openMesh(swYaml* yaml, const yaml_node_t* node, const swSceneReader* reader, swSceneMesh* mesh)
 {
     char path[SW_MAX_PATH];
-    joinPath(reader->folder, mesh->file, path);
+    swJoinScenePath(reader->folder, mesh->file, path);
     swResult result = reader->opensNone ? SW_SUCCESS : swReadMesh(yaml->host, path, &mesh->def, &mesh->mesh);
     return result == SW_SUCCESS || result == SW_ERROR_NO_MEMORY
                ? result

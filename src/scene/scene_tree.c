@@ -169,7 +169,8 @@ static void addView(swTree* tree, int list, const swSceneView* view)
 // Lists that stay as they stand in the file: an empty list says so.
 static void addUnchanged(swTree* tree)
 {
-    static const char* const lists[] = {"rasters", "meshes", "splines", "water_bodies", "inputs"};
+    static const char* const lists[] = {"rasters", "meshes",    "hulls",        "splines",
+                                        "looks",   "wind_seas", "water_bodies", "inputs"};
     for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && !tree->isBroken; ++i)
     {
         swAddTreeNode(tree, 0, SW_TREE_LIST, lists[i]);

@@ -75,21 +75,12 @@ swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
                "swCreateSceneSea() needs a world, a scene and a place for the sea");
     swResult result = createSystems(world, scene, sea);
     result = result == SW_SUCCESS ? swMakeRoomForInputs(scene, sea) : result;
+    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
     result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
     result = result == SW_SUCCESS ? swCreateSceneInputs(world, scene, sea) : result;
     if (result != SW_SUCCESS)
     {
-        for (int i = 0; i < sea->inputCount; ++i)
-        {
-            if (!scene->inputs[i].isLeftOut && swInput_IsValid(world, sea->inputs[i]))
-            {
-                swDestroyInput(world, sea->inputs[i]);
-            }
-        }
-        for (int i = 0; i < sea->waterBodyCount; ++i)
-        {
-            swDestroyWaterBody(world, sea->waterBodies[i]);
-        }
+        swRemoveSceneInputs(world, sea);
         int count = sea->systemCount;
         swDestroySceneSea(sea);
         for (int i = 0; i < count; ++i)

@@ -187,7 +187,7 @@ static void PrintSection(FILE* out, const char* section)
         swGetWorldFields(),      swGetWaveComponentFields(), swGetViewFields(),        swGetSkyFields(),
         swGetWaterFields(),      swGetInputFields(),         swGetSceneRasterFields(), swGetInputPointFields(),
         swGetSplineFields(),     swGetSplinePointFields(),   swGetWaterBodyFields(),   swGetIslandFields(),
-        swGetSceneMeshFields(),
+        swGetSceneMeshFields(),  swGetSceneHullFields(),     swGetTideFields(),        swGetWindSeaFields(),
     };
     swBeginYamlMapping(&mapping, section);
     for (size_t i = 0; i < sizeof(tables) / sizeof(tables[0]); ++i)

@@ -57,6 +57,13 @@ static const struct
     {NULL, 0,
      VIEWS "waves: [{beaufort: 4}, {beaufort: 2, seed: 2, is_local: true}]\n"
            "water_bodies: [{points: [[0, 0], [9, 0], [0, 9]], waves: 2}]\n"},
+    {NULL, 0,
+     VIEWS "rasters: [{name: a, files: [fine.asc, fine.asc], coordinates: metres}]\n"
+           "wind_seas: [{raster: a, heading_count: 4, speed_count: 1}]\n"},
+    {NULL, 0,
+     FINE "rasters: [{name: a, file: fine.asc, coordinates: metres}]\n"
+          "inputs: [{field: floor, shape: raster, nest: [a]},\n"
+          "  {field: level, blend: add, tide: [{constituent: M2, amplitude: 1}]}]\n"},
     {NULL, 0, FINE "inputs: [{field: level, value: 1}, {field: waves, waves: 1, value: 0.5}]\n"},
 };
 

@@ -127,6 +127,238 @@ static void AWaveSystemIsNamedByItsNumber(void** state)
     swDestroyScene(scene);
 }
 
+// ---- keys ----
+
+// Members of a def that a scene file tells by a key of its own, or not at all because a file cannot have them.
+static const struct
+{
+    const char *member, *key;
+} s_others[] = {
+    {"name", "name"},
+    {"system", "waves"},
+    {"waves", "waves"},
+    {"raster", "raster"},
+    {"mesh", "mesh"},
+    {"hull", "hull"},
+    {"spline", "spline"},
+    {"points", "points"},
+    {"pointCount", "points"},
+    {"pointCapacity", NULL},
+    {"function", NULL},
+    {"functionContext", NULL},
+    {"functionFingerprint", NULL},
+};
+
+// Whether a key of the list is known: whatever is wrong with its value, it is not the key.
+static bool IsKey(const char* list, const char* rest, const char* key)
+{
+    char text[256];
+    swScene* scene = NULL;
+    snprintf(text, sizeof(text), "%s: [{%s%s: {nonsense: 1}}]\n", list, rest, key);
+    s_messages[0] = '\0';
+    assert_int_equal(ReadText(text, &scene), SW_ERROR_FORMAT);
+    char wanted[64];
+    snprintf(wanted, sizeof(wanted), "'%s' is no key", key);
+    return strstr(s_messages, wanted) == NULL;
+}
+
+static void CheckKeys(const swFields* fields, const char* list, const char* rest)
+{
+    for (int i = 0; i < fields->count; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        const char* key = field->key;
+        for (size_t k = 0; k < sizeof(s_others) / sizeof(s_others[0]); ++k)
+        {
+            bool isOther = key == NULL && strcmp(field->member, s_others[k].member) == 0;
+            key = isOther && s_others[k].key != NULL ? s_others[k].key : isOther ? "" : key;
+        }
+        if (field->type == SW_FIELD_DEF && key == NULL)
+        {
+            CheckKeys(field->fields, list, rest);
+        }
+        else if (key == NULL || (key[0] != '\0' && !IsKey(list, rest, key)))
+        {
+            fail_msg("%s of %s has no key in the list %s:\n%s", field->member, fields->name, list, s_messages);
+        }
+    }
+}
+
+static void EveryMemberOfAnInputHasAKey(void** state)
+{
+    (void)state;
+    assert_false(IsKey("inputs", "field: level, ", "colour_of_the_fish"));
+    CheckKeys(swGetInputFields(), "inputs", "field: level, ");
+    CheckKeys(swGetWaterBodyFields(), "water_bodies", "");
+    CheckKeys(swGetSplineFields(), "splines", "");
+}
+
+static void ATideIsToldByItsConstituents(void** state)
+{
+    (void)state;
+    static const char text[] =
+        "time_s: 5000\n"
+        "inputs:\n"
+        "  - {field: level, value: 1, tide: [{constituent: M2, amplitude: 2, phase_deg: 30},\n"
+        "                                    {speed_rad_s: 1e-4, amplitude: 0.5}]}\n"
+        "  - {field: flow, tide: [{constituent: K1, amplitude: 1, amplitude_across_m_s: 2, phase_across_deg: 90}]}\n";
+    swScene* scene = NULL;
+    swWorld* world = OpenText(text, &scene);
+    const swInputDef *level = &scene->inputs[0].def, *flow = &scene->inputs[1].def;
+    assert_float_equal(level->tide[0].speed, 1.4051890e-4f, 1e-9f); // 28.9841042 degrees an hour
+    assert_float_equal(level->tide[0].phase, 0.5235988f, 1e-6f);
+    assert_float_equal(level->tide[1].speed, 1e-4f, 0.0f);
+    const swPosXZ place = {10.0, 20.0};
+    float found = 0.0f, wanted = 0.0f, none = 0.0f;
+    swVec2 stream, wantedStream;
+    const swFieldSamples samples = {.level = &found, .flow = &stream};
+    swMoment_QueryFields(swWorld_GetMoment(world), 1, &place, &samples);
+    swGetTide(2, level->tide, 5000.0, &wanted, &none);
+    swGetTide(1, flow->tide, 5000.0, &wantedStream.x, &wantedStream.y);
+    assert_float_equal(found, 1.0f + wanted, 1e-6f);
+    assert_float_equal(stream.x, wantedStream.x, 1e-6f);
+    assert_float_equal(stream.y, wantedStream.y, 1e-6f);
+    assert_true(fabsf(stream.y) > 0.1f && fabsf(wanted) > 0.1f);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+}
+
+// A flow map has a file for each of its numbers, or a variable of one.
+static void ARasterMayHaveSeveralChannelsAndFrames(void** state)
+{
+    (void)state;
+    WriteText("u.asc", "ncols 2\nnrows 4\nxllcenter 0\nyllcenter 0\ncellsize 100\n1 1\n1 1\n3 3\n3 3\n");
+    WriteText("v.asc", "ncols 2\nnrows 4\nxllcenter 0\nyllcenter 0\ncellsize 100\n5 5\n5 5\n7 7\n7 7\n");
+    static const char text[] = "time_s: 2\n"
+                               "rasters: [{name: map, files: [u.asc, v.asc], coordinates: metres, frames: 2}]\n"
+                               "inputs: [{field: flow, shape: raster, raster: map, frames_per_s: 0.5, loops: false}]\n";
+    swScene* scene = NULL;
+    swWorld* world = OpenText(text, &scene);
+    swRasterInfo info = swRaster_GetInfo(scene->rasters[0].raster);
+    assert_int_equal(info.channels, 2);
+    assert_int_equal(info.frames, 2);
+    assert_int_equal(info.height, 2);
+    const swPosXZ place = {50.0, -250.0};
+    swVec2 flow;
+    const swFieldSamples samples = {.flow = &flow};
+    swMoment_QueryFields(swWorld_GetMoment(world), 1, &place, &samples);
+    assert_float_equal(flow.x, 3.0f, 1e-6f);
+    assert_float_equal(flow.y, 7.0f, 1e-6f);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+    remove("u.asc");
+    remove("v.asc");
+}
+
+static void ANestIsOneInputOfSeveralRasters(void** state)
+{
+    (void)state;
+    WriteText("far.asc", "ncols 5\nnrows 5\nxllcenter -400\nyllcenter -400\ncellsize 200\n"
+                         "-90 -90 -90 -90 -90\n-90 -90 -90 -90 -90\n-90 -90 -90 -90 -90\n-90 -90 -90 -90 -90\n"
+                         "-90 -90 -90 -90 -90\n");
+    WriteText("near.asc", "ncols 5\nnrows 5\nxllcenter -40\nyllcenter -40\ncellsize 20\n"
+                          "-5 -5 -5 -5 -5\n-5 -5 -5 -5 -5\n-5 -5 -5 -5 -5\n-5 -5 -5 -5 -5\n-5 -5 -5 -5 -5\n");
+    static const char text[] = "rasters:\n"
+                               "  - {name: near, file: near.asc, coordinates: metres}\n"
+                               "  - {name: far, file: far.asc, coordinates: metres}\n"
+                               "  - {name: none, file: none.asc, is_optional: true}\n"
+                               "inputs: [{name: chart, field: floor, shape: raster, nest: [near, none, far]}]\n";
+    swScene* scene = NULL;
+    swHost host = MakeHost();
+    swWorld* world = NULL;
+    swSceneSea sea;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    assert_int_equal(scene->inputs[0].nestCount, 2);
+    assert_int_equal(swOpenScene(&host, scene, &world, &sea), SW_SUCCESS);
+    assert_int_equal(sea.nestedCount, 1);
+    assert_true(swInput_IsValid(world, sea.inputs[0]) && swInput_IsValid(world, sea.nested[0]));
+    const swPosXZ places[2] = {{0.0, 0.0}, {200.0, 100.0}};
+    float floors[2];
+    const swFieldSamples samples = {.floor = floors};
+    swMoment_QueryFields(swWorld_GetMoment(world), 2, places, &samples);
+    assert_float_equal(floors[0], -5.0f, 1e-4f);
+    assert_float_equal(floors[1], -90.0f, 1e-4f);
+    swDestroySceneSea(&sea);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+    remove("near.asc");
+    remove("far.asc");
+}
+
+static void AWindSeaOfASceneIsInItsSea(void** state)
+{
+    (void)state;
+    WriteText("u.asc", "ncols 2\nnrows 2\nxllcenter -2000\nyllcenter -2000\ncellsize 4000\n14 6\n14 6\n");
+    WriteText("v.asc", "ncols 2\nnrows 2\nxllcenter -2000\nyllcenter -2000\ncellsize 4000\n0 0\n0 0\n");
+    static const char text[] = "rasters: [{name: winds, files: [u.asc, v.asc], coordinates: metres}]\n"
+                               "wind_seas:\n"
+                               "  - raster: winds\n"
+                               "    heading_count: 4\n"
+                               "    speed_count: 1\n"
+                               "    waves: {spectrum: jonswap, fetch_m: 100000, min_wavelength_m: 8}\n";
+    swScene* scene = NULL;
+    swHost host = MakeHost();
+    swWorld* world = NULL;
+    swSceneSea sea;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    assert_float_equal(scene->windSeas[0].def.waves.spectrum.fetch, 1e5f, 0.0f);
+    assert_int_equal(swOpenScene(&host, scene, &world, &sea), SW_SUCCESS);
+    assert_int_equal(sea.windSeaCount, 1);
+    assert_true(sea.windSeas[0].count >= 1);
+    float weights[2];
+    const swPosXZ places[2] = {{-1900.0, 0.0}, {1900.0, 0.0}};
+    const swFieldSamples samples = {.weight = weights, .system = sea.windSeas[0].systems[0]};
+    swMoment_QueryFields(swWorld_GetMoment(world), 2, places, &samples);
+    assert_true(weights[0] > 2.0f * weights[1] && weights[1] > 0.0f); // less wind in the east
+    swDestroySceneSea(&sea);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+    remove("u.asc");
+    remove("v.asc");
+}
+
+static void ABodyOfWaterHasALookOfTheScene(void** state)
+{
+    (void)state;
+    static const char text[] = "looks: [{absorption_per_m: [1, 2, 3]}, {scattering_per_m: [0.5, 0.5, 0.5]}]\n"
+                               "water_bodies: [{points: [[0, 0], [9, 0], [0, 9]], look: 2}]\n";
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    assert_int_equal(scene->lookCount, 2);
+    assert_float_equal(scene->looks[0].absorption.y, 2.0f, 0.0f);
+    assert_float_equal(scene->looks[1].scattering.x, 0.5f, 0.0f);
+    assert_int_equal(scene->waterBodies[0].def.look, 2);
+    swDestroyScene(scene);
+}
+
+#if SW_HAS_ASSIMP
+static void AHullOfASceneCutsWater(void** state)
+{
+    (void)state;
+    WriteText("box.obj", "v -10 -5 -4\nv 10 -5 -4\nv 10 -5 4\nv -10 -5 4\n"
+                         "v -10 5 -4\nv 10 5 -4\nv 10 5 4\nv -10 5 4\n"
+                         "f 1 2 3\nf 1 3 4\nf 5 7 6\nf 5 8 7\nf 1 5 6\nf 1 6 2\n"
+                         "f 2 6 7\nf 2 7 3\nf 3 7 8\nf 3 8 4\nf 4 8 5\nf 4 5 1\n");
+    static const char text[] = "hulls: [{name: box, file: box.obj, resolution: 32}]\n"
+                               "inputs: [{field: clip, shape: hull, hull: box, value: 1, scale: [2, 1, 1]}]\n";
+    swScene* scene = NULL;
+    swWorld* world = OpenText(text, &scene);
+    const swPosXZ places[3] = {{18.0, 3.0}, {22.0, 0.0}, {0.0, 5.0}};
+    float clip[3];
+    const swFieldSamples samples = {.clip = clip};
+    swMoment_QueryFields(swWorld_GetMoment(world), 3, places, &samples);
+    assert_true(clip[0] > 0.5f && clip[1] < 0.5f && clip[2] < 0.5f);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+    static const char open[] = "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n";
+    WriteText("box.obj", open);
+    s_messages[0] = '\0';
+    assert_int_equal(ReadText("hulls:\n  - {name: box, file: box.obj}\n", &scene), SW_ERROR_FORMAT);
+    assert_non_null(strstr(s_messages, "a.yaml:2: the hull 'box' cannot be made of box.obj"));
+    remove("box.obj");
+}
+#endif
+
 // A scene is written with its inputs as they stand.
 static void WritingLeavesInputsAsTheyStand(void** state)
 {
@@ -205,6 +437,25 @@ static void EveryMistakeHasItsLineAndCode(void** state)
          "repeated"},
         {"water_bodies:\n  - {name: a}\n", 2, "missing_key"},
         {"water_bodies:\n  - points: [[0, 0], [9, 0], [0, 9]]\n    waves: 1\n", 3, "out_of_range"},
+        {"inputs:\n  - {field: level, shape: function}\n", 2, "unknown_word"},
+        {"inputs:\n  - {field: clip, shape: hull}\n", 2, "missing_key"},
+        {"inputs:\n  - field: clip\n    shape: hull\n    hull: none\n", 4, "unknown_word"},
+        {"inputs:\n  - field: foam\n    tide: [{constituent: M2}]\n", 3, "no_effect"},
+        {"inputs:\n  - field: level\n    tide: [{constituent: M17}]\n", 3, "unknown_word"},
+        {"inputs:\n  - field: level\n    tide: [{amplitude: 1}]\n", 3, "missing_key"},
+        {"inputs:\n  - field: level\n    tide:\n      - {constituent: M2, speed_rad_s: 1e-4}\n", 4, "conflict"},
+        {"inputs:\n  - field: level\n    tide: [{constituent: M2, amplitude_across_m_s: 1}]\n", 3, "no_effect"},
+        {"inputs:\n  - field: level\n    nest: [a]\n", 3, "no_effect"},
+        {"inputs:\n  - field: level\n    shape: raster\n    nest: [a]\n", 4, "unknown_word"},
+        {"inputs:\n  - field: level\n    shape: raster\n    nest: []\n", 4, "missing_key"},
+        {"hulls:\n  - {name: a}\n", 2, "missing_key"},
+        {"hulls:\n  - name: a\n    file: none.obj\n", 3, "bad_file"},
+        {"looks:\n  - {colour: blue}\n", 2, "unknown_key"},
+        {"water_bodies:\n  - points: [[0, 0], [9, 0], [0, 9]]\n    look: 1\n", 3, "out_of_range"},
+        {"wind_seas:\n  - {gain: 1}\n", 2, "missing_key"},
+        {"wind_seas:\n  - {raster: a}\n", 2, "unknown_word"},
+        {"rasters:\n  - name: a\n    files: [a.asc, b.asc]\n    variables: [u, v]\n", 4, "conflict"},
+        {"rasters:\n  - name: a\n    file: a.asc\n    files: [b.asc]\n", 3, "conflict"},
         {"rasters:\n  - {file: a.asc}\n", 2, "missing_key"},
         {"rasters:\n  - {name: a}\n", 2, "missing_key"},
         {"rasters:\n  - name: a\n    file: none.asc\n", 3, "bad_file"},
@@ -232,6 +483,15 @@ int main(void)
         cmocka_unit_test(ASplineOfASceneIsNamedByItsInputs),
         cmocka_unit_test(ABodyOfWaterOfASceneIsInItsSea),
         cmocka_unit_test(AWaveSystemIsNamedByItsNumber),
+        cmocka_unit_test(EveryMemberOfAnInputHasAKey),
+        cmocka_unit_test(ATideIsToldByItsConstituents),
+        cmocka_unit_test(ARasterMayHaveSeveralChannelsAndFrames),
+        cmocka_unit_test(ANestIsOneInputOfSeveralRasters),
+        cmocka_unit_test(AWindSeaOfASceneIsInItsSea),
+        cmocka_unit_test(ABodyOfWaterHasALookOfTheScene),
+#if SW_HAS_ASSIMP
+        cmocka_unit_test(AHullOfASceneCutsWater),
+#endif
         cmocka_unit_test(WritingLeavesInputsAsTheyStand),
         cmocka_unit_test(RemovedWavesAreNotWrittenUnderAnothersNumber),
         cmocka_unit_test(EveryMistakeHasItsLineAndCode),

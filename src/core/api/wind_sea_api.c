@@ -24,22 +24,22 @@
 static const swField windSeaFields[] = {
     SW_PART(waves, &swWaveSystemFields, .key = NULL, .label = "waves"),
     SW_GIVEN(raster, .key = NULL, .label = "raster"),
-    SW_NUMBERS(position, double, "m", SW_WITHIN(-1e9, 1e9), SW_EACH(0.0, 0.0, 0.0), .key = NULL, .label = "place",
-               SW_KNOB(-1000.0, 1000.0)),
-    SW_NUMBERS(rotation, float, "deg", SW_WITHIN(-1000.0, 1000.0), SW_EACH(0.0, 0.0, 0.0), .key = NULL,
+    SW_NUMBERS(position, double, "m", SW_WITHIN(-1e9, 1e9), SW_EACH(0.0, 0.0, 0.0), .key = "position_m",
+               .label = "place", SW_KNOB(-1000.0, 1000.0)),
+    SW_NUMBERS(rotation, float, "deg", SW_WITHIN(-1000.0, 1000.0), SW_EACH(0.0, 0.0, 0.0), .key = "rotation_deg",
                .label = "turned", .form = SW_FORM_DEGREES, SW_KNOB(-180.0, 180.0)),
-    SW_NUMBER(gain, "", SW_WITHIN(-1e6, 1e6), 1.0, .key = NULL, .label = "gain", SW_KNOB(-10.0, 10.0)),
-    SW_NUMBER(feather, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = NULL, .label = "feather", SW_LOG_KNOB(0.1, 1e4)),
-    SW_NUMBER(order, "", SW_WITHIN(-1e6, 1e6), 0.0, .key = NULL, .label = "order", SW_KNOB(-100.0, 100.0)),
-    SW_SWITCH(removesWaves, false, .key = NULL, .label = "removes waves"),
-    SW_NUMBER(headingCount, "", SW_WITHIN(4.0, MOST_HEADINGS), 12.0, .key = NULL, .label = "headings",
+    SW_NUMBER(gain, "", SW_WITHIN(-1e6, 1e6), 1.0, .key = "gain", .label = "gain", SW_KNOB(-10.0, 10.0)),
+    SW_NUMBER(feather, "m", SW_WITHIN(0.0, 1e6), 0.0, .key = "feather_m", .label = "feather", SW_LOG_KNOB(0.1, 1e4)),
+    SW_NUMBER(order, "", SW_WITHIN(-1e6, 1e6), 0.0, .key = "order", .label = "order", SW_KNOB(-100.0, 100.0)),
+    SW_SWITCH(removesWaves, false, .key = "removes_waves", .label = "removes waves"),
+    SW_NUMBER(headingCount, "", SW_WITHIN(4.0, MOST_HEADINGS), 12.0, .key = "heading_count", .label = "headings",
               SW_KNOB(4.0, MOST_HEADINGS)),
-    SW_NUMBER(speedCount, "", SW_WITHIN(1.0, MOST_SPEEDS), 2.0, .key = NULL, .label = "speeds",
+    SW_NUMBER(speedCount, "", SW_WITHIN(1.0, MOST_SPEEDS), 2.0, .key = "speed_count", .label = "speeds",
               SW_KNOB(1.0, MOST_SPEEDS)),
 };
 #undef SW_DEF
 
-static const swFields windSeaDefFields = SW_FIELDS(swWindSeaDef, NULL, "wind sea", windSeaFields, -1);
+static const swFields windSeaDefFields = SW_FIELDS(swWindSeaDef, "wind_seas", "wind sea", windSeaFields, -1);
 
 const swFields* swGetWindSeaFields(void)
 {

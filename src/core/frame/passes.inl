@@ -6,6 +6,7 @@ SW_PASS(FIELDS, fields, "Authored fields of all slices, and what shapes waves in
 SW_PASS(VOLUME_WAVES, volume_waves, "Waves of this time one by one, for the water below")
 SW_PASS(WAVES_ROWS, waves_rows, "Spectra at this time, and the FFT's first axis")
 SW_PASS(WAVES_COLUMNS, waves_columns, "The FFT's second axis: tiles of spline coefficients")
+SW_PASS(SLICES_SHAPED, slices_shaped, "Waves that authored fields shape, summed up for all slices")
 SW_PASS(DETAIL, detail, "Slopes of each tile with mips, for shading")
 SW_PASS(SLICES, slices, "Displacement and derivatives of all slices")
 SW_PASS(SURFACE_QUERY, surface_query, "Surface at the points of queries")

@@ -4,7 +4,7 @@
 // The sum of the water: where particles of the surface are that rest at given points, how the surface stands there and
 // how they move. For a block of points first what their places are like (places.h), then tiles, then free waves.
 // Queries of any time and slices all add up here. The GPU's twins are shaders/query/surface_search.glsl and
-// shaders/waves/slices.comp.
+// shaders/waves/slices.comp and slices_shaped.comp.
 
 #include "core/surface/places.h"
 #include "core/waves/waves_sum.h"

@@ -194,8 +194,6 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
     uint32_t waveCount = 0;
     view->constants = (swSlicesConstants){
         .withPlaces = gpuWorld->inputs.isAuthored ? 1 : 0,
-        .withWeights = gpuWorld->inputs.isAuthored &&
-                       (swHasInputs(frame->inputs, SW_INPUT_WAVES) || frame->inputs->localSystems != 0),
     };
     for (int i = 0; i < stack->sliceCount; ++i)
     {
@@ -256,8 +254,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
 {
     swGpu* gpu = gpuWorld->gpu;
     const State* s = state;
-    swBinding inputs[SW_INPUT_BINDINGS];
-    swBindInputs(gpuWorld, inputs);
+    static_assert(sizeof(uint32_t) == SW_SLICES_PUSH_SIZE, "what slices.comp is given");
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
@@ -267,6 +264,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
         }
         swBinding fields[2] = {swBindUpload(&s->views[i].lists), swBindUpload(&s->views[i].lists)};
         swBindFieldPlaces(gpuWorld, i, &fields[0], &fields[1]);
+        const swBuffer* shaped = swGetShapedWaves(gpuWorld, i);
         const swImage* displacement = swGetLayerImage(view, SW_LAYER_DISPLACEMENT);
         const swImage* derivatives = swGetLayerImage(view, SW_LAYER_DERIVATIVES);
         const swSlicesBindings bindings = {
@@ -276,16 +274,12 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
             .displacement = swBindImage(gpu, displacement, SW_SAMPLER_NEAREST_CLAMP),
             .derivatives = swBindImage(gpu, derivatives, SW_SAMPLER_NEAREST_CLAMP),
             .waves = swBindUpload(&s->views[i].waves),
-            .places = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
-            .fieldSlices = fields[0],
             .blocks = fields[1],
-            .inputHead = inputs[0],
-            .inputRecords = inputs[1],
-            .inputNodes = inputs[2],
-            .inputWords = inputs[3],
+            .shaped = shaped->handle != VK_NULL_HANDLE ? swBindBuffer(shaped) : fields[0],
         };
         uint32_t resolution = (uint32_t)view->resolution;
-        swBindSlices(gpu, commands, swFindVariant(&s->pipelines, &swSlicesShader, &s->views[i].constants), &bindings);
+        swBindSlices(gpu, commands, swFindVariant(&s->pipelines, &swSlicesShader, &s->views[i].constants), &bindings,
+                     &resolution);
         gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SLICE_HEIGHT,
                             (uint32_t)view->sliceCount);
     }
@@ -296,10 +290,18 @@ static void destroy(swGpu* gpu, void* state)
     swDestroyVariants(gpu, &((State*)state)->pipelines);
 }
 
+void swBindSliceWaves(const swGpuWorld* gpuWorld, int view, swBinding waves[SW_SLICE_WAVE_BINDINGS])
+{
+    const State* s = gpuWorld->passes[SW_PASS_SLICES].state;
+    waves[0] = swBindUpload(&s->views[view].lists);
+    waves[1] = swBindUpload(&s->views[view].tiles);
+    waves[2] = swBindUpload(&s->views[view].waves);
+}
+
 const swPass swPass_slices = {
     .name = "slices",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
+    .reads = SW_TEXELS_BIT | SW_OUTPUT_BIT(SW_PASS_FIELDS) | SW_OUTPUT_BIT(SW_PASS_SLICES_SHAPED),
     .writes = SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) | SW_LAYER_BIT(SW_LAYER_DERIVATIVES),
     .upload = upload,
     .create = create,

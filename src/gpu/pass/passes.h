@@ -88,4 +88,9 @@ const swImage* swGetDetailImage(const swGpuWorld* gpuWorld);
 void swBindFieldPlaces(const swGpuWorld* gpuWorld, int view, swBinding* slices, swBinding* blocks);
 // Where the texels of each slice lie in the sea.
 void swFillFieldSlices(const swStackFrame* stack, swFieldSlice slices[SW_MAX_SLICES]);
+// Of the view with that index: swSliceList of each slice, and what they list of swSliceTile and swSliceWave.
+#define SW_SLICE_WAVE_BINDINGS 3
+void swBindSliceWaves(const swGpuWorld* gpuWorld, int view, swBinding waves[SW_SLICE_WAVE_BINDINGS]);
+// What slices_shaped.comp leaves of that view. Nothing where there are no inputs.
+const swBuffer* swGetShapedWaves(const swGpuWorld* gpuWorld, int view);
 const swBuffer* swGetVolumeWaves(const swGpuWorld* gpuWorld);

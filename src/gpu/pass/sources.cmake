@@ -9,6 +9,7 @@ target_sources(seaway_gpu PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/pass_made_foam.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_ray_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_slices.c
+    ${CMAKE_CURRENT_LIST_DIR}/pass_slices_shaped.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_surface_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_volume_query.c
     ${CMAKE_CURRENT_LIST_DIR}/pass_volume_waves.c
@@ -22,6 +23,7 @@ list(APPEND SW_SHADERS
     waves/detail.comp
     input/fields.comp
     waves/slices.comp
+    waves/slices_shaped.comp
     sim/foam.comp
     sim/made_foam.comp
     query/surface_query.comp

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Waves at a texel of a slice, for the passes that add them up: slices.comp where they are the same everywhere, and
+// slices_shaped.comp where their place shapes them.
+//
+// Before including: the buffers `swSliceTile tiles[]`, `vec4 texels[]` and `swSliceWave waves[]`.
+#ifndef SW_LIB_SLICE_WAVES
+#define SW_LIB_SLICE_WAVES
+#include "lib/turns.glsl"
+#include "shared/fields.h"
+#include "shared/spline.h"
+#include "shared/waves.h"
+
+// What is known of a texel: displacement, and its slopes; along z those of y and z only.
+struct Texel
+{
+    vec3 sum;
+    vec3 alongX;
+    vec2 alongZ;
+};
+
+const Texel CALM = Texel(vec3(0.0), vec3(0.0), vec2(0.0));
+
+void addTexel(inout Texel texel, Texel other)
+{
+    texel.sum += other.sum;
+    texel.alongX += other.alongX;
+    texel.alongZ += other.alongZ;
+}
+
+// ---- who adds what ----
+
+// Whether waves of a system, of wave number k, are shaped anywhere in a block.
+bool isShapedIn(swFieldBlock block, uint system, float k, swAttenuation attenuation)
+{
+    return !swIsDeepFor(attenuation, k, block.leastDepth) || (block.systems >> (system & 31u) & 1u) != 0;
+}
+
+// Whether any waves are: the block's longest may feel its depth.
+bool isTouched(swFieldBlock block)
+{
+    return block.leastDepth < SW_NO_DEPTH || block.systems != 0;
+}
+
+// ---- tiles ----
+
+// Spline coordinates. The same bits wherever they are asked for: cells and weights must not disagree.
+float splineX(swSliceTile tile, uint column)
+{
+    return fma(float(column), tile.step, tile.fractionX);
+}
+
+float splineZ(swSliceTile tile, uint row)
+{
+    return fma(float(row), tile.step, tile.fractionZ);
+}
+
+vec3 texelOf(swSliceTile tile, uint column, uint row)
+{
+    uint mask = tile.resolution - 1;
+    return texels[tile.firstTexel + (column & mask) + (row & mask) * (tile.resolution + 3)].xyz;
+}
+
+// Interpolated along an axis.
+vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
+{
+    return fma(vec3(weights.w), d, fma(vec3(weights.z), c, fma(vec3(weights.y), b, weights.x * a)));
+}
+
+// Adds a tile to one texel, from all sixteen coefficients around it.
+void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
+{
+    float x = splineX(tile, column), z = splineZ(tile, row);
+    float cellX = floor(x), cellZ = floor(z);
+    uint firstX = (tile.base & 0xffffu) + uint(cellX);
+    uint firstZ = (tile.base >> 16) + uint(cellZ);
+    vec4 valueX = swSplineWeights(x - cellX), slopeX = swSplineSlopes(x - cellX) * tile.perMetre;
+    vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
+    for (uint k = 0; k < 4; ++k)
+    {
+        vec3 a = texelOf(tile, firstX, firstZ + k), b = texelOf(tile, firstX + 1, firstZ + k);
+        vec3 c = texelOf(tile, firstX + 2, firstZ + k), d = texelOf(tile, firstX + 3, firstZ + k);
+        vec3 value = weigh(valueX, a, b, c, d);
+        texel.sum = fma(vec3(valueZ[k]), value, texel.sum);
+        texel.alongX = fma(vec3(valueZ[k]), weigh(slopeX, a, b, c, d), texel.alongX);
+        texel.alongZ = fma(vec2(slopeZ[k]), value.yz, texel.alongZ);
+    }
+}
+
+// ---- free waves ----
+
+// A free wave's amplitude times cosine and sine of its phase.
+vec2 swingOf(swSliceWave wave, uint column, uint row)
+{
+    return wave.amplitude * unitOf(wave.phase + column * wave.stepX + row * wave.stepZ);
+}
+
+// Adds a free wave, `unit` its swing there.
+void addWave(inout Texel texel, swSliceWave wave, vec2 unit)
+{
+    vec3 rate = vec3(wave.dx * unit.x, unit.y, wave.dz * unit.x);
+    texel.sum -= vec3(wave.dx * unit.y, -unit.x, wave.dz * unit.y);
+    texel.alongX = fma(vec3(-wave.kx), rate, texel.alongX);
+    texel.alongZ = fma(vec2(-wave.kz), rate.yz, texel.alongZ);
+}
+#endif
