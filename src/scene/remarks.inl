@@ -32,5 +32,6 @@ SW_REMARK(SMALL_RASTER, "small_raster", WARNING, "a raster has fewer than four c
 SW_REMARK(UNKNOWN_RASTER, "unknown_raster", WARNING, "no cell of a raster is known", "look whether it was cropped away")
 SW_REMARK(UNUSED_RASTER, "unused_raster", INFO, "no input names a raster", "name it, or remove it")
 SW_REMARK(UNUSED_SPLINE, "unused_spline", INFO, "no input names a spline", "name it, or remove it")
-SW_REMARK(NARROW_BEND, "narrow_bend", WARNING, "a spline's narrowest bend is narrower than half of its ribbon",
+SW_REMARK(NARROW_BEND, "narrow_bend", WARNING,
+          "a spline bends more narrowly towards its ribbon than that is wide there",
           "move its points apart, or make it narrower")

@@ -297,6 +297,24 @@ static void checkRaster(Checker* checker, int index)
     }
 }
 
+// The narrowest bend towards a side on which the ribbon lies. A ribbon on one side alone does not mind bends to the
+// other, which are looked for at places along the line.
+static float findLeastRadius(const swSceneSpline* spline)
+{
+    swSplineInfo info = swSpline_GetInfo(spline->spline);
+    if (spline->def.offset == SW_SPLINE_CENTRE)
+    {
+        return info.leastRadius;
+    }
+    float most = 0.0f, side = spline->def.offset == SW_SPLINE_LEFT ? 1.0f : -1.0f;
+    int count = 32 * spline->pointCount;
+    for (int i = 0; i <= count; ++i)
+    {
+        most = fmaxf(most, side * swSpline_FindPlace(spline->spline, info.length * i / count).curvature);
+    }
+    return most > 0.0f ? 1.0f / most : INFINITY;
+}
+
 static void checkSpline(Checker* checker, int index)
 {
     const swScene* scene = checker->scene;
@@ -310,8 +328,8 @@ static void checkSpline(Checker* checker, int index)
     {
         tellOf(checker, REMARK_UNUSED_SPLINE, spline->line, "spline", index, spline->name);
     }
-    float half = spline->def.offset == SW_SPLINE_CENTRE ? 0.5f * spline->def.width : spline->def.width;
-    if (swSpline_GetInfo(spline->spline).leastRadius < half)
+    float reach = spline->def.offset == SW_SPLINE_CENTRE ? 0.5f * spline->def.width : spline->def.width;
+    if (findLeastRadius(spline) < reach)
     {
         tellOf(checker, REMARK_NARROW_BEND, spline->line, "spline", index, spline->name);
     }

@@ -11,9 +11,8 @@ static swResult findMap(swYaml* yaml, yaml_node_t* node, const swScene* scene, s
 {
     char name[64] = "";
     swResult result = swReadYamlText(yaml, node, "raster", name, sizeof(name));
-    int index = result == SW_SUCCESS
-                    ? swFindYamlName(scene->rasters, sizeof(swSceneRaster), scene->rasterCount, name)
-                    : -1;
+    int index =
+        result == SW_SUCCESS ? swFindYamlName(scene->rasters, sizeof(swSceneRaster), scene->rasterCount, name) : -1;
     if (result == SW_SUCCESS && index < 0)
     {
         return swFailYaml(yaml, node, SW_MISTAKE_UNKNOWN_WORD,
@@ -55,10 +54,10 @@ static swResult readWindSea(swYaml* yaml, yaml_node_t* node, const swSceneReader
         return result;
     }
     yaml_node_t *raster = swGetYamlNode(&mapping, "raster"), *waves = swGetYamlNode(&mapping, "waves");
-    result = swKeepFailure(result, raster != NULL
-                                       ? findMap(yaml, raster, reader->scene, sea)
-                                       : swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
-                                                    "the wind sea has no raster; name the one with its winds."));
+    result =
+        swKeepFailure(result, raster != NULL ? findMap(yaml, raster, reader->scene, sea)
+                                             : swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
+                                                          "the wind sea has no raster; name the one with its winds."));
     return waves != NULL ? swKeepFailure(result, readWaves(yaml, waves, reader, sea)) : result;
 }
 

@@ -4,7 +4,7 @@
 # Usage: test_check.sh PROGRAM SOURCE_FOLDER. Exit code 77: skipped.
 . "$(dirname "$0")/support.sh"
 
-for scene in "$source"/scenes/*.yaml; do
+for scene in "$source"/scenes/*.yaml "$source"/scenes/dioramas/*.yaml; do
     # A scene whose files are no part of the project, and may be missing, says so.
     optional=$(grep -c 'is_optional: true' "$scene")
     if [ "$optional" -gt 0 ] && [ ! -d "$source/scenes/data/$(basename "$scene" .yaml)" ]; then

@@ -53,6 +53,12 @@ static const struct
     {"narrow_bend", 4,
      FINE "splines:\n  - {name: a, width_m: 90, points: [{x_m: 0}, {x_m: 50}, {x_m: 50, z_m: 50}, {x_m: 0, z_m: 50}]}\n"
           "inputs: [{field: level, shape: spline, spline: a}]\n"},
+    {"narrow_bend", 4,
+     FINE "splines:\n  - {name: a, width_m: 90, offset: right, points: [{x_m: 0}, {x_m: 50}, {x_m: 50, z_m: 50}]}\n"
+          "inputs: [{field: level, shape: spline, spline: a}]\n"},
+    {NULL, 0,
+     FINE "splines:\n  - {name: a, width_m: 90, offset: left, points: [{x_m: 0}, {x_m: 50}, {x_m: 50, z_m: 50}]}\n"
+          "inputs: [{field: level, shape: spline, spline: a}]\n"},
     {NULL, 0, FINE},
     {NULL, 0,
      VIEWS "waves: [{beaufort: 4}, {beaufort: 2, seed: 2, is_local: true}]\n"
