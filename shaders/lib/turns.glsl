@@ -10,6 +10,12 @@ uint phaseOf(uint aLow, uint aHigh, uint bLow, uint bHigh)
     return high + aLow * bHigh + aHigh * bLow;
 }
 
+// Of a number of turns. The nearest whole turn is taken off first, so that the integer cannot overflow.
+uint toTurns(float turns)
+{
+    return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
+}
+
 // rad/s of turns a tick in fractions of 2^64; a second has 2^24 ticks.
 float omegaOf(uint low, uint high)
 {

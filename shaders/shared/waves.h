@@ -61,8 +61,9 @@ SW_PARAMS(swSliceTile)
     float waveNumber;    // in the middle of the tile's waves, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint cellTurns; // how far a cell of SW_QUERY_CELL takes one through the tile, a fraction of 2^32 of a turn
 };
-SW_PARAMS_SIZE(swSliceTile, 68);
+SW_PARAMS_SIZE(swSliceTile, 72);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -77,8 +78,9 @@ SW_PARAMS(swSliceWave)
     float waveNumber; // of its octave, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint cellTurnsX, cellTurnsZ; // likewise
 };
-SW_PARAMS_SIZE(swSliceWave, 56);
+SW_PARAMS_SIZE(swSliceWave, 64);
 
 // The waves of a slice: tiles[first .. first + count) as cubics, windowCount tiles behind them texel by texel, and
 // waves[firstWave .. firstWave + waveCount).

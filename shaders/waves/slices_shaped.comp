@@ -19,6 +19,7 @@
 layout(local_size_x = SW_SLICE_WIDTH) in;
 layout(constant_id = 0) const bool WITH_WAVES = true;   // free waves
 layout(constant_id = 1) const bool WITH_WEIGHTS = true; // systems may have weights of their own there
+layout(constant_id = 2) const bool WITH_RIBBONS = true; // some waves run along splines
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -74,6 +75,7 @@ layout(push_constant) uniform Push
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
+#include "lib/ribbons.glsl"
 #include "lib/slice_waves.glsl"
 
 swFieldBlock fieldBlock;
@@ -205,6 +207,81 @@ void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, Sh
     }
 }
 
+// ---- waves along splines ----
+
+// Bits of the systems of which some waves run along splines in the block.
+uint ribbonSystemsOfBlock()
+{
+    return WITH_RIBBONS ? fieldBlock.systems & inputHead.ribbonSystems : 0u;
+}
+
+Way wayTo(SeaPlace place)
+{
+    swFieldSlice slice = fieldSlices[gl_WorkGroupID.z];
+    return Way(place.cell - ivec2(slice.cellX, slice.cellZ), place.rest - vec2(slice.restX, slice.restZ));
+}
+
+// Adds a system's tiles and free waves as they are seen by a look to a texel of the run.
+void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, Ground ground)
+{
+    Way way = wayTo(look.at);
+    uint tileCount = list.count + list.windowCount;
+    for (uint k = 0; k < tileCount; ++k)
+    {
+        if (tiles[list.first + k].system == system)
+        {
+            swSliceTile tile = tiles[list.first + k];
+            Texel own = CALM;
+            addTileAt(own, tile, way);
+            turnWaterByLook(look, own.sum, own.alongX, own.alongZ);
+            addToRun(run, i, own, attenuated(look.shape, ground, tile.waveNumber, tile.attenuation));
+        }
+    }
+    for (uint k = 0; k < (WITH_WAVES ? list.waveCount : 0); ++k)
+    {
+        if (waves[list.firstWave + k].system == system)
+        {
+            swSliceWave wave = waves[list.firstWave + k];
+            Texel own = CALM;
+            addWaveAt(own, wave, way);
+            turnWaterByLook(look, own.sum, own.alongX, own.alongZ);
+            addToRun(run, i, own, attenuated(look.shape, ground, wave.waveNumber, wave.attenuation));
+        }
+    }
+}
+
+// Adds the systems of which some waves run along splines, one after the other.
+void addRibbons(inout Run run, swSliceList list, uint column, uint lowest)
+{
+    uint systems = 0;
+    for (uint k = 0; k < list.count + list.windowCount; ++k)
+    {
+        systems |= 1u << tiles[list.first + k].system;
+    }
+    for (uint k = 0; k < (WITH_WAVES ? list.waveCount : 0); ++k)
+    {
+        systems |= 1u << waves[list.firstWave + k].system;
+    }
+    for (systems &= ribbonSystemsOfBlock(); systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+        {
+            Ground ground = groundOf(column, lowest + i);
+            SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, lowest + i);
+            swWaveLooks looks = looksAt(system, place);
+            for (uint l = 0; l < SW_LOOKS; ++l)
+            {
+                Look look = lookOf(looks, l, place);
+                if (isLookThere(look))
+                {
+                    addLook(run, i, list, system, look, ground);
+                }
+            }
+        }
+    }
+}
+
 // ---- all of a run ----
 
 // Adds the tiles and free waves that are shaped in this block.
@@ -227,7 +304,8 @@ void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
         uint its = isTile ? tile.system : wave.system;
         float number = isTile ? tile.waveNumber : wave.waveNumber;
         swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
-        if (!isShapedIn(fieldBlock, its, number, attenuation))
+        bool runsAlong = (ribbonSystemsOfBlock() >> its & 1u) != 0;
+        if (runsAlong || !isShapedIn(fieldBlock, its, number, attenuation))
         {
             continue;
         }
@@ -271,6 +349,10 @@ void main()
     }
     Run run = Run(CALM, CALM, CALM, CALM);
     addAllShaped(run, lists[gl_WorkGroupID.z], column, lowest);
+    if (ribbonSystemsOfBlock() != 0)
+    {
+        addRibbons(run, lists[gl_WorkGroupID.z], column, lowest);
+    }
     storeShaped(column, lowest, run.a);
     storeShaped(column, lowest + 1, run.b);
     storeShaped(column, lowest + 2, run.c);

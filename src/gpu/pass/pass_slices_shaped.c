@@ -24,6 +24,7 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
     s->constants = (swSlicesShapedConstants){
         .withWaves = frame->waveCount > 0 ? 1 : 0,
         .withWeights = swHasInputs(frame->inputs, SW_INPUT_WAVES) || frame->inputs->localSystems != 0 ? 1 : 0,
+        .withRibbons = gpuWorld->inputs.hasRibbons ? 1 : 0,
     };
     for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
     {
