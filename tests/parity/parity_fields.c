@@ -347,7 +347,7 @@ static void LayersAgree(void** state)
     for (int i = 0; i < FEATURES; ++i)
     {
         const swPosXZ middles[] = {{20.0, -30.0}, {1e5 + 17.3, -1e5 - 40.6}};
-        for (int m = 0; m < (features[i].add == AddRibbons ? 0 : 2); ++m)
+        for (int m = 0; m < 2; ++m)
         {
             Parity parity = MakeShore(state, &features[i], middles[m]);
             AddParityView(&parity, 4, 128, (swPos){middles[m].x, 8.0, middles[m].z});
@@ -483,40 +483,16 @@ static int CountMessages(const char* text)
     return count;
 }
 
-static const char* const told[] = {"functions of the host", "flow",
-                                   "waves along splines",   "displacement by inputs",
-                                   "what a floor does",     "what weights"};
+static const char* const told[] = {"functions of the host", "flow", "displacement by inputs", "what a floor does",
+                                   "what weights"};
 
 // Of the first two: `first` and `second` times.
 static void CheckTold(int first, int second, int below)
 {
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 5; ++i)
     {
-        assert_int_equal(CountMessages(told[i]), i == 1 ? first : i < 4 ? second : below);
+        assert_int_equal(CountMessages(told[i]), i == 1 ? first : i < 3 ? second : below);
     }
-}
-
-static void AddAlongSpline(Parity* parity)
-{
-    const swSplinePoint line[] = {swDefaultSplinePoint(0.0, 0.0, 0.0), swDefaultSplinePoint(100.0, 0.0, 20.0)};
-    swHost host = swDefaultHost();
-    swSplineDef splineDef = swDefaultSplineDef();
-    splineDef.points = line;
-    splineDef.pointCount = 2;
-    swSpline* spline = NULL;
-    assert_int_equal(swCreateSpline(&host, &splineDef, &spline), SW_SUCCESS);
-    swWaveSystemDef sea = swDefaultWaveSystemDef();
-    sea.minWavelength = 16.0f;
-    swWaveSystemId system;
-    assert_int_equal(swCreateWaveSystem(parity->world, &sea, &system), SW_SUCCESS);
-    swInputDef def = swDefaultInputDef();
-    def.field = SW_INPUT_WAVES;
-    def.shape = SW_SHAPE_SPLINE;
-    def.system = system;
-    def.spline = spline;
-    def.alongSpline = true;
-    AddInput(parity, &def);
-    swDestroySpline(spline);
 }
 
 static void WhatIsLeftOutIsSaidOnceOfEachKind(void** state)
@@ -543,7 +519,6 @@ static void WhatIsLeftOutIsSaidOnceOfEachKind(void** state)
     def = At(SW_INPUT_LEVEL, SW_SHAPE_FUNCTION, middle, 80.0f, 0.5f);
     def.function = AnswerNothing;
     AddInput(&parity, &def);
-    AddAlongSpline(&parity);
     StepParity(&parity, 0.1);
     CheckTold(1, 1, 0);
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
