@@ -30,7 +30,8 @@ static swResult MarkVolley(swWorld* world, swInputId id, int count, const swPosX
     swInputPoint points[200];
     for (int i = 0; i < count; ++i)
     {
-        points[i] = (swInputPoint){(float)places[i].x, (float)places[i].z, 6.0f, (float)fmax(1.0 - age / 60.0, 0.0), {0}};
+        points[i] =
+            (swInputPoint){(float)places[i].x, (float)places[i].z, 6.0f, (float)fmax(1.0 - age / 60.0, 0.0), {0}};
     }
     return swInput_SetPoints(world, id, count, points);
 }

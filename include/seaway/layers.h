@@ -26,6 +26,8 @@ typedef enum swLayersBinding
 {
     SW_LAYERS_BINDING_PARAMS,       ///< storage buffer: swLayersParams, then swLayersSlice[], see shared/view_layers.h
     SW_LAYERS_BINDING_PLACES,       ///< sampler2DArray, nearest; one texel where nothing is authored
+    SW_LAYERS_BINDING_FLOW,         ///< sampler2DArray, nearest; one texel where no input makes water flow
+    SW_LAYERS_BINDING_FLOW_SLOPES,  ///< likewise
     SW_LAYERS_BINDING_DISPLACEMENT, ///< sampler2DArray, nearest
     SW_LAYERS_BINDING_DERIVATIVES,  ///< sampler2DArray, linear
     SW_LAYERS_BINDING_FOAM,         ///< sampler2DArray, linear where the device can filter 32-bit floats, else nearest

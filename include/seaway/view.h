@@ -63,6 +63,8 @@ typedef struct swSliceInfo
 typedef enum swLayer
 {
     SW_LAYER_PLACES,       ///< 4 floats a texel: depth of still water, m, its slopes along x and z, its level, m
+    SW_LAYER_FLOW,         ///< 4 floats a texel: velocity of the water along x and z, m/s, 0, 0
+    SW_LAYER_FLOW_SLOPES,  ///< 4 floats a texel: of the velocity along x by x and z, of that along z by x and z, 1/s
     SW_LAYER_DISPLACEMENT, ///< 4 floats a texel: x, y, z, 0
     SW_LAYER_DERIVATIVES,  ///< 4 floats a texel: gx, gz, J, 0, see swView_GetDerivatives()
     SW_LAYER_FOAM,         ///< 1 float a texel
@@ -82,7 +84,11 @@ SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
 /// folds.
 /// Places: 4 floats a texel where it rests: the depth of still water, m (1e30 without a floor, below 0 on land), its
 /// slopes along x and z, and its level above sea level, m. NULL also where no input says anything of floor or level.
+/// Flow: 4 floats a texel where it rests: the velocity of the water along x and z, m/s, 0, 0; its slopes: that of x
+/// along x and z, then that of z, 1/s. NULL also where no input says anything of flow.
 SW_API const float* swView_GetPlaces(const swView* view, int slice);
+SW_API const float* swView_GetFlow(const swView* view, int slice);
+SW_API const float* swView_GetFlowSlopes(const swView* view, int slice);
 SW_API const float* swView_GetDisplacement(const swView* view, int slice);
 SW_API const float* swView_GetDerivatives(const swView* view, int slice);
 SW_API const float* swView_GetFoam(const swView* view, int slice);

@@ -11,6 +11,7 @@
 
 layout(local_size_x = SW_SLICE_WIDTH) in;
 layout(constant_id = 0) const bool WITH_GROUND = true; // the layer of depths is made
+layout(constant_id = 1) const bool WITH_FLOW = true;   // the layers of flow are
 
 layout(std430, binding = 0) readonly buffer InputHead
 {
@@ -36,7 +37,9 @@ layout(std430, binding = 5) writeonly buffer Blocks
 {
     swFieldBlock blocks[];
 };
-layout(binding = 6, rgba32f) uniform writeonly image2DArray places; // depth, its slopes along x and z, level
+layout(binding = 6, rgba32f) uniform writeonly image2DArray places;     // depth, its slopes along x and z, level
+layout(binding = 7, rgba32f) uniform writeonly image2DArray flow;       // velocity along x and z
+layout(binding = 8, rgba16f) uniform writeonly image2DArray flowSlopes; // of that along x by x and z, of that along z
 layout(push_constant) uniform Push
 {
     uint resolution;
@@ -44,11 +47,43 @@ layout(push_constant) uniform Push
 
 shared uint leastDepth; // as bits: no depth is below 0
 shared uint systems;
+shared uint flowsAnywhere;
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
 
-const uint FIELDS[2] = {SW_FIELD_OF_LEVEL, SW_FIELD_OF_FLOOR};
+const uint FIELDS[3] = {SW_FIELD_OF_LEVEL, SW_FIELD_OF_FLOOR, SW_FIELD_OF_FLOW};
+
+// What the layers want of a texel.
+struct Fields
+{
+    Ground ground;
+    Flow flow;
+};
+const Fields NO_FIELDS = Fields(NO_GROUND, STILL);
+
+Fields fieldsAt(SeaPlace place, bool hasGround, bool hasFlow)
+{
+    Fields fields = NO_FIELDS;
+    vec3 level = vec3(0.0);
+    for (uint i = hasGround ? 0 : 2; i < (hasFlow ? 3 : 2); ++i)
+    {
+        swInputValue value = fieldAt(FIELDS[i], 0, place);
+        if (i == 0)
+        {
+            level = firstOf(value);
+        }
+        else if (i == 1)
+        {
+            fields.ground = groundBetween(level, firstOf(value));
+        }
+        else
+        {
+            fields.flow = flowOf(value);
+        }
+    }
+    return fields;
+}
 
 // Bits of the systems that inputs weigh between two cells.
 uint findSystems(ivec2 low, ivec2 high)
@@ -65,6 +100,19 @@ uint findSystems(ivec2 low, ivec2 high)
     return found;
 }
 
+void store(ivec3 texel, Fields fields)
+{
+    if (WITH_GROUND)
+    {
+        imageStore(places, texel, vec4(fields.ground.depth, fields.ground.slope, fields.ground.level));
+    }
+    if (WITH_FLOW)
+    {
+        imageStore(flow, texel, vec4(fields.flow.velocity, 0.0, 0.0));
+        imageStore(flowSlopes, texel, fields.flow.slopes);
+    }
+}
+
 void main()
 {
     swFieldSlice slice = slices[gl_WorkGroupID.z];
@@ -77,37 +125,39 @@ void main()
     ivec2 low = placeOfTexel(slice, first.x, first.y).cell;
     ivec2 high = placeOfTexel(slice, first.x + SW_SLICE_WIDTH - 1, first.y + SW_SLICE_HEIGHT - 1).cell;
     bool hasGround = touchesInputs(SW_FIELD_OF_FLOOR, low, high) || touchesInputs(SW_FIELD_OF_LEVEL, low, high);
+    bool hasFlow = WITH_FLOW && touchesInputs(SW_FIELD_OF_FLOW, low, high);
     if (gl_LocalInvocationIndex == 0)
     {
         leastDepth = floatBitsToUint(SW_NO_DEPTH);
         systems = findSystems(low, high);
+        flowsAnywhere = 0;
     }
     barrier();
     float least = SW_NO_DEPTH;
+    bool flows = false;
     for (uint row = first.y; row < first.y + SW_SLICE_HEIGHT; ++row)
     {
-        Ground ground = NO_GROUND;
-        if (hasGround)
+        Fields fields = NO_FIELDS;
+        if (hasGround || hasFlow)
         {
-            SeaPlace place = placeOfTexel(slice, column, row);
-            vec3 values[2];
-            for (uint i = 0; i < 2; ++i)
-            {
-                values[i] = firstOf(fieldAt(FIELDS[i], 0, place));
-            }
-            ground = groundBetween(values[0], values[1]);
-            least = column < resolution ? min(least, ground.depth) : least;
+            fields = fieldsAt(placeOfTexel(slice, column, row), hasGround, hasFlow);
         }
-        if (WITH_GROUND && column < resolution)
+        if (column < resolution)
         {
-            imageStore(places, ivec3(column, row, gl_WorkGroupID.z), vec4(ground.depth, ground.slope, ground.level));
+            least = min(least, fields.ground.depth);
+            flows = flows || isMoved(fields.flow);
+            store(ivec3(column, row, gl_WorkGroupID.z), fields);
         }
+    }
+    if (flows)
+    {
+        atomicOr(flowsAnywhere, 1);
     }
     atomicMin(leastDepth, floatBitsToUint(max(least, 0.0)));
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
         uint block = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems);
+        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flowsAnywhere);
     }
 }

@@ -39,8 +39,7 @@ struct Look
 {
     Shape shape;
     SeaPlace at;
-    swRibbonSource source; // of a plain look not looked at
-    bool isPlain;
+    swRibbonSource source;
 };
 
 // The look number `i` of a place.
@@ -49,7 +48,7 @@ Look lookOf(swWaveLooks looks, uint i, SeaPlace place)
     if (i == 0)
     {
         vec3 weight = firstOf(looks.plain);
-        return Look(Shape(weight.x, weight.yz), place, looks.ribbons.first.source, true);
+        return Look(Shape(weight.x, weight.yz), place, swBeginLook().source);
     }
     swRibbonLook look = looks.ribbons.first;
     if (i == 2)
@@ -57,7 +56,7 @@ Look lookOf(swWaveLooks looks, uint i, SeaPlace place)
         look = looks.ribbons.second;
     }
     SeaPlace at = SeaPlace(ivec2(look.source.cellX, look.source.cellZ), vec2(look.source.restX, look.source.restZ));
-    return Look(Shape(look.weight.value, vec2(look.weight.alongX, look.weight.alongZ)), at, look.source, false);
+    return Look(Shape(look.weight.value, vec2(look.weight.alongX, look.weight.alongZ)), at, look.source);
 }
 
 // Whether it adds anything.
@@ -70,19 +69,26 @@ bool isLookThere(Look look)
 vec3 turnByLook(Look look, vec3 v)
 {
     float c = look.source.cosine, s = look.source.sine;
-    return look.isPlain ? v : vec3(c * v.x - s * v.z, v.y, s * v.x + c * v.z);
+    return vec3(c * v.x - s * v.z, v.y, s * v.x + c * v.z);
 }
 
-// Displacement with its derivatives from a look's coordinates to the sea's. Waves lie in the look's coordinates so that
-// dDx/dz is dDz/dx there.
-void turnWaterByLook(Look look, inout vec3 value, inout vec3 alongX, inout vec2 alongZ)
+// A flow from the sea's axes to a look's. Its slopes stay those along the sea's axes.
+Flow turnFlowByLook(Look look, Flow flow)
 {
-    if (look.isPlain)
-    {
-        return;
-    }
+    float c = look.source.cosine, s = look.source.sine;
+    vec2 velocity = vec2(c * flow.velocity.x + s * flow.velocity.y, c * flow.velocity.y - s * flow.velocity.x);
+    vec2 turns = vec2(look.source.turnX, look.source.turnZ); // of the axes, from place to place
+    vec2 x = c * flow.slopes.xy + s * flow.slopes.zw + turns * velocity.y;
+    vec2 z = c * flow.slopes.zw - s * flow.slopes.xy - turns * velocity.x;
+    return Flow(velocity, vec4(x, z));
+}
+
+// Displacement with its derivatives from a look's coordinates to the sea's. `way` has the slopes of where it is looked
+// up less where that is: of x along x and z, then of z. Waves lie in the look's coordinates so that dDx/dz is dDz/dx
+// there.
+void turnWaterByLook(Look look, vec4 way, inout vec3 value, inout vec3 alongX, inout vec2 alongZ)
+{
     vec3 ownZ = vec3(alongX.z, alongZ);
-    vec4 way = look.source.way;
     vec3 x = turnByLook(look, alongX * (1.0 + way.x) + ownZ * way.z);
     vec3 z = turnByLook(look, alongX * way.y + ownZ * (1.0 + way.w));
     value = turnByLook(look, value);

@@ -26,11 +26,13 @@ layout(std430, set = SW_LAYERS_SET, binding = 0) readonly buffer swLayersBlock
     swLayersSlice swLayerSlices[];
 };
 layout(set = SW_LAYERS_SET, binding = 1) uniform sampler2DArray swPlacesLayer; // depth, its slopes along x, z, level
-layout(set = SW_LAYERS_SET, binding = 2) uniform sampler2DArray swDisplacementLayer; // x, y, z, m
-layout(set = SW_LAYERS_SET, binding = 3) uniform sampler2DArray swDerivativesLayer;  // gx, gz, J
-layout(set = SW_LAYERS_SET, binding = 4) uniform sampler2DArray swFoamLayer;         // [0, 1], of whitecaps
-layout(set = SW_LAYERS_SET, binding = 5) uniform sampler2DArray swWakeFoamLayer;     // of inputs and wakes
-layout(set = SW_LAYERS_SET, binding = 6) uniform sampler2DArray swShoreFoamLayer;    // of shores
+layout(set = SW_LAYERS_SET, binding = 2) uniform sampler2DArray swFlowLayer;   // velocity along x and z, m/s
+layout(set = SW_LAYERS_SET, binding = 3) uniform sampler2DArray swFlowSlopesLayer;   // of x along x, z; of z
+layout(set = SW_LAYERS_SET, binding = 4) uniform sampler2DArray swDisplacementLayer; // x, y, z, m
+layout(set = SW_LAYERS_SET, binding = 5) uniform sampler2DArray swDerivativesLayer;  // gx, gz, J
+layout(set = SW_LAYERS_SET, binding = 6) uniform sampler2DArray swFoamLayer;         // [0, 1], of whitecaps
+layout(set = SW_LAYERS_SET, binding = 7) uniform sampler2DArray swWakeFoamLayer;     // of inputs and wakes
+layout(set = SW_LAYERS_SET, binding = 8) uniform sampler2DArray swShoreFoamLayer;    // of shores
 
 // Two slices at a place, and how much of each is shown; the rest is level water.
 struct swLayerPair
@@ -117,6 +119,12 @@ float swFoamAt(vec2 rest)
 float swDepthAt(vec2 rest)
 {
     return swReadLayer(swPlacesLayer, swFindLayers(rest), rest, vec4(1e30, 0.0, 0.0, 0.0)).x;
+}
+
+// Velocity along x and z that inputs give the water where a particle rests, m/s, without the waves' own.
+vec2 swFlowAt(vec2 rest)
+{
+    return swReadLayer(swFlowLayer, swFindLayers(rest), rest, vec4(0.0)).xy;
 }
 
 // Where the water rests that is at a place now. Six steps leave some millimetres on a rough sea; where waves fold, one

@@ -45,4 +45,21 @@ SW_FORMULA float swGetCarryVariance(float weight, float rho)
     float other = 1.0f - weight;
     return weight * weight + other * other + 2.0f * weight * other * rho;
 }
+
+// By which both copies are multiplied so that the variance is that of one, and the derivative of it by rho.
+SW_PARAMS(swCarryFactor)
+{
+    float value, slope;
+};
+
+SW_FORMULA swCarryFactor swGetCarryFactor(float weight, float rho)
+{
+    float variance = swGetCarryVariance(weight, rho);
+    bool isLeast = !(variance > SW_LEAST_CARRY_VARIANCE);
+    variance = isLeast ? SW_LEAST_CARRY_VARIANCE : variance;
+    swCarryFactor factor;
+    factor.value = 1.0f / SW_CARRY_SQRT(variance);
+    factor.slope = isLeast ? 0.0f : -weight * (1.0f - weight) * factor.value / variance;
+    return factor;
+}
 #endif

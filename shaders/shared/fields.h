@@ -35,6 +35,7 @@ SW_PARAMS(swFieldBlock)
 {
     float leastDepth; // m, at least 0
     sw_uint systems;  // bit of each wave system, modulo 32, that has a weight of its own there
+    sw_uint isMoved;  // 1: the water flows somewhere in it
 };
-SW_PARAMS_SIZE(swFieldBlock, 8);
+SW_PARAMS_SIZE(swFieldBlock, 12);
 #endif

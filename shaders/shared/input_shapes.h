@@ -115,8 +115,8 @@ SW_FORMULA swInputSample swFinishInputSample(swInputRecord record, swInputSample
     return s;
 }
 
-// Whether a record makes waves run along its spline. Those are found by swFindRibbonWaves(), which swSampleShape() leaves
-// out so that shaders hold it no more often than they need.
+// Whether a record makes waves run along its spline. Those are found by swFindRibbonWaves(), which swSampleShape()
+// leaves out so that shaders hold it no more often than they need.
 SW_FORMULA bool swRunsAlong(swInputRecord record)
 {
     return record.shape == SW_FORM_SPLINE && (record.flags & SW_INPUT_ALONG_SPLINE) != 0u;

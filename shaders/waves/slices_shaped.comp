@@ -233,7 +233,7 @@ void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, Gr
             swSliceTile tile = tiles[list.first + k];
             Texel own = CALM;
             addTileAt(own, tile, way);
-            turnWaterByLook(look, own.sum, own.alongX, own.alongZ);
+            turnWaterByLook(look, look.source.way, own.sum, own.alongX, own.alongZ);
             addToRun(run, i, own, attenuated(look.shape, ground, tile.waveNumber, tile.attenuation));
         }
     }
@@ -244,7 +244,7 @@ void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, Gr
             swSliceWave wave = waves[list.firstWave + k];
             Texel own = CALM;
             addWaveAt(own, wave, way);
-            turnWaterByLook(look, own.sum, own.alongX, own.alongZ);
+            turnWaterByLook(look, look.source.way, own.sum, own.alongX, own.alongZ);
             addToRun(run, i, own, attenuated(look.shape, ground, wave.waveNumber, wave.attenuation));
         }
     }

@@ -46,7 +46,6 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i < count)
     {
-        answers[gl_WorkGroupID.y * count + i] =
-            fieldAt(gl_WorkGroupID.y, 0, SeaPlace(places[i].cell, places[i].rest));
+        answers[gl_WorkGroupID.y * count + i] = fieldAt(gl_WorkGroupID.y, 0, SeaPlace(places[i].cell, places[i].rest));
     }
 }

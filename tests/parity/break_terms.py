@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLACES = "src/core/surface/input_places.c"
 SHAPED = "src/core/surface/evaluate_shaped.c"
 BLOCK = "src/core/surface/places.c"
-CLIP = "src/core/input/sample_clip.c"
+CARRY = "src/core/surface/carry.c"
 
 # Name, feature of parity_everything, file, text, and what stands there instead.
 BREAKS = [
@@ -40,6 +40,19 @@ BREAKS = [
     ("slopes of a ribbon's coordinates", "waves along splines", SHAPED, "chain(copy->way[i], own);", "(void)chain;"),
     ("slope of a ribbon's weight", "waves along splines", BLOCK, "copy->alongX[i] = warps[i].alongX;",
      "copy->alongX[i] = 0.0f;"),
+    ("flow", "flow", PLACES, "places->flow = swHasInputs(set, SW_INPUT_FLOW) ? findFlow : NULL;", "places->flow = NULL;"),
+    ("likeness of carried copies", "flow", CARRY, "rho[i] = sums[i].value[1] + sums[i].value[5];", "rho[i] = 0.0f;"),
+    ("slopes of carried copies", "flow", CARRY, "copy->way[i][g] -= seconds * gradients[i][g];", "(void)gradients;"),
+    ("flow in velocities", "flow", BLOCK, "velocities[first + i][0] += flow[i][0];", "(void)flow;"),
+    ("displacement with the waves", "displacement", "src/core/input/sample_inputs.c", "void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves)\n{",
+     "void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves)\n{\n    return;"),
+    ("displacement of heights", "displacement", "src/core/input/sample_inputs.c", "void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height)\n{",
+     "void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ point, swInputChannel* height)\n{\n    return;"),
+    ("holes", "holes", "src/core/input/sample_clip.c", "if (!swHasInputs(set, SW_INPUT_CLIP))", "if (true)"),
+    ("levels of bodies", "bodies of water", PLACES, "places->level = swHasInputs(set, SW_INPUT_LEVEL) ? findLevel : NULL;",
+     "places->level = NULL;"),
+    ("waves of bodies", "bodies of water", PLACES,
+     "places->weight = swHasInputs(set, SW_INPUT_WAVES) ? findWeight : NULL;", "places->weight = NULL;"),
     ("floors of other shapes", "floors of all shapes", PLACES, "places->depth = hasFloor ? findDepth : NULL;",
      "places->depth = NULL;"),
 ]

@@ -11,7 +11,7 @@ typedef struct Sea
     const swHost* host;
     swWorld* world;
     swPosXZ middle;
-    uint32_t seed; // of the last system
+    uint32_t seed;                    // of the last system
     swWaveSystemId wind, swell, free; // everywhere
     swWaveSystemId regional;          // local
     swWaveSystemId along[2];          // ribbons' own
@@ -166,6 +166,31 @@ static void AddRiver(Sea* sea)
     swDestroySpline(line);
 }
 
+static void AddFlow(Sea* sea)
+{
+    swInputDef def = At(sea, SW_INPUT_FLOW, SW_SHAPE_CIRCLE, 60.0, -40.0, 180.0f);
+    def.value[0] = 0.9f;
+    def.value[1] = -0.4f;
+    def.feather = 60.0f;
+    Add(sea, &def);
+    swSpline* ring = MakeLine(sea, -60.0, 20.0, true, 70.0f);
+    def = AlongLine(SW_INPUT_FLOW, ring, 25.0f);
+    def.blend = SW_BLEND_ADD;
+    Add(sea, &def);
+    swDestroySpline(ring);
+}
+
+// Once for the whole sea.
+static void AddCurrent(Sea* sea)
+{
+    swInputDef def = swDefaultInputDef();
+    def.field = SW_INPUT_FLOW;
+    def.value[0] = 0.3f;
+    def.value[1] = 0.2f;
+    def.order = -1;
+    Add(sea, &def);
+}
+
 // Tiles along a ring that are nowhere else, and free waves along a line, which take the others of their system away.
 static void AddRibbons(Sea* sea)
 {
@@ -220,6 +245,34 @@ static void AddRegions(Sea* sea)
     Add(sea, &def);
 }
 
+// ---- displacement ----
+
+static void AddDisplaced(Sea* sea)
+{
+    swInputDef def = At(sea, SW_INPUT_DISPLACEMENT, SW_SHAPE_CIRCLE, -50.0, 40.0, 90.0f);
+    def.blend = SW_BLEND_ADD;
+    def.value[0] = 0.4f;
+    def.value[1] = 1.2f;
+    def.followsWaves = true;
+    def.isBump = true;
+    Add(sea, &def);
+    def = At(sea, SW_INPUT_DISPLACEMENT, SW_SHAPE_RECTANGLE, 70.0, -60.0, 120.0f);
+    def.blend = SW_BLEND_MULTIPLY;
+    def.value[0] = def.value[1] = def.value[2] = 0.5f;
+    def.followsWaves = true;
+    def.rotation.yaw = 0.5f;
+    Add(sea, &def);
+    def = At(sea, SW_INPUT_DISPLACEMENT, SW_SHAPE_CIRCLE, 80.0, 70.0, 80.0f);
+    def.blend = SW_BLEND_MIN;
+    def.value[1] = -0.6f; // pressed down
+    Add(sea, &def);
+    def = At(sea, SW_INPUT_DISPLACEMENT, SW_SHAPE_CIRCLE, -110.0, -90.0, 70.0f);
+    def.blend = SW_BLEND_ADD;
+    def.value[1] = 0.7f;
+    def.wavelength = 3.0f;
+    Add(sea, &def);
+}
+
 // ---- other shapes ----
 
 static void AddMesh(Sea* sea)
@@ -262,8 +315,8 @@ static void AddShapes(Sea* sea)
 // A box with a notch in its deck.
 static swHull* MakeHull(const Sea* sea)
 {
-    static const swVec3 corners[] = {{-20, -3, -8}, {20, -3, -8}, {20, -3, 8}, {-20, -3, 8},
-                                     {-20, 4, -8},  {20, 4, -8},  {20, 4, 8},  {-20, 4, 8}, {0, 1, 0}};
+    static const swVec3 corners[] = {{-20, -3, -8}, {20, -3, -8}, {20, -3, 8}, {-20, -3, 8}, {-20, 4, -8},
+                                     {20, 4, -8},   {20, 4, 8},   {-20, 4, 8}, {0, 1, 0}};
     static const uint32_t faces[] = {0, 1, 2, 0, 2, 3, 0, 4, 5, 0, 5, 1, 1, 5, 6, 1, 6, 2, 2, 6, 7,
                                      2, 7, 3, 3, 7, 4, 3, 4, 0, 4, 8, 5, 5, 8, 6, 6, 8, 7, 7, 8, 4};
     swHullDef def = swDefaultHullDef();
@@ -278,12 +331,13 @@ static swHull* MakeHull(const Sea* sea)
 
 static void AddHoles(Sea* sea)
 {
-    const swInputShape shapes[] = {SW_SHAPE_BOX, SW_SHAPE_ELLIPSOID, SW_SHAPE_CYLINDER, SW_SHAPE_CAPSULE,
-                                   SW_SHAPE_CIRCLE, SW_SHAPE_HULL};
+    const swInputShape shapes[] = {SW_SHAPE_BOX,     SW_SHAPE_ELLIPSOID, SW_SHAPE_CYLINDER,
+                                   SW_SHAPE_CAPSULE, SW_SHAPE_CIRCLE,    SW_SHAPE_HULL};
     swHull* hull = MakeHull(sea);
     for (int i = 0; i < 6; ++i)
     {
-        swInputDef def = At(sea, SW_INPUT_CLIP, shapes[i], 90.0 * (i % 3) - 110.0, 120.0 * (double)(i / 3) - 60.0, 40.0f);
+        swInputDef def =
+            At(sea, SW_INPUT_CLIP, shapes[i], 90.0 * (i % 3) - 110.0, 120.0 * (double)(i / 3) - 60.0, 40.0f);
         def.value[0] = 1.0f;
         def.size.y = 3.0f; // waves leave and enter it
         def.position.y = 0.5;
@@ -328,6 +382,8 @@ static const struct
     [FEATURE_DEPTH] = {"depth", AddDepth},
     [FEATURE_LEVEL] = {"level, tide, dam", AddLevel},
     [FEATURE_RIVER] = {"river", AddRiver},
+    [FEATURE_FLOW] = {"flow", AddFlow},
+    [FEATURE_DISPLACED] = {"displacement", AddDisplaced},
     [FEATURE_REGIONS] = {"regions of waves", AddRegions},
     [FEATURE_RIBBONS] = {"waves along splines", AddRibbons},
     [FEATURE_SHAPES] = {"floors of all shapes", AddShapes},
@@ -377,6 +433,10 @@ swWorld* MakeEverything(const swHost* host, uint32_t features, int placeCount, c
     if ((features & 1u << FEATURE_LEVEL) != 0)
     {
         AddTide(&sea);
+    }
+    if ((features & 1u << FEATURE_FLOW) != 0)
+    {
+        AddCurrent(&sea);
     }
     for (int p = 0; p < placeCount; ++p)
     {

@@ -8,20 +8,25 @@
 
 typedef enum Feature
 {
-    FEATURE_DEPTH,    // a raster with an unknown cell, a circle, a turned rectangle
-    FEATURE_LEVEL,    // a lake, a dam, a tide
-    FEATURE_RIVER,    // a spline with a level, a bed and a flow where FEATURE_FLOW is there
-    FEATURE_REGIONS,  // weights of systems by rasters, polygons, particles; one that removes the others
-    FEATURE_RIBBONS,  // waves that run along splines, of tiles and of free waves
-    FEATURE_SHAPES,   // floors by a mesh, a polygon, a trail and particles
-    FEATURE_HOLES,    // solids, a hull, an area
-    FEATURE_BODIES,   // lakes with waves of their own
+    FEATURE_DEPTH,     // a raster with an unknown cell, a circle, a turned rectangle
+    FEATURE_LEVEL,     // a lake, a dam, a tide
+    FEATURE_RIVER,     // a spline with a level and a bed
+    FEATURE_FLOW,      // a current everywhere, a gyre, a stream along a spline
+    FEATURE_DISPLACED, // inputs that displace the water: with the waves, and where they stand
+    FEATURE_REGIONS,   // weights of systems by rasters, polygons, particles; one that removes the others
+    FEATURE_RIBBONS,   // waves that run along splines, of tiles and of free waves
+    FEATURE_SHAPES,    // floors by a mesh, a polygon, a trail and particles
+    FEATURE_HOLES,     // solids, a hull, an area
+    FEATURE_BODIES,    // lakes with waves of their own
     FEATURE_COUNT
 } Feature;
 
 const char* GetFeatureName(Feature feature);
 
 #define ALL_FEATURES ((1u << FEATURE_COUNT) - 1u)
+
+// Which slices do not have yet.
+#define NOT_DRAWN (1u << FEATURE_FLOW | 1u << FEATURE_DISPLACED)
 
 // Half the side of the square around a place in which there are features, m.
 #define FEATURE_REACH 300.0

@@ -14,8 +14,8 @@
 // one. Those are counted.
 //
 // A slice's texel says where the particle that rests there is. The core is asked for the surface above that place, with
-// the slice's shortest wave. No half filters fields: a texel of any slice reads them as they are where it rests, so that
-// slices are held against fields as they are.
+// the slice's shortest wave. No half filters fields: a texel of any slice reads them as they are where it rests, so
+// that slices are held against fields as they are.
 
 #include <math.h>
 #include <stdio.h>
@@ -417,6 +417,11 @@ static void CompareSea(const swHost* host, swGpu* gpu, const char* name, uint32_
     printf("  %s\n", name);
     Sides sides = OpenSides(host, gpu, features);
     CompareQueries(&sides, count);
+    if ((features & NOT_DRAWN) != 0)
+    {
+        CloseSides(&sides);
+        sides = OpenSides(host, gpu, features & ~NOT_DRAWN);
+    }
     CompareSlices(&sides, RESOLUTION);
     CloseSides(&sides);
 }

@@ -299,8 +299,8 @@ static void CheckShape(void** state, Asker* asker, swInputShape shape, const cha
             fieldCount += 1;
         }
     }
-    printf("  %-10s %s %2d fields: values %.2g, slopes %.2g\n", name, middle.x < 1e4 ? "here:  " : "100 km:", fieldCount,
-           value, slope);
+    printf("  %-10s %s %2d fields: values %.2g, slopes %.2g\n", name,
+           middle.x < 1e4 ? "here:  " : "100 km:", fieldCount, value, slope);
     assert_true(fieldCount == SW_INPUT_FIELD_COUNT);
     assert_true(covered > fieldCount * POINTS / 10);
     assert_true(value < 1e-3);

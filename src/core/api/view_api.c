@@ -95,6 +95,16 @@ const float* swView_GetPlaces(const swView* view, int slice)
     return findLayer(view, slice, SW_LAYER_PLACES);
 }
 
+const float* swView_GetFlow(const swView* view, int slice)
+{
+    return findLayer(view, slice, SW_LAYER_FLOW);
+}
+
+const float* swView_GetFlowSlopes(const swView* view, int slice)
+{
+    return findLayer(view, slice, SW_LAYER_FLOW_SLOPES);
+}
+
 const float* swView_GetDisplacement(const swView* view, int slice)
 {
     return findLayer(view, slice, SW_LAYER_DISPLACEMENT);

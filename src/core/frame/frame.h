@@ -271,6 +271,10 @@ static inline swPosXZ swGetTileShift(const swTile* tile, int64_t ticks)
                      path.z - floor(path.z / tile->side) * tile->side};
 }
 
+// How far the first of two copies of waves in a flow is in its period, see shared/carry.h, a fraction of 2^32; the
+// second is half a turn ahead. `k` is swGetTileWaveNumber() or swGetOctaveWaveNumber(); `period` is in seconds.
+uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* period);
+
 // Variance of one free wave's slope.
 static inline float swGetFreeWaveSlope(const swFreeWave* wave)
 {

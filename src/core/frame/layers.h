@@ -68,6 +68,8 @@ enum
     SW_LAYERS
 };
 static_assert((int)SW_LAYER_PLACES == (int)SW_LAYER_INDEX_PLACES, "one order");
+static_assert((int)SW_LAYER_FLOW == (int)SW_LAYER_INDEX_FLOW, "one order");
+static_assert((int)SW_LAYER_FLOW_SLOPES == (int)SW_LAYER_INDEX_FLOW_SLOPES, "one order");
 static_assert((int)SW_LAYER_DISPLACEMENT == (int)SW_LAYER_INDEX_DISPLACEMENT, "one order");
 static_assert((int)SW_LAYER_DERIVATIVES == (int)SW_LAYER_INDEX_DERIVATIVES, "one order");
 static_assert((int)SW_LAYER_FOAM == (int)SW_LAYER_INDEX_FOAM, "one order");

@@ -4,6 +4,8 @@
 // maker are made by one call of it. Window, scrolling, clock, memory, saving, rewinding and digest follow from the
 // line.
 SW_LAYER(PLACES, places, Fields, .kind = SW_LAYER_IS_FIELD, .format = SW_TEXEL_RGBA32F, .rest = {1e30f})
+SW_LAYER(FLOW, flow, Fields, .kind = SW_LAYER_IS_FIELD, .format = SW_TEXEL_RGBA32F)
+SW_LAYER(FLOW_SLOPES, flow_slopes, Fields, .kind = SW_LAYER_IS_FIELD, .format = SW_TEXEL_RGBA16F)
 SW_LAYER(DISPLACEMENT, displacement, Slices, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_RGBA32F)
 SW_LAYER(DERIVATIVES, derivatives, Slices, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_RGBA16F, .isLinear = true)
 SW_LAYER(FOAM, foam, Foam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true, .hasPast = true,

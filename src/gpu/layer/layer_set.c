@@ -5,6 +5,8 @@
 #include "shared/view_layers.h"
 
 static_assert((int)SW_LAYERS_BINDING_PLACES == 1 + (int)SW_LAYER_PLACES, "a binding for each layer");
+static_assert((int)SW_LAYERS_BINDING_FLOW == 1 + (int)SW_LAYER_FLOW, "a binding for each layer");
+static_assert((int)SW_LAYERS_BINDING_FLOW_SLOPES == 1 + (int)SW_LAYER_FLOW_SLOPES, "a binding for each layer");
 static_assert((int)SW_LAYERS_BINDING_DISPLACEMENT == 1 + (int)SW_LAYER_DISPLACEMENT, "a binding for each layer");
 static_assert((int)SW_LAYERS_BINDING_DERIVATIVES == 1 + (int)SW_LAYER_DERIVATIVES, "a binding for each layer");
 static_assert((int)SW_LAYERS_BINDING_FOAM == 1 + (int)SW_LAYER_FOAM, "a binding for each layer");

@@ -83,7 +83,10 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewStat
     {
         slices[i].isKept = isStill && isSamePlace(&stack->slices[i], &state->made.slices[i]) ? 1 : 0;
     }
-    state->constants = (swFieldsConstants){.withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0};
+    state->constants = (swFieldsConstants){
+        .withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0,
+        .withFlow = stack->layers[SW_LAYER_FLOW].isAuthored ? 1 : 0,
+    };
     return result == SW_SUCCESS ? swUploadData(gpuWorld->gpu, slices, sizeof(slices), &state->slices) : result;
 }
 
@@ -157,6 +160,8 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
             .slices = swBindUpload(&s->views[i].slices),
             .blocks = swBindBuffer(&s->views[i].blocks),
             .places = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
+            .flow = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
+            .flowSlopes = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW_SLOPES), SW_SAMPLER_NEAREST_CLAMP),
         };
         uint32_t resolution = (uint32_t)view->resolution;
         swBindFields(gpu, commands, swFindVariant(&s->pipelines, &swFieldsShader, &s->views[i].constants), &bindings,
@@ -211,7 +216,8 @@ const swPass swPass_fields = {
     .name = "fields",
     .stateSize = sizeof(State),
     .reads = SW_INPUTS_BIT,
-    .writes = SW_LAYER_BIT(SW_LAYER_PLACES) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
+    .writes = SW_LAYER_BIT(SW_LAYER_PLACES) | SW_LAYER_BIT(SW_LAYER_FLOW) | SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES) |
+              SW_OUTPUT_BIT(SW_PASS_FIELDS),
     .upload = upload,
     .create = create,
     .record = record,
