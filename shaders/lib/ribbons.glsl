@@ -7,20 +7,19 @@
 #define SW_LIB_RIBBONS
 #include "shared/ribbon_looks.h"
 
-// Looks at a system's waves at a place: as they lie in the sea, and along two splines.
-#define SW_LOOKS 3u
-
 // Bits of the systems of which some waves run along splines near a place.
 uint ribbonSystemsAt(SeaPlace place)
 {
     return touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell) ? inputHead.ribbonSystems : 0u;
 }
 
-swWaveLooks looksAt(uint system, SeaPlace place)
+// A field at a place as fieldAt() has it, and of the waves of a system also those along splines. Call it in one place,
+// too, and instead of that.
+swWaveLooks looksAt(uint field, uint system, SeaPlace place)
 {
-    swWaveLooks looks = swWaveLooks(swGetFieldBelow(SW_FIELD_OF_WAVES), swBeginLooks());
-    looks.plain.value.x = isLocalSystem(system) ? 0.0 : looks.plain.value.x;
-    uint i = findInput(SW_FIELD_OF_WAVES, place.cell, place.cell, 0);
+    swWaveLooks looks = swWaveLooks(swGetFieldBelow(field), swBeginLooks());
+    looks.plain.value.x = field == SW_FIELD_OF_WAVES && isLocalSystem(system) ? 0.0 : looks.plain.value.x;
+    uint i = findInput(field, place.cell, place.cell, 0);
     while (i != SW_NO_RECORD)
     {
         swInputRecord record = inputRecords[i];
@@ -29,12 +28,12 @@ swWaveLooks looksAt(uint system, SeaPlace place)
             looks = swJoinLooks(record.firstWord, record, system, looks, place.cell.x, place.cell.y, place.rest.x,
                                 place.rest.y);
         }
-        i = findInput(SW_FIELD_OF_WAVES, place.cell, place.cell, i + 1);
+        i = findInput(field, place.cell, place.cell, i + 1);
     }
     return looks;
 }
 
-// Where waves are looked up in the sea, how much of them counts, and how they are turned.
+// Where waves along a spline are looked up in the sea, how much of them counts, and how they are turned.
 struct Look
 {
     Shape shape;
@@ -42,21 +41,11 @@ struct Look
     swRibbonSource source;
 };
 
-// The look number `i` of a place.
-Look lookOf(swWaveLooks looks, uint i, SeaPlace place)
+Look lookOf(swRibbonLook ribbon)
 {
-    if (i == 0)
-    {
-        vec3 weight = firstOf(looks.plain);
-        return Look(Shape(weight.x, weight.yz), place, swBeginLook().source);
-    }
-    swRibbonLook look = looks.ribbons.first;
-    if (i == 2)
-    {
-        look = looks.ribbons.second;
-    }
-    SeaPlace at = SeaPlace(ivec2(look.source.cellX, look.source.cellZ), vec2(look.source.restX, look.source.restZ));
-    return Look(Shape(look.weight.value, vec2(look.weight.alongX, look.weight.alongZ)), at, look.source);
+    swRibbonSource source = ribbon.source;
+    SeaPlace at = SeaPlace(ivec2(source.cellX, source.cellZ), vec2(source.restX, source.restZ));
+    return Look(Shape(ribbon.weight.value, vec2(ribbon.weight.alongX, ribbon.weight.alongZ)), at, source);
 }
 
 // Whether it adds anything.

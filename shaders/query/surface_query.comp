@@ -94,6 +94,9 @@ shared float shares[8][THREADS];
 // What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
 const uint ASKED = WITH_INPUTS ? 6 + SW_LIMIT_SYSTEMS : 1;
 shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
+// Looks at waves along splines, see keepLook().
+const uint KEPT_LOOKS = WITH_RIBBONS ? 8 * SW_QUERY_RIBBON_SYSTEMS : 1;
+shared vec4 keptLooks[KEPT_LOOKS][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -185,7 +188,7 @@ void addCarriedWavesMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane, inou
         uint end = min(waves[first].groupEnd, waveCount);
         Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
         float between = 0.5 * waves[first].carryPeriod;
-        if (turn % SW_QUERY_LANES == lane && !runsAlong(shaper, waves[first].system))
+        if (turn % SW_QUERY_LANES == lane)
         {
             Shape shape = shapeOf(shaper, waves[first].system, waves[first].waveNumber, waves[first].attenuation);
             shape = carried(shape, carry, between, shaper.flow, likenessOf(first, end, between * shaper.flow.velocity));
@@ -235,19 +238,17 @@ void addLookedWavesMotion(Look look, Flow flow, Ground ground, uint first, uint 
     }
 }
 
-// Adds the motion by systems of which some waves run along splines.
-void addRibbonMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Motion motion)
+// Adds the motion by waves along splines, see addRibbonWater().
+void addRibbonMotion(Shaper shaper, uint lane, vec4 cubic, inout Motion motion)
 {
-    SeaPlace place = seaPlaceAt(cell, rest);
     uint tileCount = params.water.tileCount, waveCount = params.water.waveCount;
-    uint systems = shaper.ribbonSystems & systemsOf(tileCount, waveCount);
+    uint systems = ribbonSystemsOf(shaper, tileCount, waveCount);
     for (; systems != 0; systems &= systems - 1)
     {
         uint system = findLSB(systems);
-        swWaveLooks looks = looksAt(system, place);
-        for (uint l = 0; l < SW_LOOKS; ++l)
+        for (uint l = 0; l < 2; ++l)
         {
-            Look look = lookOf(looks, l, place);
+            Look look = askedLook(system, l);
             Flow flow = turnFlowByLook(look, shaper.flow);
             for (uint i = 0; i < tileCount && isLookThere(look); ++i)
             {
@@ -278,10 +279,6 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     Motion motion = NO_MOTION;
     for (uint i = 0; i < params.water.tileCount; ++i)
     {
-        if (runsAlong(shaper, tiles[i].system))
-        {
-            continue;
-        }
         Motion own = NO_MOTION;
         Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
         if (doesCarry(shaper) && tiles[i].carryPeriod > 0.0)
@@ -296,7 +293,7 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     }
     if (WITH_RIBBONS && shaper.ribbonSystems != 0)
     {
-        addRibbonMotion(shaper, cell, rest, lane, cubic, motion);
+        addRibbonMotion(shaper, lane, cubic, motion);
     }
     if (doesCarry(shaper))
     {
@@ -305,10 +302,6 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     }
     for (uint i = lane; i < params.water.waveCount; i += SW_QUERY_LANES)
     {
-        if (runsAlong(shaper, waves[i].system))
-        {
-            continue;
-        }
         Motion own = NO_MOTION;
         addWaveMotion(waves[i], cell, rest, own);
         Shape shape = shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation);

@@ -25,7 +25,8 @@
 // `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
 // `shared vec3 placeValues[6 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constants `bool
 // WITH_INPUTS`, WITH_FLOW (inputs make the water flow; the buffer `likeness` is there), WITH_PLACE_FLOW (the flow is
-// wanted at the place that is asked for), WITH_DISPLACEMENT, and WITH_RIBBONS (some waves run along splines).
+// wanted at the place that is asked for), WITH_DISPLACEMENT, and WITH_RIBBONS (some waves run along splines, and
+// `shared vec4 keptLooks[8 * SW_QUERY_RIBBON_SYSTEMS][]` is there, with an element for each point).
 
 #include "lib/inputs.glsl"
 
@@ -211,10 +212,54 @@ bool areSystemsWeighted(SeaPlace place)
     return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
 }
 
-// Bits of the systems that are added by addRibbonWater().
+// Bits of the systems of which some waves run along splines near a place.
 uint ribbonSystemsNear(SeaPlace place)
 {
     return WITH_RIBBONS ? ribbonSystemsAt(place) : 0u;
+}
+
+// Where a system's looks are kept.
+uint slotOf(uint system)
+{
+    return bitCount(inputHead.ribbonSystems & ((1u << system) - 1u));
+}
+
+void keepLook(uint at, swRibbonLook look)
+{
+    uint point = gl_LocalInvocationIndex / SW_QUERY_LANES;
+    swRibbonSource source = look.source;
+    keptLooks[at][point] = vec4(look.weight.value, look.weight.alongX, look.weight.alongZ, 0.0);
+    keptLooks[at + 1][point] =
+        vec4(intBitsToFloat(source.cellX), intBitsToFloat(source.cellZ), source.restX, source.restZ);
+    keptLooks[at + 2][point] = source.way;
+    keptLooks[at + 3][point] = vec4(source.cosine, source.sine, source.turnX, source.turnZ);
+}
+
+// The first or the second look at a system's waves along splines, of what was asked last.
+Look askedLook(uint system, uint l)
+{
+    uint point = gl_LocalInvocationIndex / SW_QUERY_LANES, at = (slotOf(system) * 2 + l) * 4;
+    vec4 weight = keptLooks[at][point], place = keptLooks[at + 1][point], turn = keptLooks[at + 3][point];
+    swRibbonSource source = swRibbonSource(floatBitsToInt(place.x), floatBitsToInt(place.y), place.z, place.w,
+                                           keptLooks[at + 2][point], turn.x, turn.y, turn.z, turn.w);
+    return lookOf(swRibbonLook(swInputChannel(weight.x, weight.y, weight.z), source));
+}
+
+// A field at a place; the looks at a system's waves are kept.
+swInputValue askField(uint field, uint system, SeaPlace place)
+{
+    if (!WITH_RIBBONS)
+    {
+        return fieldAt(field, system, place);
+    }
+    swWaveLooks looks = looksAt(field, system, place);
+    bool isKept = field == SW_FIELD_OF_WAVES && (inputHead.ribbonSystems >> system & 1u) != 0;
+    if (isKept && slotOf(system) < SW_QUERY_RIBBON_SYSTEMS)
+    {
+        keepLook(slotOf(system) * 8, looks.ribbons.first);
+        keepLook(slotOf(system) * 8 + 4, looks.ribbons.second);
+    }
+    return looks.plain;
 }
 
 // A lane's part of what is asked for a point of a cell, at a place in it and a rest place. Lanes meet before they read.
@@ -222,13 +267,8 @@ void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
 {
     SeaPlace atRest = seaPlaceAt(cell, rest);
     uint count = areSystemsWeighted(atRest) ? ASKED_SYSTEMS + SW_LIMIT_SYSTEMS : ASKED_SYSTEMS;
-    uint ribbonSystems = ribbonSystemsNear(atRest); // which are asked for where they are added
     for (uint i = lane; i < count; i += SW_QUERY_LANES)
     {
-        if (i >= ASKED_SYSTEMS && (ribbonSystems >> (i - ASKED_SYSTEMS) & 1u) != 0)
-        {
-            continue;
-        }
         uint field = i < ASKED_FLOOR     ? SW_FIELD_OF_LEVEL
                      : i == ASKED_FLOOR  ? SW_FIELD_OF_FLOOR
                      : i < ASKED_SYSTEMS ? SW_FIELD_OF_FLOW
@@ -238,7 +278,12 @@ void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
             continue;
         }
         bool isAtPlace = i == ASKED_PLACE_LEVEL || i == ASKED_PLACE_FLOW;
-        swInputValue value = fieldAt(field, i - ASKED_SYSTEMS, isAtPlace ? seaPlaceAt(cell, place) : atRest);
+        SeaPlace asked = atRest;
+        if (isAtPlace)
+        {
+            asked = seaPlaceAt(cell, place);
+        }
+        swInputValue value = askField(field, i - ASKED_SYSTEMS, asked);
         placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = i == ASKED_FLOW_Z       ? secondOf(value)
                                                                    : i == ASKED_PLACE_FLOW ? value.value.xyz
                                                                                            : firstOf(value);
@@ -285,11 +330,6 @@ Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)
 {
     vec3 weight = shaper.isWeighted ? askedOf(ASKED_SYSTEMS + system) : vec3(1.0, 0.0, 0.0);
     return attenuated(Shape(weight.x, weight.yz), shaper.ground, k, attenuation);
-}
-
-bool runsAlong(Shaper shaper, uint system)
-{
-    return WITH_RIBBONS && (shaper.ribbonSystems >> system & 1u) != 0;
 }
 
 swAttenuation attenuationOf(swQueryTile tile)
@@ -395,7 +435,7 @@ void addCarriedWaves(Shaper shaper, uint waveCount, ivec2 cell, vec2 rest, uint 
     for (uint first = 0; first < waveCount; ++turn)
     {
         uint end = min(waves[first].groupEnd, waveCount);
-        if (turn % SW_QUERY_LANES == lane && !runsAlong(shaper, waves[first].system))
+        if (turn % SW_QUERY_LANES == lane)
         {
             Shape shape = shapeOf(shaper, waves[first].system, waves[first].waveNumber, waves[first].attenuation);
             Sum own = carriedWaves(first, end, shaper.flow, cell, rest, shape);
@@ -496,20 +536,27 @@ void addLookedWaves(Look look, Flow flow, Ground ground, uint first, uint end, i
     }
 }
 
-// Adds the systems of which some waves run along splines, one after the other: what is asked for one of them is too
-// much to be kept for all. Groups of free waves go round the lanes.
-void addRibbonWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, vec4 cubic,
-                    inout Sum sum)
+// Bits of the systems among the first tiles and free waves some of whose waves run along splines here.
+uint ribbonSystemsOf(Shaper shaper, uint tileCount, uint waveCount)
 {
-    SeaPlace place = seaPlaceAt(cell, rest);
     uint systems = shaper.ribbonSystems & systemsOf(tileCount, waveCount);
+    for (uint bits = systems; bits != 0; bits &= bits - 1)
+    {
+        systems &= slotOf(findLSB(bits)) < SW_QUERY_RIBBON_SYSTEMS ? ~0u : ~(1u << findLSB(bits));
+    }
+    return systems;
+}
+
+// Adds waves along splines. Groups of free waves go round the lanes.
+void addRibbonWater(Shaper shaper, uint tileCount, uint waveCount, uint lane, vec4 cubic, inout Sum sum)
+{
+    uint systems = ribbonSystemsOf(shaper, tileCount, waveCount);
     for (; systems != 0; systems &= systems - 1)
     {
         uint system = findLSB(systems);
-        swWaveLooks looks = looksAt(system, place);
-        for (uint l = 0; l < SW_LOOKS; ++l)
+        for (uint l = 0; l < 2; ++l)
         {
-            Look look = lookOf(looks, l, place);
+            Look look = askedLook(system, l);
             Flow flow = turnFlowByLook(look, shaper.flow);
             for (uint i = 0; i < tileCount && isLookThere(look); ++i)
             {
@@ -538,10 +585,6 @@ void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, v
     vec4 cubic = splineCubic(lane);
     for (uint i = 0; i < tileCount; ++i)
     {
-        if (runsAlong(shaper, tiles[i].system))
-        {
-            continue;
-        }
         Sum own = NO_WATER;
         Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
         if (doesCarry(shaper) && tiles[i].carryPeriod > 0.0)
@@ -556,7 +599,7 @@ void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, v
     }
     if (WITH_RIBBONS && shaper.ribbonSystems != 0)
     {
-        addRibbonWater(shaper, tileCount, waveCount, cell, rest, lane, cubic, sum);
+        addRibbonWater(shaper, tileCount, waveCount, lane, cubic, sum);
     }
     if (doesCarry(shaper))
     {
@@ -565,10 +608,6 @@ void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, v
     }
     for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
     {
-        if (runsAlong(shaper, waves[i].system))
-        {
-            continue;
-        }
         Sum own = NO_WATER;
         addWave(waves[i], cell, rest, own);
         addShaped(shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation), own, sum);

@@ -107,7 +107,17 @@ Shape weightOf(uint system, uint column, uint row)
     {
         return Shape(1.0, vec2(0.0));
     }
-    vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
+    SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row);
+    swInputValue value;
+    if (WITH_RIBBONS)
+    {
+        value = looksAt(SW_FIELD_OF_WAVES, system, place).plain;
+    }
+    else
+    {
+        value = fieldAt(SW_FIELD_OF_WAVES, system, place);
+    }
+    vec3 weight = firstOf(value);
     return Shape(weight.x, weight.yz);
 }
 
@@ -226,6 +236,10 @@ void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, Gr
 {
     Way way = wayTo(look.at);
     uint tileCount = list.count + list.windowCount;
+    if (!isLookThere(look))
+    {
+        return;
+    }
     for (uint k = 0; k < tileCount; ++k)
     {
         if (tiles[list.first + k].system == system)
@@ -250,7 +264,7 @@ void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, Gr
     }
 }
 
-// Adds the systems of which some waves run along splines, one after the other.
+// Adds waves along splines.
 void addRibbons(inout Run run, swSliceList list, uint column, uint lowest)
 {
     uint systems = 0;
@@ -267,17 +281,10 @@ void addRibbons(inout Run run, swSliceList list, uint column, uint lowest)
         uint system = findLSB(systems);
         for (uint i = 0; i < SW_SHAPED_RUN; ++i)
         {
-            Ground ground = groundOf(column, lowest + i);
             SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, lowest + i);
-            swWaveLooks looks = looksAt(system, place);
-            for (uint l = 0; l < SW_LOOKS; ++l)
-            {
-                Look look = lookOf(looks, l, place);
-                if (isLookThere(look))
-                {
-                    addLook(run, i, list, system, look, ground);
-                }
-            }
+            swRibbonLooks looks = looksAt(SW_FIELD_OF_WAVES, system, place).ribbons;
+            addLook(run, i, list, system, lookOf(looks.first), groundOf(column, lowest + i));
+            addLook(run, i, list, system, lookOf(looks.second), groundOf(column, lowest + i));
         }
     }
 }
@@ -304,8 +311,7 @@ void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
         uint its = isTile ? tile.system : wave.system;
         float number = isTile ? tile.waveNumber : wave.waveNumber;
         swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
-        bool runsAlong = (ribbonSystemsOfBlock() >> its & 1u) != 0;
-        if (runsAlong || !isShapedIn(fieldBlock, its, number, attenuation))
+        if (!isShapedIn(fieldBlock, its, number, attenuation))
         {
             continue;
         }

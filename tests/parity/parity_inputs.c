@@ -219,13 +219,14 @@ static bool AddShape(Parity* parity, swInputShape shape, swInputField field, swI
     swInputDef def = swDefaultInputDef();
     def.field = field;
     def.shape = shape;
-    def.blend = blend;
+    def.blend = field == SW_INPUT_BODY ? SW_BLEND_REPLACE : blend; // numbers of bodies do not mix
+    def.followsWaves = field == SW_INPUT_DISPLACEMENT;
     def.position = (swPos){middle.x, 0.4, middle.z};
     def.rotation.yaw = 0.6f;
     def.size = (swVec3){220.0f, 10.0f, 160.0f};
     def.feather = 30.0f;
     def.weight = 0.9f;
-    def.value[0] = field == SW_INPUT_FLOOR ? -7.0f : 0.6f;
+    def.value[0] = field == SW_INPUT_FLOOR ? -7.0f : field == SW_INPUT_BODY ? 2.0f : 0.6f;
     def.value[1] = 0.3f;
     def.value[2] = -0.2f;
     def.value[3] = 0.5f;

@@ -142,6 +142,7 @@ enum
     LACKS_FUNCTIONS,
     LACKS_FLOW,
     LACKS_DISPLACEMENT,
+    LACKS_RIBBONS,
     LACKS_FLOORS_BELOW, // of queries of the water below, like the next
     LACKS_WEIGHTS_BELOW,
     LACKS_COUNT
@@ -163,6 +164,32 @@ static uint32_t findLacks(const swInputSet* set)
     return lacks;
 }
 
+// Whether waves of a system run along splines that queries have no room for, see keepLook() in surface_search.glsl.
+static bool isRibbonLeftOut(const swInputSet* set, int system)
+{
+    uint32_t below = set->ribbonSystems & ((1u << system) - 1u);
+    int slot = 0;
+    for (; below != 0; below &= below - 1)
+    {
+        slot += 1;
+    }
+    return (set->ribbonSystems >> system & 1u) != 0 && slot >= SW_QUERY_RIBBON_SYSTEMS;
+}
+
+static uint32_t findLackedRibbons(const swFrame* frame)
+{
+    bool isLeftOut = false;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        isLeftOut = isLeftOut || isRibbonLeftOut(frame->inputs, frame->tiles[i].system);
+    }
+    for (int i = 0; i < frame->waveCount; ++i)
+    {
+        isLeftOut = isLeftOut || isRibbonLeftOut(frame->inputs, frame->waves[i].system);
+    }
+    return (isLeftOut ? 1u : 0u) << LACKS_RIBBONS;
+}
+
 static void tellLacks(swGpuWorld* gpuWorld)
 {
     static const char* const told[LACKS_COUNT] = {
@@ -170,6 +197,8 @@ static void tellLacks(swGpuWorld* gpuWorld)
         [LACKS_FLOW] = "layers, queries and rays of the GPU leave out flow",
         [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs, which a view "
                                "with CPU layers on a software device has",
+        [LACKS_RIBBONS] = "queries and rays of the GPU leave out waves along splines of all but the first 8 systems "
+                          "that have such waves",
         [LACKS_FLOORS_BELOW] = "queries of the water below on the GPU leave out what a floor does to the motion there",
         [LACKS_WEIGHTS_BELOW] = "queries of the water below on the GPU leave out what weights of wave systems do to "
                                 "the motion there",
@@ -214,6 +243,7 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded
     inputs->lacks = inputs->isBrought ? findLacks(set) : inputs->isAuthored ? inputs->lacks : 0;
+    inputs->lacks |= inputs->hasRibbons ? findLackedRibbons(frame) : 0;
     tellLacks(gpuWorld);
     return inputs->isBrought ? bringInputs(gpuWorld->gpu, set, inputs) : SW_SUCCESS;
 }
