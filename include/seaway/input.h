@@ -285,6 +285,9 @@ typedef struct swInputDef
     int internalValue;
 } swInputDef;
 
+/// How many numbers a field has, 1 to 4: those of swInputDef::value that count.
+SW_API int swInputField_CountNumbers(swInputField field);
+
 SW_API swInputDef swDefaultInputDef(void);
 SW_API const swFields* swGetInputFields(void);
 
@@ -348,7 +351,7 @@ typedef struct swFieldSamples
     swWaveSystemId system;
     float* clip;    ///< above 0.5: no water. It rises from 0 to 1 within 1 m across the edge of still water
     float* foam;    ///< made by inputs, per second
-    swVec4* albedo; ///< red, green, blue, cover
+    swVec4* albedo; ///< red, green, blue, each times the cover; and the cover
     swVec2* wind;   ///< m/s along x and z, by inputs
     float* shadow;
     swVec3* displacement; ///< by inputs alone, m

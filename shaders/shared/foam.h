@@ -42,8 +42,12 @@ SW_PARAMS(swFoamSliceParams)
     float dt;         // s
     float start;      // of texels without a past
     sw_uint isSteady; // 1: no texel has a past
+    float texel;      // m
+    float currentX;   // that carries foam beside the flow, m/s
+    float currentZ;
+    float unused;
 };
-SW_PARAMS_SIZE(swFoamSliceParams, 32);
+SW_PARAMS_SIZE(swFoamSliceParams, 48);
 
 // Foam that inputs and shores make, over one frame, the same for all slices.
 SW_PARAMS(swMadeFoamParams)
@@ -55,9 +59,10 @@ SW_PARAMS(swMadeFoamParams)
     float dt;            // s
     sw_uint isSteady;    // 1: no texel has a past
     sw_uint isWake;      // 1: what inputs make, 0: what shores make
-    sw_uint unused;
+    float currentX;      // that carries foam beside the flow, m/s
+    float currentZ;
 };
-SW_PARAMS_SIZE(swMadeFoamParams, 32);
+SW_PARAMS_SIZE(swMadeFoamParams, 36);
 
 // E[max(x + n, 0)] of a standard normal n. The tail is the density over a cubic fitted to the exact ratio: its relative
 // error stays below 0.5 % down to x = -5, where foam in a light breeze is decided.

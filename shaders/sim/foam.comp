@@ -12,6 +12,8 @@
 #include "shared/waves.h"
 
 layout(local_size_x = SW_FOAM_BLOCK * SW_FOAM_BLOCK) in;
+layout(constant_id = 0) const bool WITH_TRANSPORT = true; // water carries foam,
+layout(constant_id = 1) const bool WITH_FLOW = true;      // and not only a current that is the same everywhere
 
 layout(std430, binding = 0) readonly buffer Slices
 {
@@ -24,42 +26,45 @@ layout(std430, binding = 1) readonly buffer Sources
 layout(binding = 2, rgba32f) uniform readonly image2DArray displacement;
 layout(binding = 3, r32f) uniform readonly image2DArray previous;
 layout(binding = 4, r32f) uniform writeonly image2DArray nextFoam;
+layout(binding = 5, rgba32f) uniform readonly image2DArray flow;
+layout(binding = 6, rgba16f) uniform readonly image2DArray flowSlopes;
 layout(push_constant) uniform Push
 {
     int resolution;
 };
-
-float foamAt(int slice, int x, int z)
-{
-    return imageLoad(previous, ivec3(x, z, slice)).x;
-}
 
 float jacobianAt(int slice, int x, int z)
 {
     return imageLoad(displacement, ivec3(x, z, slice)).w;
 }
 
-// Foam of the frame before at a texel; false if no slice of the previous stack held it.
-bool readPrevious(ivec3 at, out float foam)
+swPastSource pastSource(int slice, int i)
 {
-    foam = 0.0;
-    for (int i = 0; i < SW_PAST_SOURCES; ++i)
+    return sources[slice * (SW_PAST_SOURCES + 1) + i];
+}
+
+float pastAt(int slice, int x, int z)
+{
+    return imageLoad(previous, ivec3(x, z, slice)).x;
+}
+
+#include "lib/transport.glsl"
+
+// How far upstream a texel's foam was, in texels.
+vec2 upstreamOf(ivec3 at, swFoamSliceParams slice)
+{
+    if (!WITH_TRANSPORT)
     {
-        swPastSource source = sources[at.z * (SW_PAST_SOURCES + 1) + i];
-        if (source.slice < 0)
-        {
-            return false;
-        }
-        PastTap tap = findTap(source, at.xy, resolution);
-        if (tap.isHeld)
-        {
-            ivec2 next = nextTexel(tap);
-            foam = blend(foamAt(source.slice, tap.texel.x, tap.texel.y), foamAt(source.slice, next.x, tap.texel.y),
-                         foamAt(source.slice, tap.texel.x, next.y), foamAt(source.slice, next.x, next.y), tap.along);
-            return true;
-        }
+        return vec2(0.0);
     }
-    return false;
+    vec2 velocity = vec2(slice.currentX, slice.currentZ);
+    vec4 slopes = vec4(0.0);
+    if (WITH_FLOW)
+    {
+        velocity += imageLoad(flow, at).xy;
+        slopes = imageLoad(flowSlopes, at);
+    }
+    return findUpstream(velocity, slopes, slice.dt, slice.texel);
 }
 
 // J where the slice finds its folds; flat water beyond what is known.
@@ -86,7 +91,7 @@ void main()
     swFoamSliceParams slice = slices[at.z];
     float birth = slice.growth * swFoamFold(readJacobian(at), slice.threshold, slice.rest);
     float foam;
-    bool hasPast = slice.isSteady == 0 && readPrevious(at, foam);
+    bool hasPast = slice.isSteady == 0 && readPast(at, upstreamOf(at, slice), foam);
     foam =
         hasPast ? swFoamStep(foam, birth, slice.fadeRate, slice.dt) : swFoamStart(birth, slice.fadeRate, slice.start);
     imageStore(nextFoam, at, vec4(foam, 0.0, 0.0, 0.0));

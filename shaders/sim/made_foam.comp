@@ -11,7 +11,9 @@
 #include "shared/waves.h"
 
 layout(local_size_x = SW_FOAM_BLOCK * SW_FOAM_BLOCK) in;
-layout(constant_id = 0) const bool WITH_INPUTS = true; // some input makes foam
+layout(constant_id = 0) const bool WITH_INPUTS = true;    // some input makes foam
+layout(constant_id = 1) const bool WITH_TRANSPORT = true; // water carries foam,
+layout(constant_id = 2) const bool WITH_FLOW = true;      // and not only a current that is the same everywhere
 
 layout(std430, binding = 0) readonly buffer InputHead
 {
@@ -45,6 +47,8 @@ layout(binding = 7, rgba32f) uniform readonly image2DArray displacement;
 layout(binding = 8, rgba32f) uniform readonly image2DArray places;
 layout(binding = 9, r32f) uniform readonly image2DArray previous;
 layout(binding = 10, r32f) uniform writeonly image2DArray nextFoam;
+layout(binding = 11, rgba32f) uniform readonly image2DArray flow;
+layout(binding = 12, rgba16f) uniform readonly image2DArray flowSlopes;
 layout(push_constant) uniform Push
 {
     int resolution;
@@ -53,32 +57,33 @@ layout(push_constant) uniform Push
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
 
-float foamAt(int slice, int x, int z)
+swPastSource pastSource(int slice, int i)
+{
+    return sources[slice * SW_PAST_SOURCES + i];
+}
+
+float pastAt(int slice, int x, int z)
 {
     return imageLoad(previous, ivec3(x, z, slice)).x;
 }
 
-// Foam of the frame before at a texel; false if no slice of the previous stack held it.
-bool readPrevious(ivec3 at, out float foam)
+#include "lib/transport.glsl"
+
+// How far upstream a texel's foam was, in texels.
+vec2 upstreamOf(ivec3 at)
 {
-    foam = 0.0;
-    for (int i = 0; i < SW_PAST_SOURCES; ++i)
+    if (!WITH_TRANSPORT)
     {
-        swPastSource source = sources[at.z * SW_PAST_SOURCES + i];
-        if (source.slice < 0)
-        {
-            return false;
-        }
-        PastTap tap = findTap(source, at.xy, resolution);
-        if (tap.isHeld)
-        {
-            ivec2 next = nextTexel(tap);
-            foam = blend(foamAt(source.slice, tap.texel.x, tap.texel.y), foamAt(source.slice, next.x, tap.texel.y),
-                         foamAt(source.slice, tap.texel.x, next.y), foamAt(source.slice, next.x, next.y), tap.along);
-            return true;
-        }
+        return vec2(0.0);
     }
-    return false;
+    vec2 velocity = vec2(params.currentX, params.currentZ);
+    vec4 slopes = vec4(0.0);
+    if (WITH_FLOW)
+    {
+        velocity += imageLoad(flow, at).xy;
+        slopes = imageLoad(flowSlopes, at);
+    }
+    return findUpstream(velocity, slopes, params.dt, slices[at.z].texel);
 }
 
 // Per second.
@@ -102,6 +107,6 @@ void main()
 {
     ivec3 at = ivec3(gl_WorkGroupID.xy * SW_FOAM_BLOCK + blockPlace(gl_LocalInvocationIndex), gl_WorkGroupID.z);
     float foam;
-    bool hasPast = params.isSteady == 0 && readPrevious(at, foam);
+    bool hasPast = params.isSteady == 0 && readPast(at, upstreamOf(at), foam);
     imageStore(nextFoam, at, vec4(swMadeFoamStep(foam, hasPast, birthAt(at), params), 0.0, 0.0, 0.0));
 }

@@ -32,10 +32,11 @@ const vec3 grass = vec3(0.068, 0.105, 0.034);
 const vec3 scrub = vec3(0.15, 0.135, 0.065);
 const vec3 rock = vec3(0.25, 0.23, 0.205);
 
-// Noise by place, of octaves from `wavelength` down to what a pixel shows.
-float noiseAt(vec2 place, float wavelength, float pixel)
+// Noise by place, of octaves from `wavelength` down to what a pixel shows, and its slopes.
+vec3 noiseAt(vec2 place, float wavelength, float pixel)
 {
-    return fractalNoise(place / wavelength, 6, 1.5 * pixel / wavelength);
+    vec3 noise = fractalNoiseSlopes(place / wavelength, 6, 1.5 * pixel / wavelength);
+    return vec3(noise.x, noise.yz / wavelength);
 }
 
 // What wet ground sends back: light is caught in the film of water, so that it is seen darker [Lekner 1988].
@@ -44,15 +45,17 @@ vec3 wetted(vec3 albedo)
     return albedo * 0.55 / (1.0 - 0.45 * albedo);
 }
 
-// Noise of the ground at a place: patches of some ten metres, and what is between them.
+// Noise of the ground at a place: patches of some ten metres, and what is between them, with their slopes.
 struct Relief
 {
     float patches, tufts, grain;
+    vec2 tuftSlopes, grainSlopes;
 };
 
 Relief reliefAt(vec2 place, float pixel)
 {
-    return Relief(noiseAt(place, 45.0, pixel), noiseAt(place.yx + 7.0, 9.0, pixel), noiseAt(place + 3.0, 1.1, pixel));
+    vec3 tufts = noiseAt(place.yx + 7.0, 9.0, pixel), grain = noiseAt(place + 3.0, 1.1, pixel);
+    return Relief(noiseAt(place, 45.0, pixel).x, tufts.x, grain.x, tufts.zy, grain.yz);
 }
 
 // How much grows at a height above where waves reach, on a slope.
@@ -75,6 +78,15 @@ vec3 groundAlbedo(Relief relief, float height, float steepness)
     return clamp(mix(mix(bare, green, growthAt(relief, height, steepness)), stone, bed), 0.0, 1.0);
 }
 
+// Slopes of the ground's own relief, which is finer than what is drawn: tufts, stones, ripples of sand.
+vec2 reliefSlopes(Relief relief, float growth, float steepness)
+{
+    float stone = smoothstep(0.4, 0.75, steepness);
+    vec2 bare = 0.05 * relief.tuftSlopes + 0.03 * relief.grainSlopes;
+    vec2 green = 0.55 * relief.tuftSlopes + 0.16 * relief.grainSlopes;
+    return mix(mix(bare, green, growth), 1.3 * relief.tuftSlopes + 0.30 * relief.grainSlopes, stone);
+}
+
 void main()
 {
     if (known < 0.999) // interpolation rounds
@@ -91,10 +103,11 @@ void main()
     float steepness = length(slopes);
     float rise = height / push.wetHeight;
     vec3 albedo = groundAlbedo(relief, rise, steepness);
-    vec3 normal = normalize(vec3(-slopes.x, 1.0, -slopes.y));
+    float growth = growthAt(relief, rise, steepness);
+    vec2 fine = slopes + reliefSlopes(relief, growth, steepness);
+    vec3 normal = normalize(vec3(-fine.x, 1.0, -fine.y));
     // Between tufts there is less light.
-    float open =
-        (0.5 + 0.5 * normal.y) * mix(1.0, clamp(0.8 + 0.9 * relief.tufts, 0.4, 1.0), growthAt(relief, rise, steepness));
+    float open = (0.5 + 0.5 * normal.y) * mix(1.0, clamp(0.8 + 0.9 * relief.tufts, 0.4, 1.0), growth);
     vec3 level = light.sun.rgb * max(picture.sun.y, 0.0) + light.sky.rgb;
     vec3 illuminance = light.sun.rgb * max(dot(normal, picture.sun), 0.0) * smoothstep(-0.02, 0.05, picture.sun.y) +
                        light.sky.rgb * open + 0.25 * level * (1.0 - open);

@@ -94,6 +94,18 @@ swResult swReadWaterBodies(swYaml* yaml, yaml_node_t* node, const swSceneReader*
     return result;
 }
 
+void swAddBodyTrees(swTree* tree, int list, const swScene* scene)
+{
+    for (int i = 0; i < scene->waterBodyCount && !tree->isBroken; ++i)
+    {
+        const swSceneWaterBody* body = &scene->waterBodies[i];
+        int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
+        swSetTreeItem(tree, node, body->item - 1, false);
+        swAddCountedFields(tree, node, swGetWaterBodyFields(), &body->def);
+        swAddWavesNumber(tree, node, body->waves);
+    }
+}
+
 void swFreeWaterBodies(swScene* scene)
 {
     for (int i = 0; i < scene->waterBodyCount; ++i)

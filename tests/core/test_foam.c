@@ -42,30 +42,50 @@ static void SetJacobian(float jacobian)
     }
 }
 
-static void StepBed(swPos viewpoint, double seconds)
+typedef struct BedStep
 {
-    int64_t ticks = (int64_t)floor(seconds * SW_TICKS_PER_SECOND + 0.5);
-    swPlaceLayers(&bed.layers, viewpoint, 0.0, ticks, &bed.view);
+    swPos viewpoint;
+    double seconds;
+    float fade, start, currentX, currentZ;
+} BedStep;
+
+static void StepBedBy(BedStep by)
+{
+    int64_t ticks = (int64_t)floor(by.seconds * SW_TICKS_PER_SECOND + 0.5);
+    swPlaceLayers(&bed.layers, by.viewpoint, 0.0, ticks, &bed.view);
     bed.view.layers[SW_LAYER_DERIVATIVES].texels = bed.derivatives;
-    for (int i = 0; i < SLICES; ++i)
+    bed.view.layers[SW_LAYER_FOAM].isCarried = by.currentX != 0.0f || by.currentZ != 0.0f;
+    for (int i = 0; i < bed.layers.stack.sliceCount; ++i)
     {
         swFoamBirth birth = {.fold.slice = i, .rest.bend = 1.0f, .growth = 2.0f};
         memcpy(bed.view.layers[SW_LAYER_FOAM].params[i], &birth, sizeof birth);
     }
     swHost host = swDefaultHost();
-    swFrame frame = {.foam.fadeRate = FADE, .foamLaw = {.threshold = 0.5f, .cover = START}};
+    swFrame frame = {.foam.fadeRate = by.fade, .foamLaw = {.threshold = 0.5f, .cover = by.start}};
+    frame.foamLaw.currentX = by.currentX;
+    frame.foamLaw.currentZ = by.currentZ;
     swLayerStep step = {.host = &host, .frame = &frame, .stack = &bed.view};
     swStepLayers(&bed.layers, SW_LAYER_FOAM, 1, swStepFoam, &step, &bed.view);
 }
 
-static void MakeBed(float jacobian)
+static void StepBed(swPos viewpoint, double seconds)
+{
+    StepBedBy((BedStep){.viewpoint = viewpoint, .seconds = seconds, .fade = FADE, .start = START});
+}
+
+static void MakeBedOf(int slices, float jacobian)
 {
     memset(&bed, 0, sizeof bed);
-    swViewDef def = {.sliceCount = SLICES, .resolution = RESOLUTION, .finestTexel = 0.25f, .maxScaleLevel = 6};
+    swViewDef def = {.sliceCount = slices, .resolution = RESOLUTION, .finestTexel = 0.25f, .maxScaleLevel = 6};
     bed.layers = (swLayerStack){.stack = swMakeStack(&def), .hasTexels = true};
     bed.layers.states[SW_LAYER_FOAM] = (swLayerState){.texels = {bed.foam[0], bed.foam[1]}};
     SetJacobian(jacobian);
     StepBed((swPos){0.0, 1.0, 0.0}, 0.0);
+}
+
+static void MakeBed(float jacobian)
+{
+    MakeBedOf(SLICES, jacobian);
 }
 
 // Foam that says where in the world it lies. Smooth, so that a coarser lattice can hold it.
@@ -375,6 +395,258 @@ static void MadeFoamIsTheSameAtAnyRateOfFrames(void** state)
         assert_float_equal(shore[i], shore[0], 1e-5f);
         assert_true(shore[i] > 0.001f && shore[i] < 1.0f);
     }
+}
+
+// ---- foam that goes with the water ----
+
+#define NO_FADE 1e-9f
+
+// A blob of a deviation in texels of the finest slice about a place, in each slice.
+static void DropBlob(double x, double z, double deviation)
+{
+    for (int slice = 0; slice < bed.layers.stack.sliceCount; ++slice)
+    {
+        const swSlice* s = &bed.layers.stack.slices[slice];
+        for (int i = 0; i < TEXELS; ++i)
+        {
+            double dx = (PositionOf(s->firstX, i % RESOLUTION, s->texel) - x) / deviation;
+            double dz = (PositionOf(s->firstZ, i / RESOLUTION, s->texel) - z) / deviation;
+            *FoamAt(slice, i / RESOLUTION, i % RESOLUTION) = (float)exp(-0.5 * (dx * dx + dz * dz));
+        }
+    }
+}
+
+typedef struct Blob
+{
+    double mass, x, z, deviationX, deviationZ, peak; // in m, of a slice
+} Blob;
+
+static Blob MeasureBlob(int slice)
+{
+    const swSlice* s = &bed.layers.stack.slices[slice];
+    Blob blob = {0};
+    double sums[5] = {0};
+    for (int i = 0; i < TEXELS; ++i)
+    {
+        double foam = (double)*FoamAt(slice, i / RESOLUTION, i % RESOLUTION);
+        double x = PositionOf(s->firstX, i % RESOLUTION, s->texel), z = PositionOf(s->firstZ, i / RESOLUTION, s->texel);
+        blob.peak = fmax(blob.peak, foam);
+        sums[0] += foam;
+        sums[1] += foam * x;
+        sums[2] += foam * z;
+    }
+    blob.x = sums[1] / sums[0];
+    blob.z = sums[2] / sums[0];
+    for (int i = 0; i < TEXELS; ++i)
+    {
+        double foam = (double)*FoamAt(slice, i / RESOLUTION, i % RESOLUTION);
+        double x = PositionOf(s->firstX, i % RESOLUTION, s->texel), z = PositionOf(s->firstZ, i / RESOLUTION, s->texel);
+        sums[3] += foam * (x - blob.x) * (x - blob.x);
+        sums[4] += foam * (z - blob.z) * (z - blob.z);
+    }
+    blob.mass = sums[0] * s->texel * s->texel;
+    blob.deviationX = sqrt(sums[3] / sums[0]);
+    blob.deviationZ = sqrt(sums[4] / sums[0]);
+    return blob;
+}
+
+static void StepInCurrent(swPos viewpoint, double seconds, float x, float z)
+{
+    StepBedBy((BedStep){.viewpoint = viewpoint, .seconds = seconds, .fade = NO_FADE, .currentX = x, .currentZ = z});
+}
+
+static void FoamIsCarriedFarWithoutASmear(void** state)
+{
+    (void)state;
+    const double texels[2] = {2.0, 4.0};
+    for (int i = 0; i < 2; ++i)
+    {
+        MakeBedOf(1, 1.0f);
+        DropBlob(0.0, 0.0, texels[i] * 0.25);
+        Blob before = MeasureBlob(0);
+        double time = 0.0;
+        for (int step = 1; step <= 7500; ++step) // 250 s at 2 m/s
+        {
+            time = step / 30.0;
+            StepInCurrent((swPos){1.6 * time, 1.0, -1.2 * time}, step / 30.0 - (step - 1) / 30.0, 1.6f, -1.2f);
+        }
+        Blob after = MeasureBlob(0);
+        double steps = (double)bed.layers.states[SW_LAYER_FOAM].clock.clock;
+        print_message("500 m, 2,000 texels: deviation %.2f texels to %.2f along x and %.2f along z, mass %.3f, peak "
+                      "%.3f, off by %.3f and %.3f m\n",
+                      before.deviationX / 0.25, after.deviationX / 0.25, after.deviationZ / 0.25,
+                      after.mass / before.mass, after.peak, after.x - 1.6 * steps / 30.0, after.z + 1.2 * steps / 30.0);
+        assert_true(fabs(after.x - 1.6 * steps / 30.0) < 0.25 && fabs(after.z + 1.2 * steps / 30.0) < 0.25);
+        assert_true(after.deviationX < before.deviationX + 0.25 * (i == 0 ? 2.0 : 0.5));
+        assert_true(after.mass > 0.95 * before.mass && after.mass < (i == 0 ? 1.35 : 1.02) * before.mass);
+        assert_true(after.peak > (i == 0 ? 0.4 : 0.85));
+    }
+}
+
+// What comes into a fine slice from upstream was in a coarser one.
+static void FoamComesInOverTheEdgeOfASlice(void** state)
+{
+    (void)state;
+    MakeBedOf(3, 1.0f);
+    DropBlob(-12.0, 0.0, 1.5); // the finest slice reaches to 8 m, the next to 16 m
+    assert_true(MeasureBlob(0).peak < 0.1);
+    for (int step = 1; step <= 180; ++step)
+    {
+        StepInCurrent((swPos){0.0, 1.0, 0.0}, 1.0 / 30.0 + 1e-7, 2.0f, 0.0f);
+    }
+    Blob blob = MeasureBlob(0);
+    print_message("over the edge: peak %.3f at (%.2f, %.2f)\n", blob.peak, blob.x, blob.z);
+    assert_true(blob.peak > 0.9 && fabs(blob.x) < 0.2 && fabs(blob.z) < 0.1);
+}
+
+// An eddy that turns like a disc about a place, in 12.6 s once.
+static void TurnAround(void* context, double time, int count, const swPosXZ* points, swInputAnswer* answers)
+{
+    (void)context;
+    (void)time;
+    for (int i = 0; i < count; ++i)
+    {
+        answers[i] = (swInputAnswer){.share = 1.0f,
+                                     .value = {(float)(-0.5 * points[i].z), (float)(0.5 * points[i].x)},
+                                     .valueAlongX = {0.0f, 0.5f},
+                                     .valueAlongZ = {-0.5f, 0.0f}};
+    }
+}
+
+typedef struct CarryCase
+{
+    const double* frames;
+    int count;
+    bool isEddy;
+    float currentX;
+    double seconds;
+} CarryCase;
+
+static float carried[3][2 * TEXELS]; // of whitecaps, inputs and shores; both slices
+
+// A spot where an input made foam for half a second, in an eddy or a current.
+static void CarryFoam(const CarryCase* c)
+{
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swWorld* world = NULL;
+    swView* view = NULL;
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    swViewDef viewDef = swDefaultViewDef();
+    viewDef.sliceCount = 2;
+    viewDef.resolution = RESOLUTION;
+    viewDef.finestTexel = 0.25f;
+    viewDef.enableCpuLayers = true;
+    assert_int_equal(swCreateView(world, &viewDef, &view), SW_SUCCESS);
+    swInputDef floor = swDefaultInputDef(), maker = swDefaultInputDef(), flow = swDefaultInputDef();
+    floor.shape = SW_SHAPE_CIRCLE;
+    floor.size = (swVec3){12.0f, 0.0f, 12.0f};
+    floor.feather = 5.0f;
+    floor.value[0] = 2.0f;
+    maker.field = SW_INPUT_FOAM;
+    maker.shape = SW_SHAPE_CIRCLE;
+    maker.size = (swVec3){2.0f, 0.0f, 2.0f};
+    maker.feather = 0.8f;
+    maker.position.x = 4.0;
+    maker.value[0] = 4.0f;
+    flow.field = SW_INPUT_FLOW;
+    flow.shape = SW_SHAPE_FUNCTION;
+    flow.size = (swVec3){15.0f, 0.0f, 15.0f};
+    flow.function = TurnAround;
+    swInputId id, makerId;
+    assert_int_equal(swCreateInput(world, &floor, &id), SW_SUCCESS);
+    assert_int_equal(swCreateInput(world, &maker, &makerId), SW_SUCCESS);
+    if (c->isEddy)
+    {
+        assert_int_equal(swCreateInput(world, &flow, &id), SW_SUCCESS);
+    }
+    swWaveSystemDef waves = swDefaultWaveSystemDef();
+    swWaveSystemId waveId;
+    waves.weight = 1e-5f; // too little to move foam, enough to say which way the current goes
+    waves.currentX = c->currentX;
+    assert_int_equal(c->isEddy ? SW_SUCCESS : swCreateWaveSystem(world, &waves, &waveId), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(world, 0.0), SW_SUCCESS);
+    double time = 0.0;
+    for (int i = 0; time < c->seconds - 1e-9; ++i)
+    {
+        double before = time;
+        time = fmin(time + c->frames[i % c->count], before < 0.51 ? 0.51 : c->seconds);
+        if (before == 0.51)
+        {
+            swDestroyInput(world, makerId);
+        }
+        assert_int_equal(swWorld_StepTo(world, time), SW_SUCCESS);
+    }
+    memcpy(carried[0], swView_GetFoam(view, 0), TEXELS * sizeof(float));
+    memcpy(carried[0] + TEXELS, swView_GetFoam(view, 1), TEXELS * sizeof(float));
+    memcpy(carried[1], swView_GetWakeFoam(view, 0), TEXELS * sizeof(float));
+    memcpy(carried[1] + TEXELS, swView_GetWakeFoam(view, 1), TEXELS * sizeof(float));
+    memcpy(carried[2], swView_GetShoreFoam(view, 0), TEXELS * sizeof(float));
+    memcpy(carried[2] + TEXELS, swView_GetShoreFoam(view, 1), TEXELS * sizeof(float));
+    swDestroyView(view);
+    swDestroyWorld(world);
+}
+
+static void FindSpot(const float* foam, double* x, double* z)
+{
+    double sum = 0.0;
+    *x = *z = 0.0;
+    for (int i = 0; i < TEXELS; ++i)
+    {
+        sum += (double)foam[i];
+        *x += (double)foam[i] * 0.25 * (i % RESOLUTION - RESOLUTION / 2);
+        *z += (double)foam[i] * 0.25 * (i / RESOLUTION - RESOLUTION / 2);
+    }
+    *x /= sum;
+    *z /= sum;
+}
+
+static void CarriedFoamIsTheSameAtAnyRateOfFrames(void** state)
+{
+    (void)state;
+    static float first[3][2 * TEXELS];
+    const double even[3] = {1.0 / 30.0, 1.0 / 60.0, 1.0 / 144.0}, uneven[5] = {0.01, 0.13, 0.002, 0.05, 0.3};
+    for (int i = 0; i < 4; ++i)
+    {
+        CarryFoam(
+            &(CarryCase){.frames = i < 3 ? &even[i] : uneven, .count = i < 3 ? 1 : 5, .isEddy = true, .seconds = 3.01});
+        if (i == 0)
+        {
+            memcpy(first, carried, sizeof first);
+        }
+        assert_memory_equal(first, carried, sizeof first);
+    }
+    float most = 0.0f, mostShore = 0.0f;
+    for (int i = 0; i < TEXELS; ++i)
+    {
+        most = fmaxf(most, carried[1][i]);
+        mostShore = fmaxf(mostShore, carried[2][i]);
+    }
+    assert_true(most > 0.3f && mostShore > 0.3f);
+}
+
+// It turns with the water, and neither nears the eye nor leaves it.
+static void FoamTurnsWithAnEddy(void** state)
+{
+    (void)state;
+    double frame = 1.0 / 30.0, x, z;
+    CarryFoam(&(CarryCase){.frames = &frame, .count = 1, .isEddy = true, .seconds = 12.01});
+    FindSpot(carried[1], &x, &z);
+    double angle = atan2(z, x), wanted = 0.5 * (360.0 / 30.0 - 0.25) - 6.283185307;
+    print_message("foam in an eddy: %.3f m from the eye, at %.3f rad where the water is at about %.3f\n",
+                  sqrt(x * x + z * z), angle, wanted);
+    assert_true(fabs(angle - wanted) < 0.03);
+    assert_true(fabs(sqrt(x * x + z * z) - 4.0) < 0.1); // of first order it would be 4.4
+}
+
+static void FoamGoesWithTheCurrentOfTheWaves(void** state)
+{
+    (void)state;
+    double frame = 1.0 / 60.0, x, z;
+    CarryFoam(&(CarryCase){.frames = &frame, .count = 1, .currentX = -1.5f, .seconds = 3.01});
+    FindSpot(carried[1], &x, &z);
+    print_message("foam in a current: at (%.3f, %.3f)\n", x, z);
+    assert_true(fabs(x - (4.0 - 1.5 * (3.0 - 0.25))) < 0.1 && fabs(z) < 0.01);
 }
 
 static void AFoldThatIsKnownIsExact(void** state)
@@ -816,6 +1088,11 @@ int main(void)
         cmocka_unit_test(ShoreFoamIsAsWideOnAnySlope),
         cmocka_unit_test(MadeFoamIsTheSameAtAnyRateOfFrames),
         cmocka_unit_test(StepsOfAnyLengthComeToTheSame),
+        cmocka_unit_test(FoamIsCarriedFarWithoutASmear),
+        cmocka_unit_test(FoamComesInOverTheEdgeOfASlice),
+        cmocka_unit_test(CarriedFoamIsTheSameAtAnyRateOfFrames),
+        cmocka_unit_test(FoamTurnsWithAnEddy),
+        cmocka_unit_test(FoamGoesWithTheCurrentOfTheWaves),
         cmocka_unit_test(AFoldThatIsKnownIsExact),
         cmocka_unit_test(CoverByWindLiesBetweenTheTwoLaws),
         cmocka_unit_test(SlicesOfAnyFinenessExpectTheFoldOfTheWholeSea),

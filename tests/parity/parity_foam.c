@@ -94,6 +94,27 @@ static void FoamAgreesAfterJumps(void** state)
     FreeParity(&parity);
 }
 
+static void FoamThatACurrentCarriesAgrees(void** state)
+{
+    Parity parity = MakeParity(state);
+    swWaveSystemDef def = swDefaultWaveSystemDef();
+    def.spectrum.windSpeed = 22.0f;
+    def.spectrum.fetch = 500e3f;
+    def.currentX = 1.5f;
+    def.currentZ = 0.5f;
+    AddParitySea(&parity, &def);
+    AddParityView(&parity, 4, 64, (swPos){-10.0, 2.0, 1e6});
+    Difference difference = {0};
+    for (int i = 0; i < 40; ++i)
+    {
+        swView_SetViewpoint(parity.view, (swPos){-10.0 - 0.21 * i, 2.0 + 0.2 * i, 1e6 + 0.13 * i});
+        StepParity(&parity, i % 7 == 0 ? 0.11 : 1.0 / 60.0);
+        difference = MaxDifference(difference, CompareLayer(&parity, SW_LAYER_FOAM));
+    }
+    CheckFoam(difference, "40 frames in a current");
+    FreeParity(&parity);
+}
+
 // Folds then come from a coarser slice.
 static void FoamOfLongWavesAgrees(void** state)
 {
@@ -136,9 +157,10 @@ static void RecordingAFrameTwiceDoesNotAgeFoam(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(FoamAgreesOverManyFrames),       cmocka_unit_test(FoamAgreesWhileSlicesScroll),
-        cmocka_unit_test(FoamAgreesWhileTheScaleChanges), cmocka_unit_test(FoamAgreesAfterJumps),
-        cmocka_unit_test(FoamOfLongWavesAgrees),          cmocka_unit_test(RecordingAFrameTwiceDoesNotAgeFoam),
+        cmocka_unit_test(FoamAgreesOverManyFrames),           cmocka_unit_test(FoamAgreesWhileSlicesScroll),
+        cmocka_unit_test(FoamAgreesWhileTheScaleChanges),     cmocka_unit_test(FoamAgreesAfterJumps),
+        cmocka_unit_test(FoamThatACurrentCarriesAgrees),      cmocka_unit_test(FoamOfLongWavesAgrees),
+        cmocka_unit_test(RecordingAFrameTwiceDoesNotAgeFoam),
     };
     return cmocka_run_group_tests_name("foam: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

@@ -72,6 +72,43 @@ static void FoamOfMovingInputsAgrees(void** state)
     FreeParity(&parity);
 }
 
+// A stream past the view, strongest in its middle.
+static void AddStream(Parity* parity, float size)
+{
+    swInputDef stream = swDefaultInputDef();
+    stream.field = SW_INPUT_FLOW;
+    stream.shape = SW_SHAPE_CIRCLE;
+    stream.size = (swVec3){size, 0.0f, size};
+    stream.feather = 0.5f * size;
+    stream.value[0] = 2.5f;
+    stream.value[1] = -1.0f;
+    swInputId id;
+    assert_int_equal(swCreateInput(parity->world, &stream, &id), SW_SUCCESS);
+}
+
+static void FoamThatWaterCarriesAgrees(void** state)
+{
+    Parity parity = MakeShore(state);
+    swInputId id = AddMaker(&parity, 6.0f, false);
+    AddShoal(&parity);
+    AddStream(&parity, 25.0f);
+    Difference difference = {0};
+    for (int i = 0; i < 60; ++i)
+    {
+        if (i == 30)
+        {
+            swDestroyInput(parity.world, id);
+        }
+        swView_SetViewpoint(parity.view, (swPos){0.05 * i, 2.0, 0.03 * i});
+        StepParity(&parity, i % 7 == 0 ? 0.21 : i % 5 == 0 ? 1.0 / 20.0 : 1.0 / 60.0);
+        difference = MaxDifference(difference, CompareLayer(&parity, SW_LAYER_WAKE_FOAM));
+    }
+    PrintDifference("60 frames of foam in a stream", difference, "");
+    assert_true(difference.worst < TOLERANCE && difference.scale > 0.01);
+    CheckLayer(&parity, SW_LAYER_SHORE_FOAM, "foam of a shore in the stream");
+    FreeParity(&parity);
+}
+
 static void FoamOfShoresAgrees(void** state)
 {
     Parity parity = MakeShore(state);
@@ -118,6 +155,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(FoamOfMovingInputsAgrees),
         cmocka_unit_test(FoamOfShoresAgrees),
+        cmocka_unit_test(FoamThatWaterCarriesAgrees),
         cmocka_unit_test(LayersComeAndGoWithInputs),
     };
     return cmocka_run_group_tests(tests, OpenParityGpu, CloseParityGpu);

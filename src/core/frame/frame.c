@@ -25,6 +25,9 @@ swFoamSliceParams swGetFoamParams(const swFrame* frame, const swStackFrame* stac
         .dt = seconds,
         .start = frame->foamLaw.cover,
         .isSteady = isSteady ? 1 : 0,
+        .texel = (float)stack->slices[i].texel,
+        .currentX = frame->foamLaw.currentX,
+        .currentZ = frame->foamLaw.currentZ,
     };
 }
 
@@ -39,6 +42,8 @@ swMadeFoamParams swGetMadeFoamParams(const swFrame* frame, int layer, float seco
         .dt = seconds,
         .isSteady = isSteady ? 1 : 0,
         .isWake = layer == SW_LAYER_WAKE_FOAM ? 1 : 0,
+        .currentX = frame->foamLaw.currentX,
+        .currentZ = frame->foamLaw.currentZ,
     };
 }
 

@@ -79,6 +79,16 @@ static inline double swFollowDrift(double from, double to, double passed, double
     return from * (passed < 0.0 ? passed : during) + bend + to * (passed - during > 0.0 ? passed - during : 0.0);
 }
 
+// The velocity at a time, m/s.
+static inline swVec2 swFindDriftVelocity(const swDrift* drift, int64_t ticks)
+{
+    double passed = (double)ticks - (double)drift->begin;
+    double share = drift->length > 0 ? passed / (double)drift->length : passed < 0.0 ? 0.0 : 1.0;
+    float done = share < 0.0 ? 0.0f : share < 1.0 ? (float)share : 1.0f;
+    return (swVec2){drift->fromX + (drift->toX - drift->fromX) * done,
+                    drift->fromZ + (drift->toZ - drift->fromZ) * done};
+}
+
 // The path at a time, m.
 static inline swPosXZ swFindDrift(const swDrift* drift, int64_t ticks)
 {
@@ -166,11 +176,14 @@ typedef struct swLayerFrame
 {
     int steps;    // to take now, 0 .. mostSteps
     float stepDt; // s
+    int64_t due;  // steps of the layer's rate that passed
     bool isReset; // first step, or a jump in time: nothing has a past
     // Of a layer on demand, set by its swPlan function: there is something in it. It has no texels otherwise, and is
     // the same everywhere, see swLayerInfo::rest. Before, what it was in the step before.
     bool isAuthored;
     bool isBegun; // of one with a past: it was held in the step before
+    // Set by its swPlan function: water carries it. Steps are then taken one by one, also of an exact layer.
+    bool isCarried;
     // For a reader that did not see every step: since it last looked, clock - then steps have passed, and there was a
     // reset if resetCount differs. It keeps the slices that it last saw, see core/lod/scroll.h.
     int64_t clock;
@@ -325,6 +338,8 @@ typedef struct swFoamLaw
     float growth;        // per second and unit of fold, where every wave is known
     float unknownGrowth; // the same where none is
     swFoamRest rest;     // of all waves that make foam
+    float currentX,
+        currentZ; // m/s along x and z: the waves' currents, of several the mean by how they strain the water
 } swFoamLaw;
 
 // A body of water as pictures see it, see core/input/water_bodies.h.
@@ -389,6 +404,13 @@ typedef struct swFrame
     int bodyCount;
     const swBodyFrame* bodies;
 } swFrame;
+
+// Whether water carries foam anywhere.
+static inline bool swIsFoamCarried(const swFrame* frame)
+{
+    return swHasInputs(frame->inputs, SW_INPUT_FLOW) || frame->foamLaw.currentX != 0.0f ||
+           frame->foamLaw.currentZ != 0.0f;
+}
 
 // The foam layer's parameters of slice `i`.
 static inline swFoamBirth swGetFoamBirth(const swStackFrame* stack, int i)

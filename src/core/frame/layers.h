@@ -47,11 +47,12 @@ typedef struct swLayerInfo
     int mostSteps;     // in one frame; more are taken as this many longer ones
     double longestGap; // s between two frames; what is longer is a jump, after which the layer starts anew
     bool isExact;      // n steps of dt are one of n dt, and one of no time changes nothing: the maker takes all at
-                       // once, and looks up the past by itself
+                       // once unless water carries the layer, and looks up the past by itself
     bool isSaved;
     bool isOnDemand; // held only while its swPlan function says that there is something in it; authored fields all are
-    float least, most; // what a saved texel may hold
-    float rest[4];     // of a layer on demand: what it is where it is not held
+    float least, most;       // what a saved texel may hold
+    float rest[4];           // of a layer on demand: what it is where it is not held
+    const char* channels[4]; // what each number is called, the first NULL ends them; none: a single amount
 } swLayerInfo;
 
 static inline bool swIsOnDemand(const swLayerInfo* info)

@@ -126,6 +126,11 @@ const swFields* swGetInputFields(void)
     return &swInputFields;
 }
 
+int swInputField_CountNumbers(swInputField field)
+{
+    return (int)swCountInputNumbers((sw_uint)field);
+}
+
 swInputDef swDefaultInputDef(void)
 {
     swInputDef def;

@@ -24,8 +24,16 @@ void swAdvanceLayerClock(swLayerClock* clock, const swLayerInfo* info, int64_t e
     }
     frame->steps = steps < info->mostSteps ? (int)steps : info->mostSteps;
     frame->stepDt = frame->steps == 0 ? 0.0f : (float)steps / (float)info->rate / (float)frame->steps;
+    frame->due = steps;
     frame->clock = clock->clock;
     frame->resetCount = clock->resetCount;
+}
+
+swCarriedSteps swFindCarriedSteps(const swLayerInfo* info, int64_t due)
+{
+    int count = due < SW_MOST_CARRIED_STEPS ? (int)due : SW_MOST_CARRIED_STEPS;
+    float each = due > count ? (float)due / (float)count : 1.0f;
+    return (swCarriedSteps){.count = count, .dt = each / (float)info->rate};
 }
 
 swLayerCatchUp swFindCatchUp(const swLayerMark* mark, int layer, const swStackFrame* stack)

@@ -190,6 +190,29 @@ static void turnAll(swLayerStack* layers, int first, int count, swLayerStep* ste
     }
 }
 
+// The maker looks up the past by itself: in the first call where slices lay before, and in later ones where they lie.
+// At least one call, also where no step is due.
+static void stepExactly(swLayerStack* layers, int first, int count, swStepLayerFcn* stepFcn, swLayerStep* step,
+                        swStackFrame* frame)
+{
+    const swLayerFrame* now = &frame->layers[first];
+    swCarriedSteps carried = swFindCarriedSteps(swGetLayerInfo(first), now->isCarried ? now->due : 0);
+    int calls = carried.count > 1 ? carried.count : 1;
+    swPastSource still[SW_MAX_SLICES][SW_PAST_SOURCES];
+    for (int i = 0; i < frame->sliceCount && calls > 1; ++i)
+    {
+        swFindPastSources(&frame->slices[i], frame->resolution, frame->sliceCount, frame->slices, still[i]);
+    }
+    for (int i = 0; i < calls; ++i)
+    {
+        turnAll(layers, first, count, step);
+        step->index = i;
+        step->sources = i == 0 ? frame->sources : still;
+        step->dt = calls > 1 ? carried.dt : now->stepDt * (float)now->steps;
+        stepFcn(step);
+    }
+}
+
 void swStepLayers(swLayerStack* layers, int first, int count, swStepLayerFcn* stepFcn, swLayerStep* step,
                   swStackFrame* frame)
 {
@@ -197,9 +220,7 @@ void swStepLayers(swLayerStack* layers, int first, int count, swStepLayerFcn* st
     const swLayerFrame* now = &frame->layers[first];
     if (!info->hasPast || info->isExact)
     {
-        turnAll(layers, first, count, step);
-        step->dt = now->stepDt * (float)now->steps;
-        stepFcn(step);
+        stepExactly(layers, first, count, stepFcn, step, frame);
     }
     for (int i = first; i < first + count && info->hasPast && !info->isExact; ++i)
     {

@@ -45,8 +45,11 @@ typedef struct swLayerStep
     const swStackFrame* stack;
     const float* previous[SW_LAYERS]; // texels before, of those with a past
     float* next[SW_LAYERS];           // texels to fill
-    int64_t clock;                    // of the one step to take, where the layer is not exact
-    float dt;                         // s: of this step, or of all together where the layer is exact
+    // From where the texels of `previous` lie to the stack's slices, of layers that take the past themselves.
+    swPastSource (*sources)[SW_PAST_SOURCES];
+    int index;     // of the call in this frame
+    int64_t clock; // of the one step to take, where the layer is not exact
+    float dt;      // s: of this step, or of all together
 } swLayerStep;
 
 typedef void swPlanLayerFcn(const swLayerPlan* plan);

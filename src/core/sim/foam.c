@@ -2,13 +2,14 @@
 #include "core/sim/foam.h"
 
 #include "core/base/host.h"
-#include "core/lod/scroll.h"
+#include "core/lod/transport.h"
 #include "core/math/scalar.h"
 
 typedef struct swFoamJob
 {
     const swPastSource* sources;
     const swPastSource* fold;
+    swTransport transport;
     int resolution;
     swFoamSliceParams params;
     const float* derivatives; // all slices
@@ -35,8 +36,8 @@ static void stepRows(void* context, int begin, int end, int worker)
         {
             float birth = params->growth * readFold(job, column, row);
             float foam;
-            bool hasPast = params->isSteady == 0 &&
-                           swReadPast(job->sources, job->previous, 1, job->resolution, column, row, &foam);
+            bool hasPast = params->isSteady == 0 && swReadCarried(&job->transport, job->sources, job->previous,
+                                                                  job->resolution, column, row, &foam);
             job->next[(size_t)row * (size_t)job->resolution + (size_t)column] =
                 hasPast ? swFoamStep(foam, birth, params->fadeRate, params->dt)
                         : swFoamStart(birth, params->fadeRate, params->start);
@@ -53,10 +54,11 @@ void swStepFoam(const swLayerStep* step)
     {
         swFoamBirth birth = swGetFoamBirth(stack, i);
         swFoamJob job = {
-            .sources = stack->sources[i],
+            .sources = step->sources[i],
             .fold = &birth.fold,
+            .transport = swMakeTransport(step->frame, stack, i, step->dt),
             .resolution = stack->resolution,
-            .params = swGetFoamParams(step->frame, stack, i, step->dt, layer->isReset),
+            .params = swGetFoamParams(step->frame, stack, i, step->dt, layer->isReset && step->index == 0),
             .derivatives = stack->layers[SW_LAYER_DERIVATIVES].texels,
             .previous = step->previous[SW_LAYER_FOAM],
             .next = step->next[SW_LAYER_FOAM] + (size_t)i * sliceSize,

@@ -344,6 +344,33 @@ static swFoamLaw makeLaw(const swFoamDef* def, float wind, const swStrain* strai
     return law;
 }
 
+// Each system's waves go with a current of their own, but there is one water.
+static void findCurrent(const swFrame* frame, swFoamLaw* law)
+{
+    float sum = 0.0f, x = 0.0f, z = 0.0f;
+    for (int i = 0; i < frame->tileCount + frame->waveCount; ++i)
+    {
+        bool isTile = i < frame->tileCount;
+        const swFreeWave* wave = isTile ? NULL : &frame->waves[i - frame->tileCount];
+        swStrain strain = {.cccc = 0.0f};
+        if (isTile)
+        {
+            strain = frame->tiles[i].strain;
+        }
+        else
+        {
+            swAddFreeWaveStrain(&strain, wave);
+        }
+        swVec2 velocity = swFindDriftVelocity(isTile ? &frame->tiles[i].drift : &wave->drift, frame->ticks);
+        float weight = swGetStrainVariance(&strain);
+        sum += weight;
+        x += weight * velocity.x;
+        z += weight * velocity.y;
+    }
+    law->currentX = sum > 0.0f ? x / sum : 0.0f;
+    law->currentZ = sum > 0.0f ? z / sum : 0.0f;
+}
+
 void swFindFoamLaw(swWhitecaps* whitecaps, swFrame* frame)
 {
     const swFoamDef* def = &frame->foam;
@@ -359,6 +386,7 @@ void swFindFoamLaw(swWhitecaps* whitecaps, swFrame* frame)
         whitecaps->isKnown = true;
     }
     frame->foamLaw = whitecaps->law;
+    findCurrent(frame, &frame->foamLaw);
 }
 
 // ---- slices ----
@@ -379,6 +407,7 @@ void swPlanFoam(const swLayerPlan* plan)
     const swFrame* frame = plan->frame;
     swStackFrame* stack = plan->stack;
     const swFoamLaw* law = &frame->foamLaw;
+    stack->layers[SW_LAYER_FOAM].isCarried = swIsFoamCarried(frame);
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         int source = findFoldSlice(frame, stack, i);

@@ -3,7 +3,7 @@
 
 #include "core/base/host.h"
 #include "core/input/sample_inputs.h"
-#include "core/lod/scroll.h"
+#include "core/lod/transport.h"
 #include "core/surface/places.h"
 
 typedef struct MadeJob
@@ -11,6 +11,7 @@ typedef struct MadeJob
     const swInputSet* inputs; // of foam that inputs make; NULL: there are none
     const swSlice* slice;
     const swPastSource* sources;
+    swTransport transport;
     int resolution;
     swMadeFoamParams params;
     const float* displacement; // of this slice, as all below
@@ -28,6 +29,7 @@ void swPlanMadeFoam(const swLayerPlan* plan)
     wake->isAuthored = swHasInputs(plan->frame->inputs, SW_INPUT_FOAM) || (wake->isBegun && !wake->isReset);
     shore->isAuthored =
         swHasInputs(plan->frame->inputs, SW_INPUT_FLOOR) && foam->shoreWidth > 0.0f && foam->shoreRate > 0.0f;
+    wake->isCarried = shore->isCarried = swIsFoamCarried(plan->frame);
 }
 
 // Foam that inputs make at a block of texels of a row, per second.
@@ -73,8 +75,8 @@ static void stepRows(void* context, int begin, int end, int worker)
             for (int i = 0; i < SW_PLACE_BLOCK; ++i)
             {
                 float foam = 0.0f, birth = births[i] > 0.0f ? births[i] : 0.0f;
-                bool hasPast = job->params.isSteady == 0 &&
-                               swReadPast(job->sources, job->previous, 1, job->resolution, column + i, row, &foam);
+                bool hasPast = job->params.isSteady == 0 && swReadCarried(&job->transport, job->sources, job->previous,
+                                                                          job->resolution, column + i, row, &foam);
                 next[i] = swMadeFoamStep(foam, hasPast, birth, job->params);
             }
         }
@@ -93,9 +95,11 @@ static void stepLayer(const swLayerStep* step, int layer)
         MadeJob job = {
             .inputs = hasInputs ? step->frame->inputs : NULL,
             .slice = &stack->slices[i],
-            .sources = stack->sources[i],
+            .sources = step->sources[i],
+            .transport = swMakeTransport(step->frame, stack, i, step->dt),
             .resolution = stack->resolution,
-            .params = swGetMadeFoamParams(step->frame, layer, step->dt, now->isReset || !now->isBegun),
+            .params =
+                swGetMadeFoamParams(step->frame, layer, step->dt, step->index == 0 && (now->isReset || !now->isBegun)),
             .displacement = stack->layers[SW_LAYER_DISPLACEMENT].texels + 4 * (size_t)i * sliceSize,
             .places = places != NULL ? places + 4 * (size_t)i * sliceSize : NULL,
             .previous = step->previous[layer],

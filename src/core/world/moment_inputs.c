@@ -56,13 +56,25 @@ size_t swGetStoredInputsSize(const swInputSet* set)
     return size;
 }
 
-// Copy bytes to a place; returns the place behind them. A set without inputs has no arrays, and memcpy() wants one.
-static char* store(char* at, const void* bytes, size_t size)
+// A set without inputs has no arrays, and memcpy() wants one.
+static void copy(void* to, const void* from, size_t size)
 {
     if (size > 0)
     {
-        memcpy(at, bytes, size);
+        memcpy(to, from, size);
     }
+}
+
+// Returns the place behind the copied bytes.
+static char* store(char* at, const void* bytes, size_t size)
+{
+    copy(at, bytes, size);
+    return at + roundUp(size);
+}
+
+static const char* fetch(const char* at, void* bytes, size_t size)
+{
+    copy(bytes, at, size);
     return at + roundUp(size);
 }
 
@@ -183,10 +195,8 @@ void swMapStoredInputs(const void* place, swInputArrays* arrays)
     memcpy(&head, place, sizeof head);
     const char* at = (const char*)place + roundUp(sizeof head);
     swInputSet* set = &arrays->set;
-    memcpy(arrays->records, at, (size_t)head.recordCount * sizeof(swInputRecord));
-    at += roundUp((size_t)head.recordCount * sizeof(swInputRecord));
-    memcpy(arrays->nodes, at, (size_t)head.nodeCount * sizeof(swInputNode));
-    at += roundUp((size_t)head.nodeCount * sizeof(swInputNode));
+    at = fetch(at, arrays->records, (size_t)head.recordCount * sizeof(swInputRecord));
+    at = fetch(at, arrays->nodes, (size_t)head.nodeCount * sizeof(swInputNode));
     for (int i = 0; i < head.recordCount; ++i)
     {
         arrays->words[i] = arrays->records[i].wordCount > 0 ? (const float*)(const void*)at : NULL;

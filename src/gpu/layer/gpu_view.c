@@ -75,6 +75,7 @@ static swResult remakeImages(swGpu* gpu, swGpuView* view, int layer, int side)
     }
     swRetireImage(gpu, &of->images[0]);
     swRetireImage(gpu, &of->images[1]);
+    swRetireImage(gpu, &of->between);
     *of = (swGpuLayer){.images = {images[0], images[1]}}; // without a past
     return SW_SUCCESS;
 }
@@ -89,12 +90,22 @@ static swResult fitLayer(swGpu* gpu, swGpuView* view, int layer)
     return result == SW_SUCCESS && needsRest ? swPrepareRestTexel(gpu, view, layer) : result;
 }
 
+// Once a layer was carried it keeps the image for it.
+static swResult fitBetween(swGpu* gpu, swGpuView* view, int layer)
+{
+    swGpuLayer* of = &view->layers[layer];
+    bool isHeld = of->images[0].width == (uint32_t)view->resolution;
+    bool isMissing = view->frame->stack.layers[layer].isCarried && isHeld && of->between.handle == VK_NULL_HANDLE;
+    return isMissing ? createImage(gpu, view, layer, view->resolution, &of->between) : SW_SUCCESS;
+}
+
 static swResult fitLayers(swGpu* gpu, swGpuView* view)
 {
     swResult result = SW_SUCCESS;
     for (int i = 0; i < SW_LAYERS && result == SW_SUCCESS; ++i)
     {
         result = swIsLayerInView(i) && swIsOnDemand(swGetLayerInfo(i)) ? fitLayer(gpu, view, i) : SW_SUCCESS;
+        result = result == SW_SUCCESS && !view->isCore ? fitBetween(gpu, view, i) : result;
     }
     return result;
 }
@@ -105,6 +116,7 @@ static void retireView(swGpu* gpu, swGpuView* view)
     {
         swRetireImage(gpu, &view->layers[i].images[0]);
         swRetireImage(gpu, &view->layers[i].images[1]);
+        swRetireImage(gpu, &view->layers[i].between);
     }
     *view = (swGpuView){0};
 }
@@ -232,6 +244,10 @@ static void beginImages(swGpu* gpu, VkCommandBuffer commands, swGpuView* view)
         {
             swInitializeImage(gpu, commands, &images[k]);
         }
+        if (view->layers[i].between.handle != VK_NULL_HANDLE)
+        {
+            swInitializeImage(gpu, commands, &view->layers[i].between);
+        }
     }
 }
 
@@ -264,6 +280,37 @@ void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSourc
     {
         swFindPastSources(&stack->slices[i], stack->resolution, count, past->mark.at.slices, sources + i * stride);
     }
+}
+
+void swFillStillSources(const swGpuView* view, int stride, swPastSource* sources)
+{
+    const swStackFrame* stack = &view->frame->stack;
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        swFindPastSources(&stack->slices[i], stack->resolution, stack->sliceCount, stack->slices, sources + i * stride);
+    }
+}
+
+swCarriedSteps swFindLayerSteps(const swGpuView* view, int layer)
+{
+    const swLayerInfo* info = swGetLayerInfo(layer);
+    int64_t due = view->layers[layer].due.steps;
+    if (view->frame->stack.layers[layer].isCarried && due > 1)
+    {
+        return swFindCarriedSteps(info, due);
+    }
+    return (swCarriedSteps){.count = 1, .dt = (float)due / (float)info->rate};
+}
+
+const swImage* swGetStepTarget(const swGpuView* view, int layer, int step, int count)
+{
+    bool isNext = (count - 1 - step) % 2 == 0;
+    return isNext ? swGetNextLayerImage(view, layer) : &view->layers[layer].between;
+}
+
+const swImage* swGetStepSource(const swGpuView* view, int layer, int step, int count)
+{
+    return step == 0 ? swGetLayerImage(view, layer) : swGetStepTarget(view, layer, step - 1, count);
 }
 
 static void commitView(uint64_t frameIndex, swGpuView* view)
@@ -321,6 +368,7 @@ static void discardView(swGpuView* view, uint64_t frameIndex)
             view->layers[i].images[0].isInitialized = false;
             view->layers[i].images[1].isInitialized = false;
         }
+        view->layers[i].between.isInitialized = false;
         discardLayer(&view->layers[i], frameIndex);
     }
 }
@@ -344,6 +392,7 @@ void swDestroyGpuViews(swGpu* gpu, swGpuView* views)
         {
             swDestroyImage(gpu, &views[i].layers[layer].images[0]);
             swDestroyImage(gpu, &views[i].layers[layer].images[1]);
+            swDestroyImage(gpu, &views[i].layers[layer].between);
         }
     }
 }
@@ -356,7 +405,7 @@ size_t swGetGpuViewMemory(const swGpuView* views)
         for (int layer = 0; layer < SW_LAYERS; ++layer)
         {
             const swImage* images = views[i].layers[layer].images;
-            size += images[0].memory.size + images[1].memory.size;
+            size += images[0].memory.size + images[1].memory.size + views[i].layers[layer].between.memory.size;
         }
     }
     return (size_t)size;

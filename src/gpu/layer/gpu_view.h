@@ -22,6 +22,7 @@ typedef struct swGpuLayer
     // The second of layers with a past only, which are written in turns. Of a layer on demand that is not held: one
     // texel.
     swImage images[2];
+    swImage between;                        // that steps of one frame also write, of layers that water carries
     uint64_t firstFrame;                    // that begins the images
     swGpuLayerMark mark;                    // of the last recorded frame
     swGpuLayerMark earlier[SW_LAYER_MARKS]; // of those before, newest first
@@ -80,6 +81,14 @@ size_t swGetGpuViewMemory(const swGpuView* views);
 // Where the texels of each slice were in the image that swGetLayerImage() gives: SW_PAST_SOURCES entries a slice, each
 // slice's first one `stride` behind that of the slice before.
 void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSource* sources);
+
+// Steps of a layer in this frame: one of all that is due, or one after another where water carries the layer, since
+// what is upstream of upstream is in neither image. The first reads the image before, the last writes the next one.
+swCarriedSteps swFindLayerSteps(const swGpuView* view, int layer);
+const swImage* swGetStepSource(const swGpuView* view, int layer, int step, int count);
+const swImage* swGetStepTarget(const swGpuView* view, int layer, int step, int count);
+// As swFillPastSources(), of the steps after the first: slices lie still.
+void swFillStillSources(const swGpuView* view, int stride, swPastSource* sources);
 
 // Layers that the core has made: all that may fail, then the copies.
 swResult swPrepareCoreLayers(swGpu* gpu, const swViewFrame* frame, swGpuView* view);

@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a view for all its slices; a view whose foam stays as it is has none.
+// One dispatch a view for all its slices, or one for each step where water carries foam; a view whose foam stays as it
+// is has none.
 
 #include "foam_shader.h"
 #include "gpu/pass/passes.h"
 
+#define SOURCES (SW_PAST_SOURCES + 1) // a slice: of the past, and one for the fold
+
+// What a step is told: the first, and all that follow.
+typedef struct StepState
+{
+    swUpload params;  // swFoamSliceParams[sliceCount]
+    swUpload sources; // swPastSource[sliceCount * SOURCES]
+} StepState;
+
 // Of one view, in this frame.
 typedef struct ViewState
 {
-    swUpload params;  // swFoamSliceParams[sliceCount]
-    swUpload sources; // swPastSource[sliceCount * (SW_PAST_SOURCES + 1)]
+    StepState steps[2];
+    swFoamConstants constants;
 } ViewState;
 
 typedef struct State
 {
-    swPipeline pipeline;
+    swVariants pipelines;
     ViewState views[SW_MAX_VIEWS];
 } State;
 
@@ -22,21 +32,41 @@ static bool isDue(const swGpuView* view)
     return view->isUsed && view->layers[SW_LAYER_FOAM].due.isDue;
 }
 
+static swResult uploadStep(swGpu* gpu, const swFrame* frame, const swGpuView* view, bool isFirst, StepState* step)
+{
+    const swStackFrame* stack = &view->frame->stack;
+    bool isReset = isFirst && view->layers[SW_LAYER_FOAM].due.isReset;
+    float seconds = swFindLayerSteps(view, SW_LAYER_FOAM).dt;
+    swFoamSliceParams params[SW_MAX_SLICES] = {0};
+    swPastSource sources[SW_MAX_SLICES][SOURCES] = {0};
+    if (isFirst)
+    {
+        swFillPastSources(view, SW_LAYER_FOAM, SOURCES, sources[0]);
+    }
+    else
+    {
+        swFillStillSources(view, SOURCES, sources[0]);
+    }
+    for (int i = 0; i < stack->sliceCount; ++i)
+    {
+        params[i] = swGetFoamParams(frame, stack, i, seconds, isReset);
+        sources[i][SW_PAST_SOURCES] = swGetFoamBirth(stack, i).fold;
+    }
+    swResult result = swUploadData(gpu, params, sizeof(params), &step->params);
+    return result == SW_SUCCESS ? swUploadData(gpu, sources, sizeof(sources), &step->sources) : result;
+}
+
 static swResult uploadView(swGpu* gpu, const swFrame* frame, const swGpuView* gpuView, ViewState* view)
 {
     const swStackFrame* stack = &gpuView->frame->stack;
-    const swGpuLayer* foam = &gpuView->layers[SW_LAYER_FOAM];
-    float seconds = (float)foam->due.steps / (float)SW_FOAM_RATE;
-    swFoamSliceParams params[SW_MAX_SLICES] = {0};
-    swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES + 1] = {0};
-    swFillPastSources(gpuView, SW_LAYER_FOAM, SW_PAST_SOURCES + 1, sources[0]);
-    for (int i = 0; i < stack->sliceCount; ++i)
-    {
-        params[i] = swGetFoamParams(frame, stack, i, seconds, foam->due.isReset);
-        sources[i][SW_PAST_SOURCES] = swGetFoamBirth(stack, i).fold;
-    }
-    swResult result = swUploadData(gpu, params, sizeof(params), &view->params);
-    return result == SW_SUCCESS ? swUploadData(gpu, sources, sizeof(sources), &view->sources) : result;
+    bool isCarried = stack->layers[SW_LAYER_FOAM].isCarried;
+    view->constants = (swFoamConstants){
+        .withTransport = isCarried ? 1 : 0,
+        .withFlow = isCarried && stack->layers[SW_LAYER_FLOW].isAuthored ? 1 : 0,
+    };
+    bool hasMore = swFindLayerSteps(gpuView, SW_LAYER_FOAM).count > 1;
+    swResult result = uploadStep(gpu, frame, gpuView, true, &view->steps[0]);
+    return result == SW_SUCCESS && hasMore ? uploadStep(gpu, frame, gpuView, false, &view->steps[1]) : result;
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
@@ -56,45 +86,66 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
 
 static swResult create(swGpuWorld* gpuWorld, void* state)
 {
-    return swCreateOnce(gpuWorld->gpu, &swFoamShader, &((State*)state)->pipeline);
+    State* s = state;
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
+    {
+        if (isDue(&gpuWorld->views[i]))
+        {
+            result = swCreateVariant(gpuWorld->gpu, &swFoamShader, &s->views[i].constants, &s->pipelines);
+        }
+    }
+    return result;
+}
+
+static void recordStep(swGpu* gpu, const State* s, const swGpuView* view, const ViewState* of, int step, int count,
+                       VkCommandBuffer commands)
+{
+    const StepState* told = &of->steps[step == 0 ? 0 : 1];
+    const swFoamBindings bindings = {
+        .slices = swBindUpload(&told->params),
+        .sources = swBindUpload(&told->sources),
+        .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
+        .previous = swBindImage(gpu, swGetStepSource(view, SW_LAYER_FOAM, step, count), SW_SAMPLER_NEAREST_CLAMP),
+        .nextFoam = swBindImage(gpu, swGetStepTarget(view, SW_LAYER_FOAM, step, count), SW_SAMPLER_NEAREST_CLAMP),
+        .flow = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
+        .flowSlopes = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW_SLOPES), SW_SAMPLER_NEAREST_CLAMP),
+    };
+    int32_t resolution = view->resolution;
+    uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;
+    swBindFoam(gpu, commands, swFindVariant(&s->pipelines, &swFoamShader, &of->constants), &bindings, &resolution);
+    gpu->vk.CmdDispatch(commands, blocks, blocks, (uint32_t)view->sliceCount);
 }
 
 static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer commands)
 {
     static_assert(sizeof(int32_t) == SW_FOAM_PUSH_SIZE, "what foam.comp is given");
-    swGpu* gpu = gpuWorld->gpu;
     const State* s = state;
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (!isDue(view))
+        int count = isDue(view) ? swFindLayerSteps(view, SW_LAYER_FOAM).count : 0;
+        for (int step = 0; step < count; ++step)
         {
-            continue;
+            if (step > 0)
+            {
+                swComputeBarrier(gpuWorld->gpu, commands);
+            }
+            recordStep(gpuWorld->gpu, s, view, &s->views[i], step, count, commands);
         }
-        const swImage* displacement = swGetLayerImage(view, SW_LAYER_DISPLACEMENT);
-        const swFoamBindings bindings = {
-            .slices = swBindUpload(&s->views[i].params),
-            .sources = swBindUpload(&s->views[i].sources),
-            .displacement = swBindImage(gpu, displacement, SW_SAMPLER_NEAREST_CLAMP),
-            .previous = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
-            .nextFoam = swBindImage(gpu, swGetNextLayerImage(view, SW_LAYER_FOAM), SW_SAMPLER_NEAREST_CLAMP),
-        };
-        int32_t resolution = view->resolution;
-        uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;
-        swBindFoam(gpu, commands, &s->pipeline, &bindings, &resolution);
-        gpu->vk.CmdDispatch(commands, blocks, blocks, (uint32_t)view->sliceCount);
     }
 }
 
 static void destroy(swGpu* gpu, void* state)
 {
-    swDestroyPipeline(gpu, &((State*)state)->pipeline);
+    swDestroyVariants(gpu, &((State*)state)->pipelines);
 }
 
 const swPass swPass_foam = {
     .name = "foam",
     .stateSize = sizeof(State),
-    .reads = SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) | SW_LAYER_BIT(SW_LAYER_FOAM),
+    .reads = SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) | SW_LAYER_BIT(SW_LAYER_FOAM) | SW_LAYER_BIT(SW_LAYER_FLOW) |
+             SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES),
     .writes = SW_LAYER_BIT(SW_LAYER_FOAM),
     .upload = upload,
     .create = create,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One dispatch for each of the two layers of a view that inputs and shores make foam in.
+// One dispatch for each of the two layers of a view that inputs and shores make foam in, or one for each of its steps
+// where water carries foam.
 
 #include "gpu/pass/passes.h"
 #include "made_foam_shader.h"
@@ -8,11 +9,18 @@
 
 static const int madeLayers[SW_MADE_FOAMS] = {SW_LAYER_WAKE_FOAM, SW_LAYER_SHORE_FOAM};
 
-// Of one layer of a view, in this frame.
-typedef struct LayerState
+// What a step is told: the first, and all that follow.
+typedef struct StepState
 {
     swUpload params;  // swMadeFoamParams
     swUpload sources; // swPastSource[sliceCount * SW_PAST_SOURCES]
+} StepState;
+
+// Of one layer of a view, in this frame.
+typedef struct LayerState
+{
+    StepState steps[2];
+    swMadeFoamConstants constants;
 } LayerState;
 
 typedef struct ViewState
@@ -24,7 +32,6 @@ typedef struct ViewState
 typedef struct State
 {
     swVariants pipelines;
-    swMadeFoamConstants constants; // of this frame
     ViewState views[SW_MAX_VIEWS];
 } State;
 
@@ -40,22 +47,43 @@ static swResult uploadSlices(swGpu* gpu, const swGpuView* gpuView, ViewState* vi
     return swUploadData(gpu, slices, sizeof(slices), &view->slices);
 }
 
-static swResult uploadLayer(swGpu* gpu, const swFrame* frame, const swGpuView* gpuView, int layer, LayerState* state)
+static swResult uploadStep(swGpu* gpu, const swFrame* frame, const swGpuView* view, int layer, bool isFirst,
+                           StepState* step)
 {
-    const swGpuLayer* foam = &gpuView->layers[layer];
     swPastSource sources[SW_MAX_SLICES][SW_PAST_SOURCES] = {0};
-    swFillPastSources(gpuView, layer, SW_PAST_SOURCES, sources[0]);
-    float seconds = (float)foam->due.steps / (float)SW_FOAM_RATE;
-    swMadeFoamParams params = swGetMadeFoamParams(frame, layer, seconds, foam->due.isReset);
-    swResult result = swUploadData(gpu, sources, sizeof(sources), &state->sources);
-    return result == SW_SUCCESS ? swUploadData(gpu, &params, sizeof(params), &state->params) : result;
+    if (isFirst)
+    {
+        swFillPastSources(view, layer, SW_PAST_SOURCES, sources[0]);
+    }
+    else
+    {
+        swFillStillSources(view, SW_PAST_SOURCES, sources[0]);
+    }
+    float seconds = swFindLayerSteps(view, layer).dt;
+    bool isReset = isFirst && view->layers[layer].due.isReset;
+    swMadeFoamParams params = swGetMadeFoamParams(frame, layer, seconds, isReset);
+    swResult result = swUploadData(gpu, sources, sizeof(sources), &step->sources);
+    return result == SW_SUCCESS ? swUploadData(gpu, &params, sizeof(params), &step->params) : result;
+}
+
+static swResult uploadLayer(swGpu* gpu, const swFrame* frame, const swGpuView* view, int layer, LayerState* state)
+{
+    const swStackFrame* stack = &view->frame->stack;
+    bool isCarried = stack->layers[layer].isCarried;
+    state->constants = (swMadeFoamConstants){
+        .withInputs = swHasInputs(frame->inputs, SW_INPUT_FOAM) ? 1 : 0,
+        .withTransport = isCarried ? 1 : 0,
+        .withFlow = isCarried && stack->layers[SW_LAYER_FLOW].isAuthored ? 1 : 0,
+    };
+    bool hasMore = swFindLayerSteps(view, layer).count > 1;
+    swResult result = uploadStep(gpu, frame, view, layer, true, &state->steps[0]);
+    return result == SW_SUCCESS && hasMore ? uploadStep(gpu, frame, view, layer, false, &state->steps[1]) : result;
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
 {
     State* s = state;
     swResult result = SW_SUCCESS;
-    s->constants.withInputs = swHasInputs(frame->inputs, SW_INPUT_FOAM) ? 1 : 0;
     for (int i = 0; i < SW_MAX_VIEWS * SW_MADE_FOAMS && result == SW_SUCCESS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i / SW_MADE_FOAMS];
@@ -75,15 +103,27 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
 static swResult create(swGpuWorld* gpuWorld, void* state)
 {
     State* s = state;
-    return swCreateVariant(gpuWorld->gpu, &swMadeFoamShader, &s->constants, &s->pipelines);
+    swResult result = SW_SUCCESS;
+    for (int i = 0; i < SW_MAX_VIEWS * SW_MADE_FOAMS && result == SW_SUCCESS; ++i)
+    {
+        const LayerState* layer = &s->views[i / SW_MADE_FOAMS].layers[i % SW_MADE_FOAMS];
+        if (isDue(&gpuWorld->views[i / SW_MADE_FOAMS], i % SW_MADE_FOAMS))
+        {
+            result = swCreateVariant(gpuWorld->gpu, &swMadeFoamShader, &layer->constants, &s->pipelines);
+        }
+    }
+    return result;
 }
 
-static void recordLayer(const swGpuWorld* gpuWorld, const State* s, int index, int kind, VkCommandBuffer commands)
+static void recordStep(const swGpuWorld* gpuWorld, const State* s, int index, int kind, int step, int count,
+                       VkCommandBuffer commands)
 {
     static_assert(sizeof(int32_t) == SW_MADE_FOAM_PUSH_SIZE, "what made_foam.comp is given");
     swGpu* gpu = gpuWorld->gpu;
     const swGpuView* view = &gpuWorld->views[index];
     const LayerState* layer = &s->views[index].layers[kind];
+    const StepState* told = &layer->steps[step == 0 ? 0 : 1];
+    int made = madeLayers[kind];
     swBinding inputs[SW_INPUT_BINDINGS];
     swBindInputs(gpuWorld, inputs);
     const swMadeFoamBindings bindings = {
@@ -92,16 +132,18 @@ static void recordLayer(const swGpuWorld* gpuWorld, const State* s, int index, i
         .inputNodes = inputs[2],
         .inputWords = inputs[3],
         .slices = swBindUpload(&s->views[index].slices),
-        .sources = swBindUpload(&layer->sources),
-        .params = swBindUpload(&layer->params),
+        .sources = swBindUpload(&told->sources),
+        .params = swBindUpload(&told->params),
         .displacement = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_DISPLACEMENT), SW_SAMPLER_NEAREST_CLAMP),
         .places = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
-        .previous = swBindImage(gpu, swGetLayerImage(view, madeLayers[kind]), SW_SAMPLER_NEAREST_CLAMP),
-        .nextFoam = swBindImage(gpu, swGetNextLayerImage(view, madeLayers[kind]), SW_SAMPLER_NEAREST_CLAMP),
+        .previous = swBindImage(gpu, swGetStepSource(view, made, step, count), SW_SAMPLER_NEAREST_CLAMP),
+        .nextFoam = swBindImage(gpu, swGetStepTarget(view, made, step, count), SW_SAMPLER_NEAREST_CLAMP),
+        .flow = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
+        .flowSlopes = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW_SLOPES), SW_SAMPLER_NEAREST_CLAMP),
     };
     int32_t resolution = view->resolution;
     uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;
-    swBindMadeFoam(gpu, commands, swFindVariant(&s->pipelines, &swMadeFoamShader, &s->constants), &bindings,
+    swBindMadeFoam(gpu, commands, swFindVariant(&s->pipelines, &swMadeFoamShader, &layer->constants), &bindings,
                    &resolution);
     gpu->vk.CmdDispatch(commands, blocks, blocks, (uint32_t)view->sliceCount);
 }
@@ -110,9 +152,16 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
 {
     for (int i = 0; i < SW_MAX_VIEWS * SW_MADE_FOAMS; ++i)
     {
-        if (isDue(&gpuWorld->views[i / SW_MADE_FOAMS], i % SW_MADE_FOAMS))
+        const swGpuView* view = &gpuWorld->views[i / SW_MADE_FOAMS];
+        int kind = i % SW_MADE_FOAMS;
+        int count = isDue(view, kind) ? swFindLayerSteps(view, madeLayers[kind]).count : 0;
+        for (int step = 0; step < count; ++step)
         {
-            recordLayer(gpuWorld, state, i / SW_MADE_FOAMS, i % SW_MADE_FOAMS, commands);
+            if (step > 0)
+            {
+                swComputeBarrier(gpuWorld->gpu, commands);
+            }
+            recordStep(gpuWorld, state, i / SW_MADE_FOAMS, kind, step, count, commands);
         }
     }
 }
@@ -125,7 +174,8 @@ static void destroy(swGpu* gpu, void* state)
 const swPass swPass_made_foam = {
     .name = "made_foam",
     .stateSize = sizeof(State),
-    .reads = SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) | SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) |
+    .reads = SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) | SW_LAYER_BIT(SW_LAYER_FLOW) |
+             SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES) | SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) |
              SW_LAYER_BIT(SW_LAYER_WAKE_FOAM) | SW_LAYER_BIT(SW_LAYER_SHORE_FOAM),
     .writes = SW_LAYER_BIT(SW_LAYER_WAKE_FOAM) | SW_LAYER_BIT(SW_LAYER_SHORE_FOAM),
     .upload = upload,
