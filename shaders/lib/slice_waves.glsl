@@ -29,16 +29,18 @@ void addTexel(inout Texel texel, Texel other)
 
 // ---- who adds what ----
 
-// Whether waves of a system, of wave number k, are shaped anywhere in a block.
+// Whether waves of a system, of wave number k, are shaped anywhere in a block. Inputs that displace the water do so to
+// the sum of all waves, so where there are any, all are.
 bool isShapedIn(swFieldBlock block, uint system, float k, swAttenuation attenuation)
 {
-    return !swIsDeepFor(attenuation, k, block.leastDepth) || (block.systems >> (system & 31u) & 1u) != 0;
+    return block.flags != 0 || !swIsDeepFor(attenuation, k, block.leastDepth) ||
+           (block.systems >> (system & 31u) & 1u) != 0;
 }
 
 // Whether any waves are: the block's longest may feel its depth.
 bool isTouched(swFieldBlock block)
 {
-    return block.leastDepth < SW_NO_DEPTH || block.systems != 0;
+    return block.leastDepth < SW_NO_DEPTH || block.systems != 0 || block.flags != 0;
 }
 
 // ---- tiles ----
@@ -82,21 +84,31 @@ void addCoefficients(inout Texel texel, swSliceTile tile, uint firstX, uint firs
     }
 }
 
-// Adds a tile to one texel of the slice.
+// Adds a tile at spline coordinates.
+void addWindowAt(inout Texel texel, swSliceTile tile, float x, float z)
+{
+    float cellX = floor(x), cellZ = floor(z);
+    addCoefficients(texel, tile, (tile.base & 0xffffu) + uint(int(cellX)), (tile.base >> 16) + uint(int(cellZ)),
+                    x - cellX, z - cellZ);
+}
+
+// Adds a tile to one texel.
 void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
 {
-    float x = splineX(tile, column), z = splineZ(tile, row);
-    float cellX = floor(x), cellZ = floor(z);
-    addCoefficients(texel, tile, (tile.base & 0xffffu) + uint(cellX), (tile.base >> 16) + uint(cellZ), x - cellX,
-                    z - cellZ);
+    addWindowAt(texel, tile, splineX(tile, column), splineZ(tile, row));
 }
 
 // ---- free waves ----
 
+uint phaseOfTexel(swSliceWave wave, uint column, uint row)
+{
+    return wave.phase + column * wave.stepX + row * wave.stepZ;
+}
+
 // A free wave's amplitude times cosine and sine of its phase.
 vec2 swingOf(swSliceWave wave, uint column, uint row)
 {
-    return wave.amplitude * unitOf(wave.phase + column * wave.stepX + row * wave.stepZ);
+    return wave.amplitude * unitOf(phaseOfTexel(wave, column, row));
 }
 
 // Adds a free wave, `unit` its swing there.

@@ -10,16 +10,16 @@ uint phaseOf(uint aLow, uint aHigh, uint bLow, uint bHigh)
     return high + aLow * bHigh + aHigh * bLow;
 }
 
-// Of a number of turns. The nearest whole turn is taken off first, so that the integer cannot overflow.
-uint toTurns(float turns)
-{
-    return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
-}
-
 // rad/s of turns a tick in fractions of 2^64; a second has 2^24 ticks.
 float omegaOf(uint low, uint high)
 {
     return fma(float(low), 1.0 / 4294967296.0, float(high)) * (6.28318530718 / 256.0);
+}
+
+// A fraction of 2^32. The nearest whole turn is taken off first, so that the integer cannot overflow.
+uint toTurns(float turns)
+{
+    return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
 }
 
 // (cosine, sine), good to about 2^-24: the nearest quarter turn is taken off in integers and Taylor's series does the

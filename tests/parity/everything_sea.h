@@ -25,9 +25,6 @@ const char* GetFeatureName(Feature feature);
 
 #define ALL_FEATURES ((1u << FEATURE_COUNT) - 1u)
 
-// Which slices do not have yet.
-#define NOT_DRAWN (1u << FEATURE_FLOW | 1u << FEATURE_DISPLACED)
-
 // Half the side of the square around a place in which there are features, m.
 #define FEATURE_REACH 300.0
 

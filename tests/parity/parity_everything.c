@@ -417,11 +417,6 @@ static void CompareSea(const swHost* host, swGpu* gpu, const char* name, uint32_
     printf("  %s\n", name);
     Sides sides = OpenSides(host, gpu, features);
     CompareQueries(&sides, count);
-    if ((features & NOT_DRAWN) != 0)
-    {
-        CloseSides(&sides);
-        sides = OpenSides(host, gpu, features & ~NOT_DRAWN);
-    }
     CompareSlices(&sides, RESOLUTION);
     CloseSides(&sides);
 }
