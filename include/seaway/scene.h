@@ -57,9 +57,10 @@ typedef struct swSceneWaves
 typedef struct swSceneRaster
 {
     char name[64];
-    char file[512];    ///< relative to the scene's folder
-    char variable[64]; ///< of def.variable; empty: NULL
-    int channelCount;  ///< of a raster of several channels, one after another: their files, or their variables; or 0
+    char file[512];     ///< relative to the scene's folder
+    char madeFrom[512]; ///< the scene whose floor it was baked from, relative to the folder; empty: none is known
+    char variable[64];  ///< of def.variable; empty: NULL
+    int channelCount;   ///< of a raster of several channels, one after another: their files, or their variables; or 0
     char files[SW_MAX_SCENE_CHANNELS][512];
     char variables[SW_MAX_SCENE_CHANNELS][64];
     int frames;          ///< lattices of the same size that stand below each other in the file

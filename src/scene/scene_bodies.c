@@ -129,8 +129,9 @@ swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* s
         swResult result = swCreateWaterBody(world, &def, &sea->waterBodies[i]);
         if (result != SW_SUCCESS)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Body of water %d of the scene '%s' could not be created.", i + 1,
-                  scene->name);
+            swLog(&scene->host, SW_LOG_ERROR,
+                  "Body of water %d of the scene '%s', on its line %d, could not be created.", i + 1, scene->name,
+                  scene->waterBodies[i].line);
             return result;
         }
         sea->waterBodyCount = i + 1;
