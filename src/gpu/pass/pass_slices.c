@@ -24,6 +24,12 @@ typedef struct State
     ViewState views[SW_MAX_VIEWS];
 } State;
 
+// Turns as a fraction of 2^32.
+static uint32_t toPhase(double turns)
+{
+    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
+}
+
 // Whether systems may have weights of their own somewhere.
 static bool hasWeights(const swFrame* frame)
 {
@@ -52,6 +58,7 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .waveNumber = swGetTileWaveNumber(tile),
         .system = (uint32_t)tile->system,
         .attenuation = tile->attenuation,
+        .cellTurns = toPhase((double)SW_QUERY_CELL / tile->side + 0x1p-33),
     };
     uint32_t baseX, baseZ;
     reduceOffset(slice->firstX, slice->texel, tile->shiftX, tile, &out.fractionX, &baseX);
@@ -206,12 +213,6 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
     placeShaped(list->count + list->windowCount, tiles);
 }
 
-// Turns as a fraction of 2^32.
-static uint32_t toPhase(double turns)
-{
-    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
-}
-
 static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
 {
     double place =
@@ -228,6 +229,8 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
         .waveNumber = swGetOctaveWaveNumber(wave->wavelength),
         .system = (uint32_t)wave->system,
         .attenuation = wave->attenuation,
+        .cellTurnsX = toPhase(wave->turnsX * (double)SW_QUERY_CELL + 0x1p-33),
+        .cellTurnsZ = toPhase(wave->turnsZ * (double)SW_QUERY_CELL + 0x1p-33),
     };
     swSinCosTurns(out.stepZ, &out.sinZ, &out.cosZ);
     return out;
