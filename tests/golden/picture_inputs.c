@@ -210,6 +210,49 @@ static void ShadeTakesTheSunAway(void** state)
     assert_float_equal(dark[MIDDLE + 2], bare[MIDDLE + 2], 1e-3f * bare[MIDDLE + 2]);
 }
 
+// How much pixels differ from the mean of those beside them, over the picture's mean: a gradient is no contrast.
+static double MeasureContrast(const float* picture)
+{
+    double sum = 0.0, difference = 0.0;
+    for (int i = 1; i < PIXELS - 1; ++i)
+    {
+        const float* pixel = &picture[4 * i + 2];
+        bool isWithin = i % SIDE > 0 && i % SIDE < SIDE - 1;
+        sum += (double)pixel[0];
+        difference += isWithin ? (double)fabsf(pixel[0] - 0.5f * (pixel[-4] + pixel[4])) : 0.0;
+    }
+    return difference / sum;
+}
+
+// Waves that live somewhere else are not seen here: neither those that slices hold nor those that are too short for it.
+static void WavesAreSeenWhereTheyHaveWeight(void** state)
+{
+    (void)state;
+    static float with[4 * PIXELS], without[4 * PIXELS];
+    const struct
+    {
+        const char* name;
+        swWaveMethod method;
+    } methods[] = {{"Fourier transforms", SW_WAVES_FFT}, {"Gerstner waves", SW_WAVES_GERSTNER}};
+    for (int i = 0; i < 2; ++i)
+    {
+        swWaveSystemDef waves = swDefaultWaveSystemDef();
+        waves.isLocal = true;
+        waves.method = methods[i].method;
+        waves.maxWavelength = 16.0f;
+        swInputDef def = MakeCircle(SW_INPUT_WAVES, 2000.0f);
+        def.value[0] = 1.0f;
+        Shot shot = MakeShot(&def, 1);
+        shot.waves = &waves;
+        Draw(&shot, with);
+        def.position.x = 9000.0;
+        Draw(&shot, without);
+        double there = MeasureContrast(with), elsewhere = MeasureContrast(without);
+        print_message("%s: contrast %.4f where the waves live, %.4f elsewhere\n", methods[i].name, there, elsewhere);
+        assert_true(there > 3.0 * elsewhere);
+    }
+}
+
 static int OpenCanvas(void** state)
 {
     (void)state;
@@ -230,9 +273,13 @@ static int CloseCanvas(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ARiverThatFallsLeans),       cmocka_unit_test(ALakeStandsAtItsLevel),
-        cmocka_unit_test(ColoursLieWhereTheyWerePut), cmocka_unit_test(HalfACoverIsHalfway),
-        cmocka_unit_test(ColoursArePresentFarAway),   cmocka_unit_test(ShadeTakesTheSunAway),
+        cmocka_unit_test(ARiverThatFallsLeans),
+        cmocka_unit_test(ALakeStandsAtItsLevel),
+        cmocka_unit_test(ColoursLieWhereTheyWerePut),
+        cmocka_unit_test(HalfACoverIsHalfway),
+        cmocka_unit_test(ColoursArePresentFarAway),
+        cmocka_unit_test(ShadeTakesTheSunAway),
+        cmocka_unit_test(WavesAreSeenWhereTheyHaveWeight),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
 }
