@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiles as cubics along z, for the passes that add up waves in slices. Between two knots a column of a tile is one
+// Tiles as cubics along z, see slices.comp. Between two knots a column of a tile is one
 // cubic; a column of texels weighs four such columns along x, once for all texels of it between the two knots.
 //
 // Before including: lib/slice_waves.glsl.
