@@ -13,7 +13,7 @@ SW_LAYER(FOAM, foam, Foam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .i
          .most = 1.0f)
 SW_LAYER(WAKE_FOAM, wake_foam, MadeFoam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true,
          .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = SW_FOAM_MOST_STEPS, .longestGap = 1, .isExact = true,
-         .isOnDemand = true, .most = 1.0f)
+         .isOnDemand = true, .isSaved = true, .most = 1.0f)
 SW_LAYER(SHORE_FOAM, shore_foam, MadeFoam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true,
          .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = SW_FOAM_MOST_STEPS, .longestGap = 1, .isExact = true,
-         .isOnDemand = true, .most = 1.0f)
+         .isOnDemand = true, .isSaved = true, .most = 1.0f)
