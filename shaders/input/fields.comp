@@ -33,13 +33,21 @@ layout(std430, binding = 4) readonly buffer Slices
 {
     swFieldSlice slices[];
 };
-layout(std430, binding = 5) writeonly buffer Blocks
+layout(std430, binding = 5) buffer Blocks
 {
     swFieldBlock blocks[];
 };
-layout(binding = 6, rgba32f) uniform writeonly image2DArray places;     // depth, its slopes along x and z, level
-layout(binding = 7, rgba32f) uniform writeonly image2DArray flow;       // velocity along x and z
-layout(binding = 8, rgba16f) uniform writeonly image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(binding = 6, rgba32f) uniform image2DArray places;     // depth, its slopes along x and z, level
+layout(binding = 7, rgba32f) uniform image2DArray flow;       // velocity along x and z
+layout(binding = 8, rgba16f) uniform image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(std430, binding = 9) readonly buffer Redraws
+{
+    swFieldRedraw redraws[]; // of each slice
+};
+// The same of slices that have moved, as they were.
+layout(binding = 10, rgba32f) uniform readonly image2DArray placesBefore;
+layout(binding = 11, rgba32f) uniform readonly image2DArray flowBefore;
+layout(binding = 12, rgba16f) uniform readonly image2DArray flowSlopesBefore;
 layout(push_constant) uniform Push
 {
     uint resolution;
