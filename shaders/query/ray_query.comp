@@ -24,6 +24,9 @@
 const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
 layout(constant_id = 0) const bool WITH_INPUTS = false;
+layout(constant_id = 1) const bool WITH_FLOW = false;
+layout(constant_id = 2) const bool WITH_DISPLACEMENT = false;
+const bool WITH_PLACE_FLOW = false;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -69,6 +72,10 @@ layout(std430, binding = 10) readonly buffer InputWords
 {
     float inputWords[];
 };
+layout(std430, binding = 11) readonly buffer Likeness
+{
+    float likeness[]; // of the tiles' texels, see surface_search.glsl
+};
 layout(push_constant) uniform Push
 {
     swRayParams params;
@@ -76,7 +83,7 @@ layout(push_constant) uniform Push
 
 shared float shares[8][THREADS];
 // What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
-const uint ASKED = WITH_INPUTS ? 3 + SW_LIMIT_SYSTEMS : 1;
+const uint ASKED = WITH_INPUTS ? 6 + SW_LIMIT_SYSTEMS : 1;
 shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be read while the other is cleared
 
@@ -367,7 +374,11 @@ void main()
             share(addSearched(search, lane));
         }
         barrier();
-        bool isSearching = isMarching && advance(search, gatherSum());
+        bool isSearching = isMarching && advance(search, displaced(search, gatherSum()));
+        if (isMarching)
+        {
+            raise(search);
+        }
         if (isMarching && (!isSearching || isNearEnough(ray, march, search)))
         {
             float from = march.at;

@@ -20,6 +20,9 @@ const uint THREADS = SW_QUERY_LANES * SW_QUERY_POINTS;
 layout(local_size_x = THREADS) in;
 layout(constant_id = 0) const bool WITH_MOTION = false;
 layout(constant_id = 1) const bool WITH_INPUTS = false;
+layout(constant_id = 2) const bool WITH_FLOW = false;
+layout(constant_id = 3) const bool WITH_DISPLACEMENT = false;
+const bool WITH_PLACE_FLOW = WITH_MOTION && WITH_FLOW;
 
 layout(std140, binding = 0) uniform Tiles
 {
@@ -77,6 +80,10 @@ layout(std430, binding = 13) writeonly buffer Stills
 {
     vec2 stills[]; // level of still water, distance to the edge of holes
 };
+layout(std430, binding = 14) readonly buffer Likeness
+{
+    float likeness[]; // of the tiles' texels, see surface_search.glsl
+};
 layout(push_constant) uniform Push
 {
     swQueryParams params;
@@ -84,7 +91,7 @@ layout(push_constant) uniform Push
 
 shared float shares[8][THREADS];
 // What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
-const uint ASKED = WITH_INPUTS ? 3 + SW_LIMIT_SYSTEMS : 1;
+const uint ASKED = WITH_INPUTS ? 6 + SW_LIMIT_SYSTEMS : 1;
 shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
@@ -147,6 +154,54 @@ Motion addMotion(ivec2 cell, vec2 rest, uint lane)
     return motion;
 }
 
+void addMotionCopy(float weight, Motion own, inout Motion motion)
+{
+    motion.velocity += weight * own.velocity;
+    motion.acceleration += weight * own.acceleration;
+}
+
+// A lane's share of a tile's copies, see carriedTile().
+Motion carriedTileMotion(swQueryTile tile, Flow flow, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Shape shape)
+{
+    Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
+    float between = 0.5 * tile.carryPeriod;
+    shape = carried(shape, carry, between, flow, likenessOf(tile, between * flow.velocity));
+    Motion motion = NO_MOTION;
+    for (uint c = 0; c < 2; ++c)
+    {
+        Motion own = NO_MOTION;
+        addTileMotion(tile, cell, rest - carry.seconds[c] * flow.velocity, lane, cubic, own);
+        addMotionCopy(carry.weights[c], own, motion);
+    }
+    return motion;
+}
+
+void addCarriedWavesMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane, inout Motion motion)
+{
+    uint turn = 0, waveCount = params.water.waveCount;
+    for (uint first = 0; first < waveCount; ++turn)
+    {
+        uint end = min(waves[first].groupEnd, waveCount);
+        Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+        float between = 0.5 * waves[first].carryPeriod;
+        if (turn % SW_QUERY_LANES == lane)
+        {
+            Shape shape = shapeOf(shaper, waves[first].system, waves[first].waveNumber, waves[first].attenuation);
+            shape = carried(shape, carry, between, shaper.flow, likenessOf(first, end, between * shaper.flow.velocity));
+            for (uint c = 0; c < 2; ++c)
+            {
+                Motion own = NO_MOTION;
+                for (uint i = first; i < end; ++i)
+                {
+                    addWaveMotion(waves[i], cell, rest - carry.seconds[c] * shaper.flow.velocity, own);
+                }
+                addMotionCopy(shape.weight * carry.weights[c], own, motion);
+            }
+        }
+        first = end;
+    }
+}
+
 // The same where inputs shape waves, which they do as at the rest place that was tried last. How a particle's place
 // changes makes no part of how it moves.
 Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
@@ -156,20 +211,42 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     for (uint i = 0; i < params.water.tileCount; ++i)
     {
         Motion own = NO_MOTION;
-        addTileMotion(tiles[i], cell, rest, lane, cubic, own);
         Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
-        motion.velocity += shape.weight * own.velocity;
-        motion.acceleration += shape.weight * own.acceleration;
+        if (doesCarry(shaper) && tiles[i].carryPeriod > 0.0)
+        {
+            own = carriedTileMotion(tiles[i], shaper.flow, cell, rest, lane, cubic, shape);
+        }
+        else
+        {
+            addTileMotion(tiles[i], cell, rest, lane, cubic, own);
+        }
+        addMotionCopy(shape.weight, own, motion);
+    }
+    if (doesCarry(shaper))
+    {
+        addCarriedWavesMotion(shaper, cell, rest, lane, motion);
+        return motion;
     }
     for (uint i = lane; i < params.water.waveCount; i += SW_QUERY_LANES)
     {
         Motion own = NO_MOTION;
         addWaveMotion(waves[i], cell, rest, own);
         Shape shape = shapeOf(shaper, waves[i].system, waves[i].waveNumber, waves[i].attenuation);
-        motion.velocity += shape.weight * own.velocity;
-        motion.acceleration += shape.weight * own.acceleration;
+        addMotionCopy(shape.weight, own, motion);
     }
     return motion;
+}
+
+// What inputs that displace the water do to a rate of displacement at a rest place: they stand still, so only what
+// scales the waves counts, none of them being of this part of the waves.
+vec3 rateAt(SeaPlace rest, vec3 rate)
+{
+    if (WITH_DISPLACEMENT)
+    {
+        swInputValue value = swInputValue(vec4(rate, 0.0), vec4(0.0), vec4(0.0));
+        return displacedAt(rest, swDisplaceRange(params.water.minWavelength, 3e38, 0.0), value).value.xyz;
+    }
+    return rate;
 }
 
 // ---- answers ----
@@ -254,13 +331,21 @@ void storeMotion(uint point, bool isBad, Search search, uint lane)
     shareVector(0, motion.velocity);
     shareVector(3, motion.acceleration);
     barrier();
-    if (point < params.source.count && lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
+    bool isVelocity = lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0;
+    bool isAcceleration = lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0;
+    if (point >= params.source.count || !(isVelocity || isAcceleration))
     {
-        velocities[point] = isBad ? vec4(noNumber()) : vec4(gatherVector(0), 0.0);
+        return;
     }
-    else if (point < params.source.count && lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
+    vec3 rate = rateAt(seaPlaceAt(search.cell, rest), gatherVector(isVelocity ? 0 : 3));
+    if (isVelocity)
     {
-        accelerations[point] = isBad ? vec4(noNumber()) : vec4(gatherVector(3), 0.0);
+        vec2 flow = WITH_PLACE_FLOW ? askedOf(ASKED_PLACE_FLOW).xy : vec2(0.0);
+        velocities[point] = isBad ? vec4(noNumber()) : vec4(rate.x + flow.x, rate.y, rate.z + flow.y, 0.0);
+    }
+    else
+    {
+        accelerations[point] = isBad ? vec4(noNumber()) : vec4(rate, 0.0);
     }
 }
 
@@ -297,9 +382,10 @@ void main()
         barrier();
         if (isSearching)
         {
-            isSearching = advance(search, gatherSum());
+            isSearching = advance(search, displaced(search, gatherSum()));
             if (!isSearching)
             {
+                raise(search);
                 store(point, search, lane);
             }
         }

@@ -23,10 +23,13 @@
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
 // `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
-// `shared vec3 placeValues[3 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constant `bool
-// WITH_INPUTS`.
+// `shared vec3 placeValues[6 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constants `bool
+// WITH_INPUTS`, WITH_FLOW (inputs make the water flow; the buffer `likeness` is there), WITH_PLACE_FLOW (the flow is
+// wanted at the place that is asked for) and WITH_DISPLACEMENT.
 
 #include "lib/inputs.glsl"
+
+#include "lib/displaced.glsl"
 #include "lib/places.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
@@ -39,6 +42,8 @@ struct Sum
     vec3 alongX;
     vec2 alongZ;
 };
+
+const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
 
 // A lane's share of the tiles that are taken on, around a rest point: their sum, and its second derivatives.
 struct Smooth
@@ -190,11 +195,15 @@ SeaPlace seaPlaceAt(ivec2 cell, vec2 rest)
 }
 
 // What is asked of inputs for a point, an element of `placeValues` each: values and slopes of the level at the place
-// that was asked for and at the place at rest, of the floor there, and of the weight of each wave system.
+// that was asked for and at the place at rest, of the floor and both numbers of the flow there, and of the weight of
+// each wave system; both numbers of the flow at the place that was asked for.
 #define ASKED_PLACE_LEVEL 0
 #define ASKED_LEVEL 1
 #define ASKED_FLOOR 2
-#define ASKED_SYSTEMS 3
+#define ASKED_FLOW_X 3
+#define ASKED_FLOW_Z 4
+#define ASKED_PLACE_FLOW 5
+#define ASKED_SYSTEMS 6
 
 bool areSystemsWeighted(SeaPlace place)
 {
@@ -208,9 +217,19 @@ void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
     uint count = areSystemsWeighted(atRest) ? ASKED_SYSTEMS + SW_LIMIT_SYSTEMS : ASKED_SYSTEMS;
     for (uint i = lane; i < count; i += SW_QUERY_LANES)
     {
-        uint field = i == ASKED_FLOOR ? SW_FIELD_OF_FLOOR : i < ASKED_FLOOR ? SW_FIELD_OF_LEVEL : SW_FIELD_OF_WAVES;
-        SeaPlace asked = i == ASKED_PLACE_LEVEL ? seaPlaceAt(cell, place) : atRest;
-        placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = firstOf(fieldAt(field, i - ASKED_SYSTEMS, asked));
+        uint field = i < ASKED_FLOOR     ? SW_FIELD_OF_LEVEL
+                     : i == ASKED_FLOOR  ? SW_FIELD_OF_FLOOR
+                     : i < ASKED_SYSTEMS ? SW_FIELD_OF_FLOW
+                                         : SW_FIELD_OF_WAVES;
+        if (field == SW_FIELD_OF_FLOW && (!WITH_FLOW || (i == ASKED_PLACE_FLOW && !WITH_PLACE_FLOW)))
+        {
+            continue;
+        }
+        bool isAtPlace = i == ASKED_PLACE_LEVEL || i == ASKED_PLACE_FLOW;
+        swInputValue value = fieldAt(field, i - ASKED_SYSTEMS, isAtPlace ? seaPlaceAt(cell, place) : atRest);
+        placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = i == ASKED_FLOW_Z       ? secondOf(value)
+                                                                   : i == ASKED_PLACE_FLOW ? value.value.xyz
+                                                                                           : firstOf(value);
     }
 }
 
@@ -223,17 +242,30 @@ vec3 askedOf(uint i)
 struct Shaper
 {
     Ground ground;
+    Flow flow;
     bool isWeighted; // inputs weigh systems
 };
 
+Flow askedFlow()
+{
+    vec3 x = askedOf(ASKED_FLOW_X), z = askedOf(ASKED_FLOW_Z);
+    return Flow(vec2(x.x, z.x), vec4(x.yz, z.yz));
+}
+
 Shaper shaperAt(SeaPlace place)
 {
-    return Shaper(groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR)), areSystemsWeighted(place));
+    Ground ground = groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR));
+    return Shaper(ground, WITH_FLOW ? askedFlow() : STILL, areSystemsWeighted(place));
+}
+
+bool doesCarry(Shaper shaper)
+{
+    return WITH_FLOW && isMoved(shaper.flow);
 }
 
 bool doesShape(Shaper shaper)
 {
-    return shaper.isWeighted || shaper.ground.depth < SW_NO_DEPTH;
+    return shaper.isWeighted || shaper.ground.depth < SW_NO_DEPTH || doesCarry(shaper);
 }
 
 Shape shapeOf(Shaper shaper, uint system, float k, swAttenuation attenuation)
@@ -254,7 +286,106 @@ void addShaped(Shape shape, Sum own, inout Sum sum)
     sum.alongZ += shape.weight * own.alongZ + shape.slope.y * own.value.yz;
 }
 
-const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
+// ---- where a flow carries them ----
+
+// How alike a tile's heights are a way apart, and the slopes of that by the way. All lanes know all of it.
+vec3 likenessOf(swQueryTile tile, vec2 way)
+{
+    vec2 turns = way * tile.turnsPerMetre;
+    uint turnsX = toTurns(turns.x), turnsZ = toTurns(turns.y);
+    uint mask = (1u << tile.resolutionBits) - 1u;
+    uint first = tile.firstTexel + (turnsX >> (32 - tile.resolutionBits));
+    uint row = turnsZ >> (32 - tile.resolutionBits);
+    float x = float((turnsX << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
+    float z = float((turnsZ << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
+    vec4 valueX = swSplineWeights(x), slopeX = swSplineSlopes(x) * tile.texelsPerMetre;
+    vec4 valueZ = swSplineWeights(z), slopeZ = swSplineSlopes(z) * tile.texelsPerMetre;
+    vec3 found = vec3(0.0);
+    for (uint i = 0; i < 4; ++i)
+    {
+        uint at = first + ((row + i) & mask) * (mask + 4u);
+        vec4 texel = vec4(likeness[at], likeness[at + 1], likeness[at + 2], likeness[at + 3]);
+        float value = dot(valueX, texel);
+        found += vec3(valueZ[i] * value, valueZ[i] * dot(slopeX, texel), slopeZ[i] * value);
+    }
+    return found;
+}
+
+// The same of free waves [first, end): the mean of cos(k . way), by energy.
+vec3 likenessOf(uint first, uint end, vec2 way)
+{
+    float energy = 0.0;
+    vec3 found = vec3(0.0);
+    for (uint i = first; i < end; ++i)
+    {
+        swQueryWave wave = waves[i];
+        vec2 unit = wave.amplitude * wave.amplitude * unitOf(toTurns(wave.turnsX * way.x + wave.turnsZ * way.y));
+        energy += wave.amplitude * wave.amplitude;
+        found += vec3(unit.x, -6.28318530718 * unit.y * vec2(wave.turnsX, wave.turnsZ));
+    }
+    return energy > 0.0 ? found / energy : vec3(1.0, 0.0, 0.0);
+}
+
+// Adds a copy of waves: what it counts, and the slopes of where it is looked up less where that is.
+void addCopy(float weight, vec4 way, Sum own, inout Sum sum)
+{
+    vec3 alongZ = vec3(own.alongX.z, own.alongZ);
+    sum.value += weight * own.value;
+    sum.alongX += weight * (own.alongX * (1.0 + way.x) + alongZ * way.z);
+    sum.alongZ += weight * (own.alongX.yz * way.y + own.alongZ * (1.0 + way.w));
+}
+
+// A lane's share of a tile's copies, and their part of the shape.
+Sum carriedTile(swQueryTile tile, Flow flow, ivec2 cell, vec2 rest, uint lane, vec4 cubic, inout Shape shape)
+{
+    Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
+    float between = 0.5 * tile.carryPeriod;
+    shape = carried(shape, carry, between, flow, likenessOf(tile, between * flow.velocity));
+    Sum sum = NO_WATER;
+    for (uint c = 0; c < 2; ++c)
+    {
+        Sum own = NO_WATER;
+        addTile(tile, cell, rest - carry.seconds[c] * flow.velocity, lane, cubic, own);
+        addCopy(carry.weights[c], -carry.seconds[c] * flow.slopes, own, sum);
+    }
+    return sum;
+}
+
+// Free waves [first, end), which are of one octave and one system.
+Sum carriedWaves(uint first, uint end, Flow flow, ivec2 cell, vec2 rest, inout Shape shape)
+{
+    Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+    float between = 0.5 * waves[first].carryPeriod;
+    shape = carried(shape, carry, between, flow, likenessOf(first, end, between * flow.velocity));
+    Sum sum = NO_WATER;
+    for (uint c = 0; c < 2; ++c)
+    {
+        Sum own = NO_WATER;
+        for (uint i = first; i < end; ++i)
+        {
+            addWave(waves[i], cell, rest - carry.seconds[c] * flow.velocity, own);
+        }
+        addCopy(carry.weights[c], -carry.seconds[c] * flow.slopes, own, sum);
+    }
+    return sum;
+}
+
+// Groups of the first free waves go round the lanes.
+void addCarriedWaves(Shaper shaper, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
+{
+    uint turn = 0;
+    for (uint first = 0; first < waveCount; ++turn)
+    {
+        uint end = min(waves[first].groupEnd, waveCount);
+        if (turn % SW_QUERY_LANES == lane)
+        {
+            Shape shape = shapeOf(shaper, waves[first].system, waves[first].waveNumber, waves[first].attenuation);
+            Sum own = carriedWaves(first, end, shaper.flow, cell, rest, shape);
+            addShaped(shape, own, sum);
+        }
+        first = end;
+    }
+}
 
 // addWater() of the first tiles and waves, shaped.
 void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
@@ -263,8 +394,21 @@ void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, v
     for (uint i = 0; i < tileCount; ++i)
     {
         Sum own = NO_WATER;
-        addTile(tiles[i], cell, rest, lane, cubic, own);
-        addShaped(shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i])), own, sum);
+        Shape shape = shapeOf(shaper, tiles[i].system, tiles[i].waveNumber, attenuationOf(tiles[i]));
+        if (doesCarry(shaper) && tiles[i].carryPeriod > 0.0)
+        {
+            own = carriedTile(tiles[i], shaper.flow, cell, rest, lane, cubic, shape);
+        }
+        else
+        {
+            addTile(tiles[i], cell, rest, lane, cubic, own);
+        }
+        addShaped(shape, own, sum);
+    }
+    if (doesCarry(shaper))
+    {
+        addCarriedWaves(shaper, waveCount, cell, rest, lane, sum);
+        return;
     }
     for (uint i = lane; i < waveCount; i += SW_QUERY_LANES)
     {
@@ -319,6 +463,7 @@ struct Search
     float bestSquare;
     vec2 bestOffset;
     Sum best;
+    Sum raised; // best with what displaces heights where they are, see raise()
     Smooth part;
 };
 
@@ -433,11 +578,49 @@ bool advance(inout Search search, Sum sum)
     return search.bestSquare > params.water.toleranceSquare && search.iteration < params.water.maxIterations;
 }
 
+// Where inputs displace the water: the sum of the waves at the tried offset once those have joined it that follow them.
+Sum displaced(Search search, Sum sum)
+{
+    if (WITH_DISPLACEMENT)
+    {
+        swInputValue value =
+            swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(sum.alongX.z, sum.alongZ, 0.0));
+        value = displacedAt(seaPlaceAt(search.cell, search.place + search.offset),
+                            swDisplaceRange(params.water.minWavelength, 0.0, 0.0), value);
+        return Sum(value.value.xyz, value.alongX.xyz, value.alongZ.yz);
+    }
+    return sum;
+}
+
+// And the height that was found once the others have joined it, before anyone reads it.
+void raise(inout Search search)
+{
+    if (WITH_DISPLACEMENT)
+    {
+        Sum sum = search.best;
+        vec2 x = sum.alongX.xz, z = vec2(sum.alongX.z, sum.alongZ.y);
+        SeaPlace place = seaPlaceAt(search.cell, search.place + search.bestOffset + sum.value.xz);
+        vec3 level = askedOf(ASKED_PLACE_LEVEL);
+        swInputChannel before = heightByPlace(sum.value.y, vec2(sum.alongX.y, sum.alongZ.x), x, z);
+        swInputChannel after = raisedAt(place, swDisplaceRange(params.water.minWavelength, 0.0, 0.0),
+                                        swMakeChannel(level.x, level.y, level.z), before);
+        vec2 slope = slopeByRest(before, after, x, z);
+        sum.value.y = after.value;
+        sum.alongX.y += slope.x;
+        sum.alongZ.x += slope.y;
+        search.raised = sum;
+    }
+}
+
 // What was found, as the surface stands on its level. Chain rule: the level is a function of where particles are,
 // derivatives are by where they rest.
 Sum surfaceOf(Search search)
 {
     Sum sum = search.best;
+    if (WITH_DISPLACEMENT)
+    {
+        sum = search.raised;
+    }
     vec3 level = WITH_INPUTS ? askedOf(ASKED_PLACE_LEVEL) : vec3(0.0);
     sum.value.y += level.x;
     sum.alongX.y += level.y * (1.0 + sum.alongX.x) + level.z * sum.alongX.z;

@@ -48,8 +48,9 @@ SW_PARAMS(swQueryWater)
     // evaluation, and after those that follow.
     sw_uint farTileCount, nearTileCount;
     float farReach, nearReach;
+    float minWavelength; // m: shorter waves do not count
 };
-SW_PARAMS_SIZE(swQueryWater, 40);
+SW_PARAMS_SIZE(swQueryWater, 44);
 
 // Where the query's origin lies in the sea, see shared/input.h.
 SW_PARAMS(swQuerySea)
@@ -68,7 +69,7 @@ SW_PARAMS(swQueryParams)
     sw_uint velocityTexels; // from a tile's displacement to its velocity, in texels
     sw_uint accelerationTexels;
 };
-SW_PARAMS_SIZE(swQueryParams, 84);
+SW_PARAMS_SIZE(swQueryParams, 88);
 
 SW_PARAMS(swQueryPoint)
 {
@@ -95,9 +96,13 @@ SW_PARAMS(swQueryTile)
     float waveNumber;       // in the middle of the tile's waves, rad/m
     sw_uint system;
     float strength, perFreeDepth; // of swAttenuation, which as a struct would lie elsewhere in a uniform block
-    sw_uint unused0;
+    // Of copies that a flow carries, see shared/carry.h: how far the first is in its period, a fraction of 2^32, and
+    // the period, s; 0: a flow does not carry the tile.
+    sw_uint carryTurns;
+    float carryPeriod;
+    sw_uint unused0, unused1, unused2;
 };
-SW_PARAMS_SIZE(swQueryTile, 48);
+SW_PARAMS_SIZE(swQueryTile, 64);
 
 // A free wave as seen from the origin, see swFreeWave; the longest come first.
 SW_PARAMS(swQueryWave)
@@ -112,8 +117,11 @@ SW_PARAMS(swQueryWave)
     float waveNumber;     // of its octave, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint groupEnd; // one past the last of those that are carried together
+    sw_uint carryTurns;
+    float carryPeriod;
 };
-SW_PARAMS_SIZE(swQueryWave, 56);
+SW_PARAMS_SIZE(swQueryWave, 68);
 
 // ---- the water below ----
 
@@ -181,7 +189,7 @@ SW_PARAMS(swRayParams)
     float tolerance;   // m
     sw_uint mostLooks; // of a ray
 };
-SW_PARAMS_SIZE(swRayParams, 100);
+SW_PARAMS_SIZE(swRayParams, 104);
 
 // A ray, or a sphere along one. Begins as swQueryPoint does.
 SW_PARAMS(swQueryRay)

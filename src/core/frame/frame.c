@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/frame/frame.h"
 
+#include "shared/carry.h"
+
 static const swLayerInfo layers[SW_LAYERS] = {
 #define SW_LAYER(NAME, layerName, Maker, ...) {.name = #layerName, __VA_ARGS__},
 #include "core/frame/layers.inl"
@@ -43,4 +45,26 @@ swMadeFoamParams swGetMadeFoamParams(const swFrame* frame, int layer, float seco
         .currentX = frame->foamLaw.currentX,
         .currentZ = frame->foamLaw.currentZ,
     };
+}
+
+// Octaves begin anew at different times: none of them is seen to.
+#define OCTAVE_TURNS 0x9e3779b9u // of 2^32: the golden section
+
+uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* period)
+{
+    *period = swGetCarryPeriod(k);
+    int exponent;
+    frexpf(k, &exponent);
+    uint32_t begin = (uint32_t)exponent * OCTAVE_TURNS;
+    if (loopTicks > 0)
+    {
+        double loop = (double)loopTicks / SW_TICKS_PER_SECOND;
+        double count = fmax(floor(loop / (double)*period + 0.5), 1.0); // whole periods a loop
+        *period = (float)(loop / count);
+        return begin + swGetFractionOfTurn(count * ((double)(ticks % loopTicks) / (double)loopTicks));
+    }
+    int64_t periodTicks = (int64_t)((double)*period * SW_TICKS_PER_SECOND); // below 2^32
+    int64_t rest = ticks % periodTicks;
+    rest += rest < 0 ? periodTicks : 0;
+    return begin + (uint32_t)(((uint64_t)rest << 32) / (uint64_t)periodTicks);
 }

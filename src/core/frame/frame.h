@@ -176,6 +176,7 @@ typedef struct swLayerFrame
 {
     int steps;    // to take now, 0 .. mostSteps
     float stepDt; // s
+    int64_t due;  // steps of the layer's rate that passed
     bool isReset; // first step, or a jump in time: nothing has a past
     // Of a layer on demand, set by its swPlan function: there is something in it. It has no texels otherwise, and is
     // the same everywhere, see swLayerInfo::rest. Before, what it was in the step before.
@@ -282,6 +283,10 @@ static inline swPosXZ swGetTileShift(const swTile* tile, int64_t ticks)
     return (swPosXZ){path.x - floor(path.x / tile->side) * tile->side,
                      path.z - floor(path.z / tile->side) * tile->side};
 }
+
+// How far the first of two copies of waves in a flow is in its period, see shared/carry.h, a fraction of 2^32; the
+// second is half a turn ahead. `k` is swGetTileWaveNumber() or swGetOctaveWaveNumber(); `period` is in seconds.
+uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* period);
 
 // Variance of one free wave's slope.
 static inline float swGetFreeWaveSlope(const swFreeWave* wave)

@@ -20,7 +20,6 @@
 #include "seaway/view.h"
 
 #define SW_FOAM_RATE 30
-#define SW_FOAM_MOST_STEPS 10 // in a frame of a third of a second
 
 typedef enum swLayerKind
 {

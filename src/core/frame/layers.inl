@@ -9,11 +9,10 @@ SW_LAYER(FLOW_SLOPES, flow_slopes, Fields, .kind = SW_LAYER_IS_FIELD, .format = 
 SW_LAYER(DISPLACEMENT, displacement, Slices, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_RGBA32F)
 SW_LAYER(DERIVATIVES, derivatives, Slices, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_RGBA16F, .isLinear = true)
 SW_LAYER(FOAM, foam, Foam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true, .hasPast = true,
-         .rate = SW_FOAM_RATE, .mostSteps = SW_FOAM_MOST_STEPS, .longestGap = 1, .isExact = true, .isSaved = true,
-         .most = 1.0f)
+         .rate = SW_FOAM_RATE, .mostSteps = 4, .longestGap = 1, .isExact = true, .isSaved = true, .most = 1.0f)
 SW_LAYER(WAKE_FOAM, wake_foam, MadeFoam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true,
-         .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = SW_FOAM_MOST_STEPS, .longestGap = 1, .isExact = true,
-         .isOnDemand = true, .isSaved = true, .most = 1.0f)
+         .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = 4, .longestGap = 1, .isExact = true, .isOnDemand = true,
+         .isSaved = true, .most = 1.0f)
 SW_LAYER(SHORE_FOAM, shore_foam, MadeFoam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true,
-         .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = SW_FOAM_MOST_STEPS, .longestGap = 1, .isExact = true,
-         .isOnDemand = true, .isSaved = true, .most = 1.0f)
+         .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = 4, .longestGap = 1, .isExact = true, .isOnDemand = true,
+         .isSaved = true, .most = 1.0f)

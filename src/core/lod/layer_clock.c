@@ -23,13 +23,17 @@ void swAdvanceLayerClock(swLayerClock* clock, const swLayerInfo* info, int64_t e
         clock->clock += steps;
     }
     frame->steps = steps < info->mostSteps ? (int)steps : info->mostSteps;
-    bool isCut = steps > info->mostSteps;
-    frame->stepDt = (isCut               ? (float)steps / (float)info->mostSteps
-                     : frame->steps == 0 ? 0.0f
-                                         : 1.0f) /
-                    (float)info->rate;
+    frame->stepDt = frame->steps == 0 ? 0.0f : (float)steps / (float)info->rate / (float)frame->steps;
+    frame->due = steps;
     frame->clock = clock->clock;
     frame->resetCount = clock->resetCount;
+}
+
+swCarriedSteps swFindCarriedSteps(const swLayerInfo* info, int64_t due)
+{
+    int count = due < SW_MOST_CARRIED_STEPS ? (int)due : SW_MOST_CARRIED_STEPS;
+    float each = due > count ? (float)due / (float)count : 1.0f;
+    return (swCarriedSteps){.count = count, .dt = each / (float)info->rate};
 }
 
 swLayerCatchUp swFindCatchUp(const swLayerMark* mark, int layer, const swStackFrame* stack)

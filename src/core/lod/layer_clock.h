@@ -18,6 +18,16 @@ typedef struct swLayerClock
 // gap is a jump, after which nothing has a past.
 void swAdvanceLayerClock(swLayerClock* clock, const swLayerInfo* info, int64_t elapsedTicks, swLayerFrame* frame);
 
+// Steps of a layer that water carries are taken one by one: a third of a second's in a frame. More are taken as so many
+// longer ones.
+#define SW_MOST_CARRIED_STEPS 10
+
+typedef struct swCarriedSteps
+{
+    int count;
+    float dt; // s, of each
+} swCarriedSteps;
+
 // Where a reader's copy of a layer stands that does not see every step, as the GPU's.
 typedef struct swLayerMark
 {
@@ -36,6 +46,7 @@ typedef struct swLayerCatchUp
 } swLayerCatchUp;
 
 SW_SEAM_BEGIN
+swCarriedSteps swFindCarriedSteps(const swLayerInfo* info, int64_t due);
 swLayerCatchUp swFindCatchUp(const swLayerMark* mark, int layer, const swStackFrame* stack);
 void swMoveMark(swLayerMark* mark, int layer, const swStackFrame* stack); // it has made up for it
 SW_SEAM_END

@@ -208,7 +208,8 @@ static void stepExactly(swLayerStack* layers, int first, int count, swStepLayerF
                         swStackFrame* frame)
 {
     const swLayerFrame* now = &frame->layers[first];
-    int calls = now->isCarried && now->steps > 1 ? now->steps : 1;
+    swCarriedSteps carried = swFindCarriedSteps(swGetLayerInfo(first), now->isCarried ? now->due : 0);
+    int calls = carried.count > 1 ? carried.count : 1;
     swPastSource still[SW_MAX_SLICES][SW_PAST_SOURCES];
     for (int i = 0; i < frame->sliceCount && calls > 1; ++i)
     {
@@ -219,7 +220,7 @@ static void stepExactly(swLayerStack* layers, int first, int count, swStepLayerF
         turnAll(layers, first, count, step);
         step->index = i;
         step->sources = i == 0 ? frame->sources : still;
-        step->dt = calls > 1 ? now->stepDt : now->stepDt * (float)now->steps;
+        step->dt = calls > 1 ? carried.dt : now->stepDt * (float)now->steps;
         stepFcn(step);
     }
 }

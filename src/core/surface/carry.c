@@ -7,9 +7,6 @@
 #include "core/math/scalar.h"
 #include "shared/carry.h"
 
-// Octaves begin anew at different times: none of them is seen to.
-#define OCTAVE_TURNS 0x9e3779b9u // of 2^32: the golden section
-
 static int64_t getLoopTicks(const swWaveGroup* group)
 {
     return group->tile != NULL ? group->tile->loopTicks : group->waves[0].loopTicks;
@@ -17,22 +14,7 @@ static int64_t getLoopTicks(const swWaveGroup* group)
 
 uint32_t swFindCarryPhase(const swWaveGroup* group, int64_t ticks, float* period)
 {
-    int64_t loopTicks = getLoopTicks(group);
-    *period = swGetCarryPeriod(group->k);
-    int exponent;
-    frexpf(group->k, &exponent);
-    uint32_t begin = (uint32_t)exponent * OCTAVE_TURNS;
-    if (loopTicks > 0)
-    {
-        double loop = (double)loopTicks / SW_TICKS_PER_SECOND;
-        double count = fmax(floor(loop / (double)*period + 0.5), 1.0); // whole periods a loop
-        *period = (float)(loop / count);
-        return begin + swGetFractionOfTurn(count * ((double)(ticks % loopTicks) / (double)loopTicks));
-    }
-    int64_t periodTicks = (int64_t)((double)*period * SW_TICKS_PER_SECOND); // below 2^32
-    int64_t rest = ticks % periodTicks;
-    rest += rest < 0 ? periodTicks : 0;
-    return begin + (uint32_t)(((uint64_t)rest << 32) / (uint64_t)periodTicks);
+    return swGetCarryPhase(group->k, getLoopTicks(group), ticks, period);
 }
 
 // ---- correlation ----
@@ -148,11 +130,8 @@ void swCarryLook(const swPlaceBlock* block, const swWaveGroup* group, swLook* ca
     carried->copies[1] = carried->copies[0];
     for (int i = 0; i < block->count; ++i)
     {
-        float variance = swGetCarryVariance(weight, rho[i]);
-        bool isLeast = !(variance > SW_LEAST_CARRY_VARIANCE);
-        variance = isLeast ? SW_LEAST_CARRY_VARIANCE : variance;
-        float factor = 1.0f / sqrtf(variance);
-        float slope = isLeast ? 0.0f : -weights[0] * weights[1] * factor / variance * half; // by rho, times the way's
+        swCarryFactor found = swGetCarryFactor(weight, rho[i]);
+        float factor = found.value, slope = found.slope * half; // by rho, times the way's
         const float* g = gradients[i];
         float factorX = slope * (slopes[i][0] * g[0] + slopes[i][1] * g[2]);
         float factorZ = slope * (slopes[i][0] * g[1] + slopes[i][1] * g[3]);

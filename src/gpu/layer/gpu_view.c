@@ -291,14 +291,15 @@ void swFillStillSources(const swGpuView* view, int stride, swPastSource* sources
     }
 }
 
-swLayerSteps swFindLayerSteps(const swGpuView* view, int layer)
+swCarriedSteps swFindLayerSteps(const swGpuView* view, int layer)
 {
     const swLayerInfo* info = swGetLayerInfo(layer);
     int64_t due = view->layers[layer].due.steps;
-    bool isOne = !view->frame->stack.layers[layer].isCarried || due <= 1;
-    int count = isOne ? 1 : due < info->mostSteps ? (int)due : info->mostSteps;
-    float each = due <= info->mostSteps && !isOne ? 1.0f : (float)due / (float)count;
-    return (swLayerSteps){.count = count, .dt = each / (float)info->rate};
+    if (view->frame->stack.layers[layer].isCarried && due > 1)
+    {
+        return swFindCarriedSteps(info, due);
+    }
+    return (swCarriedSteps){.count = 1, .dt = (float)due / (float)info->rate};
 }
 
 const swImage* swGetStepTarget(const swGpuView* view, int layer, int step, int count)

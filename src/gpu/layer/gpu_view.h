@@ -84,13 +84,7 @@ void swFillPastSources(const swGpuView* view, int layer, int stride, swPastSourc
 
 // Steps of a layer in this frame: one of all that is due, or one after another where water carries the layer, since
 // what is upstream of upstream is in neither image. The first reads the image before, the last writes the next one.
-typedef struct swLayerSteps
-{
-    int count;
-    float dt; // s, of each
-} swLayerSteps;
-
-swLayerSteps swFindLayerSteps(const swGpuView* view, int layer);
+swCarriedSteps swFindLayerSteps(const swGpuView* view, int layer);
 const swImage* swGetStepSource(const swGpuView* view, int layer, int step, int count);
 const swImage* swGetStepTarget(const swGpuView* view, int layer, int step, int count);
 // As swFillPastSources(), of the steps after the first: slices lie still.

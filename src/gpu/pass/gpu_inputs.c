@@ -212,6 +212,8 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
     swGpuInputs* inputs = &gpuWorld->inputs;
     const swInputSet* set = frame->inputs;
     inputs->isAuthored = set != NULL && (set->recordCount > 0 || set->localSystems != 0);
+    inputs->hasFlow = inputs->isAuthored && swHasInputs(set, SW_INPUT_FLOW);
+    inputs->hasDisplacement = inputs->isAuthored && swHasInputs(set, SW_INPUT_DISPLACEMENT);
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded

@@ -39,12 +39,13 @@ void swDestroyGpuTiles(swGpu* gpu, swGpuTiles* tiles)
     swDestroyBuffer(gpu, &tiles->rows);
     swDestroyBuffer(gpu, &tiles->lines);
     swDestroyBuffer(gpu, &tiles->texels);
+    swDestroyBuffer(gpu, &tiles->likeness);
 }
 
 size_t swGetGpuTileMemory(const swGpuTiles* tiles)
 {
     return (size_t)(tiles->roots.memory.size + tiles->modes.memory.size + tiles->rows.memory.size +
-                    tiles->lines.memory.size + tiles->texels.memory.size);
+                    tiles->lines.memory.size + tiles->texels.memory.size + tiles->likeness.memory.size);
 }
 
 static bool tilesChanged(const swGpuWorld* gpuWorld, const swFrame* frame)
@@ -229,6 +230,56 @@ static swResult uploadTexels(swGpuWorld* gpuWorld, const swFrame* frame, const s
     return result;
 }
 
+// Whether inputs make the water flow, and the core has what their waves' copies are divided by.
+static bool findCarried(const swFrame* frame)
+{
+    bool isCarried = swHasInputs(frame->inputs, SW_INPUT_FLOW) && frame->tileCount > 0;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        isCarried = isCarried && frame->tiles[i].likeness != NULL;
+    }
+    return isCarried;
+}
+
+static void fillLikeness(const swTile* tile, float* to)
+{
+    size_t count = (size_t)tile->resolution * (size_t)(tile->resolution + 3);
+    for (size_t i = 0; i < count; ++i)
+    {
+        to[i] = tile->likeness[4 * i + 1];
+    }
+}
+
+static swResult uploadLikeness(swGpuWorld* gpuWorld, const swFrame* frame, const swTileLayout* layout)
+{
+    swGpuTiles* tiles = &gpuWorld->tiles;
+    VkDeviceSize size = layout->texelCount * sizeof(float);
+    swResult result = swGrowBuffer(gpuWorld->gpu, size, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, SW_MEMORY_DEVICE,
+                                   "likeness of tiles", &tiles->likeness);
+    tiles->hasLikeness = false; // until this frame is recorded
+    result = result == SW_SUCCESS ? swReserveUpload(gpuWorld->gpu, size, &tiles->likenessUpload) : result;
+    for (int i = 0; i < frame->tileCount && result == SW_SUCCESS; ++i)
+    {
+        fillLikeness(&frame->tiles[i], (float*)tiles->likenessUpload.data + tiles->params[i].firstTexel);
+    }
+    return result;
+}
+
+static swResult prepareLikeness(swGpuWorld* gpuWorld, const swFrame* frame, const swTileLayout* layout)
+{
+    swGpuTiles* tiles = &gpuWorld->tiles;
+    tiles->likenessUpload = (swUpload){0};
+    tiles->isCarried = findCarried(frame);
+    if (!tiles->isCarried)
+    {
+        swRetireBuffer(gpuWorld->gpu, &tiles->likeness);
+        tiles->hasLikeness = tiles->bringsLikeness = false;
+        return SW_SUCCESS;
+    }
+    tiles->bringsLikeness = tiles->bringsModes || !tiles->hasLikeness;
+    return tiles->bringsLikeness ? uploadLikeness(gpuWorld, frame, layout) : SW_SUCCESS;
+}
+
 // Indices of tiles, grouped by resolution.
 static swResult uploadOrder(swGpuWorld* gpuWorld, const swFrame* frame)
 {
@@ -277,6 +328,7 @@ swResult swPrepareGpuTiles(swGpuWorld* gpuWorld, const swFrame* frame)
     {
         result = uploadModes(gpuWorld, frame, &layout);
     }
+    result = result == SW_SUCCESS ? prepareLikeness(gpuWorld, frame, &layout) : result;
     if (result == SW_SUCCESS && tiles->isCore)
     {
         result = uploadTexels(gpuWorld, frame, &layout);
@@ -292,6 +344,7 @@ void swCopyGpuTiles(swGpu* gpu, VkCommandBuffer commands, const swGpuTiles* tile
     recordCopy(gpu, commands, &tiles->modesUpload, &tiles->modes);
     recordCopy(gpu, commands, &tiles->rowsUpload, &tiles->rows);
     recordCopy(gpu, commands, &tiles->texelsUpload, &tiles->texels);
+    recordCopy(gpu, commands, &tiles->likenessUpload, &tiles->likeness);
 }
 
 void swCommitGpuTiles(swGpuTiles* tiles, const swFrame* frame)
@@ -302,9 +355,17 @@ void swCommitGpuTiles(swGpuTiles* tiles, const swFrame* frame)
     }
     tiles->tilesVersion = frame->tilesVersion;
     tiles->hasModes = true;
+    tiles->hasLikeness = tiles->isCarried;
 }
 
 void swDiscardGpuTiles(swGpuTiles* tiles)
 {
     tiles->hasModes = false;
+    tiles->hasLikeness = false;
+}
+
+swBinding swBindLikeness(const swGpuWorld* gpuWorld)
+{
+    const swGpuTiles* tiles = &gpuWorld->tiles;
+    return swBindBuffer(tiles->isCarried ? &tiles->likeness : &tiles->texels);
 }

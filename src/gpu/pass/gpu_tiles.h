@@ -29,8 +29,11 @@ typedef struct swGpuTiles
     swBuffer rows;   // see swTileParams::firstRow
     swBuffer lines;  // between the FFT's axes, of each field
     swBuffer texels; // of each field; see shaders/shared/waves.h
+    // swTile::likeness, a number for each texel of displacement; while a flow may carry waves.
+    swBuffer likeness;
 
-    bool hasModes; // tilesVersion and spectrumVersions are of what modes and rows hold
+    bool hasModes;    // tilesVersion and spectrumVersions are of what modes and rows hold
+    bool hasLikeness; // and likeness
     uint32_t tilesVersion;
     uint32_t spectrumVersions[SW_MAX_TILES];
 
@@ -38,8 +41,10 @@ typedef struct swGpuTiles
     int count;
     swTileFields fields;
     bool bringsModes; // modes and rows are uploaded
-    bool isCore;      // the core made the texels, they are only copied
-    swUpload modesUpload, rowsUpload, texelsUpload;
+    bool isCarried;   // likeness is there
+    bool bringsLikeness;
+    bool isCore; // the core made the texels, they are only copied
+    swUpload modesUpload, rowsUpload, texelsUpload, likenessUpload;
     swTileParams params[SW_MAX_TILES]; // by index of the frame's tiles, as in the layers of detail
     swUpload paramsUpload;
     swUpload order;                     // indices of tiles, grouped by resolution
@@ -56,6 +61,9 @@ swResult swPrepareGpuTiles(swGpuWorld* gpuWorld, const swFrame* frame);
 void swCopyGpuTiles(swGpu* gpu, VkCommandBuffer commands, const swGpuTiles* tiles);
 void swCommitGpuTiles(swGpuTiles* tiles, const swFrame* frame);
 void swDiscardGpuTiles(swGpuTiles* tiles);
+
+// swGpuTiles::likeness; something that is not read where no flow carries waves.
+swBinding swBindLikeness(const swGpuWorld* gpuWorld);
 
 // Of the tiles of a resolution.
 static inline swWavesParams swMakeWavesParams(const swGpuTiles* tiles, int size)

@@ -12,7 +12,9 @@ typedef struct State
 
 static swRayQueryConstants constantsOf(const swGpuWorld* gpuWorld)
 {
-    return (swRayQueryConstants){.withInputs = gpuWorld->inputs.isAuthored ? 1 : 0};
+    return (swRayQueryConstants){.withInputs = gpuWorld->inputs.isAuthored ? 1 : 0,
+                                 .withFlow = gpuWorld->inputs.hasFlow ? 1 : 0,
+                                 .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0};
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
@@ -49,6 +51,7 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
         .inputRecords = inputs[1],
         .inputNodes = inputs[2],
         .inputWords = inputs[3],
+        .likeness = swBindLikeness(gpuWorld),
     };
     swRayQueryConstants constants = constantsOf(gpuWorld);
     const swPipeline* pipeline = swFindVariant(&state->pipelines, &swRayQueryShader, &constants);
@@ -75,7 +78,7 @@ static void destroy(swGpu* gpu, void* state)
 const swPass swPass_ray_query = {
     .name = "ray_query",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT,
+    .reads = SW_TEXELS_BIT | SW_MODES_BIT | SW_INPUTS_BIT,
     .writes = SW_OUTPUT_BIT(SW_PASS_RAY_QUERY),
     .upload = upload,
     .create = create,

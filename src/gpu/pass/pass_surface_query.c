@@ -16,7 +16,9 @@ static swSurfaceQueryConstants constantsOf(const swGpuWorld* gpuWorld, const swG
     bool isSurface = query->def.kind == SW_GPU_QUERY_KIND_SURFACE;
     bool hasMotion = (query->def.outputs & (SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION)) != 0;
     return (swSurfaceQueryConstants){.withMotion = isSurface && hasMotion ? 1 : 0,
-                                     .withInputs = gpuWorld->inputs.isAuthored ? 1 : 0};
+                                     .withInputs = gpuWorld->inputs.isAuthored ? 1 : 0,
+                                     .withFlow = gpuWorld->inputs.hasFlow ? 1 : 0,
+                                     .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0};
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)
@@ -65,6 +67,7 @@ static void recordQuery(const swGpuWorld* gpuWorld, const swGpuQuery* query, con
         .inputRecords = inputs[1],
         .inputNodes = inputs[2],
         .inputWords = inputs[3],
+        .likeness = swBindLikeness(gpuWorld),
         .stills = swBindPlane(query, query->planes.stills),
     };
     swSurfaceQueryConstants constants = constantsOf(gpuWorld, query);
@@ -92,7 +95,7 @@ static void destroy(swGpu* gpu, void* state)
 const swPass swPass_surface_query = {
     .name = "surface_query",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT,
+    .reads = SW_TEXELS_BIT | SW_MODES_BIT | SW_INPUTS_BIT,
     .writes = SW_OUTPUT_BIT(SW_PASS_SURFACE_QUERY),
     .upload = upload,
     .create = create,

@@ -31,6 +31,11 @@ static swQueryTile makeQueryTile(const swTile* tile, uint32_t firstTexel, swPosX
     };
 }
 
+static void carryTile(const swTile* tile, int64_t ticks, swQueryTile* seen)
+{
+    seen->carryTurns = swGetCarryPhase(seen->waveNumber, tile->loopTicks, ticks, &seen->carryPeriod);
+}
+
 static swQueryWave makeQueryWave(const swFreeWave* wave, int64_t ticks, swPosXZ origin)
 {
     return (swQueryWave){
@@ -144,14 +149,32 @@ static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float 
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         const swTile* tile = &frame->tiles[chosen[i]];
-        ((swQueryTile*)query->tiles.data)[i] =
-            makeQueryTile(tile, query->gpuWorld->tiles.params[chosen[i]].firstTexel, origin);
+        swQueryTile seen = makeQueryTile(tile, query->gpuWorld->tiles.params[chosen[i]].firstTexel, origin);
+        if (query->gpuWorld->tiles.isCarried)
+        {
+            carryTile(tile, frame->ticks, &seen);
+        }
+        ((swQueryTile*)query->tiles.data)[i] = seen;
         water->longTileCount += tile->minWavelength >= shortest ? 1 : 0;
     }
     water->tileCount = (uint32_t)count;
     water->farTileCount = findSmoothTiles(query, frame, count, chosen, FAR_WAY * shortest, &water->farReach);
     water->nearTileCount = findSmoothTiles(query, frame, count, chosen, NEAR_WAY * shortest, &water->nearReach);
     return result;
+}
+
+// One past the last of the waves that are carried together with wave `first`, as swGroupFreeWaves() has them in
+// core/surface/places.c.
+static uint32_t findGroupEnd(const swFrame* frame, int first, int count)
+{
+    float k = swGetOctaveWaveNumber(frame->waves[first].wavelength);
+    int end = first + 1;
+    while (end < count && frame->waves[end].system == frame->waves[first].system &&
+           swGetOctaveWaveNumber(frame->waves[end].wavelength) == k)
+    {
+        end += 1;
+    }
+    return (uint32_t)end;
 }
 
 static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float shortest)
@@ -165,10 +188,15 @@ static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float 
     swResult result = swReserveUpload(query->gpuWorld->gpu, (VkDeviceSize)(count > 0 ? count : 1) * sizeof(swQueryWave),
                                       &query->waves);
     swQueryWater* water = &query->params.water;
+    uint32_t groupEnd = 0;
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         const swFreeWave* wave = &frame->waves[i];
-        ((swQueryWave*)query->waves.data)[i] = makeQueryWave(wave, frame->ticks, origin);
+        swQueryWave seen = makeQueryWave(wave, frame->ticks, origin);
+        groupEnd = (uint32_t)i == groupEnd ? findGroupEnd(frame, i, count) : groupEnd;
+        seen.groupEnd = groupEnd;
+        seen.carryTurns = swGetCarryPhase(seen.waveNumber, wave->loopTicks, frame->ticks, &seen.carryPeriod);
+        ((swQueryWave*)query->waves.data)[i] = seen;
         water->longWaveCount += wave->wavelength >= shortest ? 1 : 0;
     }
     water->waveCount = (uint32_t)count;
@@ -187,6 +215,7 @@ static void fillParams(swGpuQuery* query)
     query->params = (swQueryParams){
         .water.maxIterations = (uint32_t)query->def.maxIterations,
         .water.toleranceSquare = query->def.tolerance * query->def.tolerance,
+        .water.minWavelength = query->def.minWavelength,
     };
     swPosXZ origin = originInSea(query);
     swSplitSeaPlace(origin.x, &query->params.sea.cellX, &query->params.sea.restX);

@@ -97,8 +97,9 @@ static void recordCopies(swGpuWorld* gpuWorld, VkCommandBuffer commands, swHazar
     swCopyGpuTiles(gpu, commands, tiles);
     swCopyGpuInputs(gpu, commands, &gpuWorld->inputs);
     bool hasLayers = swCopyGpuViews(gpu, commands, gpuWorld->views);
-    swResources writes = (tiles->bringsModes ? SW_MODES_BIT : 0) | (tiles->isCore ? SW_TEXELS_BIT : 0) |
-                         (gpuWorld->inputs.isBrought ? SW_INPUTS_BIT : 0) | (hasLayers ? SW_ALL_LAYERS_BITS : 0);
+    swResources writes = (tiles->bringsModes || tiles->bringsLikeness ? SW_MODES_BIT : 0) |
+                         (tiles->isCore ? SW_TEXELS_BIT : 0) | (gpuWorld->inputs.isBrought ? SW_INPUTS_BIT : 0) |
+                         (hasLayers ? SW_ALL_LAYERS_BITS : 0);
     swOrderStep(gpu, commands, hazards, SW_STAGE_COPY, 0, writes);
 }
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Inputs that displace the water: the twin of core/surface/displace.c. Formulas stand once, in shared/displace.h.
+//
+// Before including: lib/inputs.glsl.
+#ifndef SW_LIB_DISPLACED
+#define SW_LIB_DISPLACED
+#include "shared/displace.h"
+
+swInputSample sampleAt(swInputRecord record, SeaPlace place)
+{
+    return swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y, 0.0);
+}
+
+// The waves' displacement and its derivatives at a rest place, once all inputs that follow the waves have joined them.
+swInputValue displacedAt(SeaPlace rest, swDisplaceRange range, swInputValue waves)
+{
+    uint i = findInput(SW_FIELD_OF_DISPLACEMENT, rest.cell, rest.cell, 0);
+    while (i != SW_NO_RECORD)
+    {
+        swInputRecord record = inputRecords[i];
+        if (swIsDisplacing(record, range, true))
+        {
+            waves = swDisplaceAtRest(record, range, waves, sampleAt(record, rest));
+        }
+        i = findInput(SW_FIELD_OF_DISPLACEMENT, rest.cell, rest.cell, i + 1);
+    }
+    return waves;
+}
+
+// The height of a particle above still water and its derivatives by the place, once all inputs that stay put have
+// joined it. `level` is that of still water there.
+swInputChannel raisedAt(SeaPlace place, swDisplaceRange range, swInputChannel level, swInputChannel height)
+{
+    uint i = findInput(SW_FIELD_OF_DISPLACEMENT, place.cell, place.cell, 0);
+    while (i != SW_NO_RECORD)
+    {
+        swInputRecord record = inputRecords[i];
+        if (swIsDisplacing(record, range, false))
+        {
+            height = swDisplaceHeight(record, height, level, sampleAt(record, place));
+        }
+        i = findInput(SW_FIELD_OF_DISPLACEMENT, place.cell, place.cell, i + 1);
+    }
+    return height;
+}
+
+// Derivatives by the place of a height whose derivatives along rest are given: `x` and `z` are those of sideways
+// displacement along x and z. Where the surface folds they have none.
+swInputChannel heightByPlace(float height, vec2 along, vec2 x, vec2 z)
+{
+    float jacobian = (1.0 + x.x) * (1.0 + z.y) - z.x * x.y;
+    float inverse = abs(jacobian) > 1e-3 ? 1.0 / jacobian : 0.0;
+    return swMakeChannel(height, ((1.0 + z.y) * along.x - x.y * along.y) * inverse,
+                         ((1.0 + x.x) * along.y - z.x * along.x) * inverse);
+}
+
+// What a change of those derivatives adds to the ones along rest.
+vec2 slopeByRest(swInputChannel before, swInputChannel after, vec2 x, vec2 z)
+{
+    vec2 along = vec2(after.alongX - before.alongX, after.alongZ - before.alongZ);
+    return vec2(along.x * (1.0 + x.x) + along.y * x.y, along.x * z.x + along.y * (1.0 + z.y));
+}
+#endif
