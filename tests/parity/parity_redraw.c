@@ -126,7 +126,7 @@ static void ViewsShareTheInputs(void** state)
     Parity parity = MakeParity(state);
     swWaveSystemDef waves = swDefaultWaveSystemDef();
     AddParitySea(&parity, &waves);
-    const swInputPoint corners[3] = {{.position = {-9.0, 0.0, -9.0}}, {.position = {9.0, 0.0, -9.0}}, {.position = {0.0, 0.0, 9.0}}};
+    const swInputPoint corners[3] = {{.x = -9.0f, .z = -9.0f}, {.x = 9.0f, .z = -9.0f}, {.x = 0.0f, .z = 9.0f}};
     swInputDef def = swDefaultInputDef();
     def.shape = SW_SHAPE_POLYGON;
     def.points = corners;
