@@ -19,16 +19,35 @@ SW_PARAMS(swInputHead)
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 
-// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m.
+// Places of texels count from every so many texels of the world, so that a texel's is the same, to the bit, while its slice
+// moves.
+#define SW_FIELD_BASE 256
+
+// Where the texels of a slice lie: the cell (see shared/input.h) of the base at or before the first one, the base's place in
+// it, m, and how many texels the first one is further on.
 SW_PARAMS(swFieldSlice)
 {
     sw_int cellX, cellZ;
     float restX, restZ;
-    float texel;    // m
-    sw_uint isKept; // 1: texels and blocks are as they were, and so are the inputs
-    float unused0, unused1;
+    float texel; // m
+    sw_int offsetX, offsetZ;
+    float unused0;
 };
 SW_PARAMS_SIZE(swFieldSlice, 32);
+
+// Most rectangles of texels of a slice that are made.
+#define SW_MAX_FIELD_RECTS 16
+
+// What a slice needs: core/lod/redraw.h. What is in none of the rectangles, each columns and rows [first, end), is kept: it
+// was (shiftX, shiftZ) columns and rows further on.
+SW_PARAMS(swFieldRedraw)
+{
+    sw_int shiftX, shiftZ;
+    sw_uint isStill; // 1: all of it is kept where it is, and no input has changed
+    sw_uint count;
+    sw_int rects[4 * SW_MAX_FIELD_RECTS]; // first column, first row, column behind, row behind
+};
+SW_PARAMS_SIZE(swFieldRedraw, 272);
 
 // A block of SW_SLICE_WIDTH x SW_SLICE_HEIGHT texels: what shapes waves there.
 SW_PARAMS(swFieldBlock)
