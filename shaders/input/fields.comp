@@ -185,7 +185,8 @@ void main()
     ivec2 low = placeOfTexel(slice, first.x, first.y).cell;
     ivec2 high = placeOfTexel(slice, first.x + SW_SLICE_WIDTH - 1, first.y + SW_SLICE_HEIGHT - 1).cell;
     ivec2 shift = ivec2(redraws[at].shiftX, redraws[at].shiftZ);
-    bool isKept = shift == ivec2(0) && !hasNew(at, ivec2(first), ivec2(first) + ivec2(SW_SLICE_WIDTH, SW_SLICE_HEIGHT) - 1);
+    bool isKept =
+        shift == ivec2(0) && !hasNew(at, ivec2(first), ivec2(first) + ivec2(SW_SLICE_WIDTH, SW_SLICE_HEIGHT) - 1);
     if (isKept)
     {
         if (gl_LocalInvocationIndex == 0)

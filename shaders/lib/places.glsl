@@ -11,7 +11,7 @@
 SeaPlace placeOfTexel(swFieldSlice slice, uint column, uint row)
 {
     return seaPlaceOf(ivec2(slice.cellX, slice.cellZ),
-                      vec2(slice.restX, slice.restZ) + slice.texel * vec2(ivec2(column, row) + ivec2(slice.offsetX, slice.offsetZ)));
+                      vec2(slice.restX, slice.restZ) + slice.texel * vec2(column, row));
 }
 
 // Depth of still water and its gradient, and its level above sea level.

@@ -19,19 +19,14 @@ SW_PARAMS(swInputHead)
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 
-// Places of texels count from every so many texels of the world, so that a texel's is the same, to the bit, while its slice
-// moves.
-#define SW_FIELD_BASE 256
-
-// Where the texels of a slice lie: the cell (see shared/input.h) of the base at or before the first one, the base's place in
-// it, m, and how many texels the first one is further on.
+// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m. Texels are powers of
+// two, so that a place is the same, to the bit, while its slice moves.
 SW_PARAMS(swFieldSlice)
 {
     sw_int cellX, cellZ;
     float restX, restZ;
     float texel; // m
-    sw_int offsetX, offsetZ;
-    float unused0;
+    float unused0, unused1, unused2;
 };
 SW_PARAMS_SIZE(swFieldSlice, 32);
 

@@ -31,7 +31,7 @@ static swView* MakeView(Parity* parity, swPos viewpoint)
     swViewDef def = swDefaultViewDef();
     def.sliceCount = SLICES;
     def.resolution = RESOLUTION;
-    def.finestTexel = 0.3f; // no binary fraction
+    def.finestTexel = 0.25f;
     swView* view = NULL;
     assert_int_equal(swCreateView(parity->world, &def, &view), SW_SUCCESS);
     swView_SetViewpoint(view, viewpoint);

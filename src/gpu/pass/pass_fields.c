@@ -50,24 +50,14 @@ static uint32_t countRows(const swGpuView* view)
     return (uint32_t)view->resolution / SW_SLICE_HEIGHT;
 }
 
-// The base at or before a texel.
-static int64_t findBase(int64_t first)
-{
-    int64_t rest = first % SW_FIELD_BASE;
-    return first - (rest < 0 ? rest + SW_FIELD_BASE : rest);
-}
-
 void swFillFieldSlices(const swStackFrame* stack, swFieldSlice slices[SW_MAX_SLICES])
 {
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         const swSlice* slice = &stack->slices[i];
-        int64_t baseX = findBase(slice->firstX), baseZ = findBase(slice->firstZ);
-        swSplitSeaPlace((double)baseX * slice->texel, &slices[i].cellX, &slices[i].restX);
-        swSplitSeaPlace((double)baseZ * slice->texel, &slices[i].cellZ, &slices[i].restZ);
+        swSplitSeaPlace((double)slice->firstX * slice->texel, &slices[i].cellX, &slices[i].restX);
+        swSplitSeaPlace((double)slice->firstZ * slice->texel, &slices[i].cellZ, &slices[i].restZ);
         slices[i].texel = (float)slice->texel;
-        slices[i].offsetX = (sw_int)(slice->firstX - baseX);
-        slices[i].offsetZ = (sw_int)(slice->firstZ - baseZ);
     }
 }
 
@@ -84,11 +74,6 @@ static bool isMadeStill(const swGpuView* view, const ViewState* state)
     return isStill;
 }
 
-static bool isBasePassed(const swSlice* now, const swSlice* before)
-{
-    return findBase(now->firstX) != findBase(before->firstX) || findBase(now->firstZ) != findBase(before->firstZ);
-}
-
 static swFieldRedraw planSlice(const swGpuView* view, const swInputSet* inputs, const Made* made, int slice,
                                bool isStill)
 {
@@ -96,7 +81,7 @@ static swFieldRedraw planSlice(const swGpuView* view, const swInputSet* inputs, 
     const swSlice* now = &view->frame->stack.slices[slice];
     swRedraw redraw;
     swRedrawAll(view->resolution, &redraw);
-    if (isStill && !isBasePassed(now, &made->slices[slice]))
+    if (isStill)
     {
         swPlanRedraw(now, &made->slices[slice], view->resolution, inputs, made->version, &redraw);
     }
