@@ -435,10 +435,86 @@ static bool AddShore(swWorld* world)
     return isFine;
 }
 
-// Two seas take turns, so that a busy machine counts for both.
-static void CompareInputs(const char* name, bool (*add)(swWorld* world), bool arePatches, Answers* answers)
+// A stream of 1 m/s along the beach, even in its middle and with an edge of 100 m.
+static bool AddStream(swWorld* world)
 {
-    ScenarioDef def = DefaultScenarioDef(SCENARIO_BREEZE);
+    swInputDef def = swDefaultInputDef();
+    def.field = SW_INPUT_FLOW;
+    def.shape = SW_SHAPE_RECTANGLE;
+    def.position = (swPos){650.0, 0.0, 500.0};
+    def.size = (swVec3){400.0f, 0.0f, 2000.0f};
+    def.feather = 100.0f;
+    def.value[1] = 1.0f;
+    swInputId id;
+    return swCreateInput(world, &def, &id) == SW_SUCCESS;
+}
+
+// The beach with a stream, a lake and a hole.
+static bool AddShoreScene(swWorld* world)
+{
+    swInputDef lake = swDefaultInputDef(), dock = swDefaultInputDef();
+    lake.field = SW_INPUT_LEVEL;
+    lake.shape = SW_SHAPE_CIRCLE;
+    lake.position = (swPos){900.0, 0.0, 200.0};
+    lake.size = (swVec3){200.0f, 0.0f, 200.0f};
+    lake.value[0] = 3.0f;
+    dock.field = SW_INPUT_CLIP;
+    dock.shape = SW_SHAPE_BOX;
+    dock.position = (swPos){800.0, 0.0, 700.0};
+    dock.size = (swVec3){60.0f, 30.0f, 20.0f};
+    swInputId id;
+    return AddShore(world) && AddStream(world) && swCreateInput(world, &lake, &id) == SW_SUCCESS &&
+           swCreateInput(world, &dock, &id) == SW_SUCCESS;
+}
+
+typedef struct InputScene
+{
+    const char* name;
+    bool (*add)(swWorld* world);
+    ScenarioKind sea;
+    bool arePatches;
+} InputScene;
+
+// 64 points of a ship, on a lattice.
+static void MakePatches(Answers* answers)
+{
+    for (int i = 0; i < POINT_COUNT; ++i)
+    {
+        const swPosXZ* first = &answers->points[i - i % 64];
+        answers->points[i].x = first->x + 4.0 * (i % 8);
+        answers->points[i].z = first->z + 4.0 * (i / 8 % 8);
+    }
+}
+
+static void AskInTurns(const InputScene* scene, const swWorld* plain, const swWorld* shaped, Answers* answers)
+{
+    double seconds[2][ROUNDS], ratios[ROUNDS];
+    swQueryStats stats;
+    for (int i = 0; i < ROUNDS; ++i)
+    {
+        double start = Now();
+        Ask(plain, QUESTION_HEIGHTS, answers, &stats);
+        double middle = Now();
+        Ask(shaped, QUESTION_HEIGHTS, answers, &stats);
+        seconds[0][i] = middle - start;
+        seconds[1][i] = Now() - middle;
+        ratios[i] = seconds[0][i] / seconds[1][i];
+    }
+    qsort(seconds[0], ROUNDS, sizeof(double), CompareDoubles);
+    qsort(seconds[1], ROUNDS, sizeof(double), CompareDoubles);
+    qsort(ratios, ROUNDS, sizeof(double), CompareDoubles);
+    double none = POINT_COUNT / seconds[0][0], some = POINT_COUNT / seconds[1][0];
+    printf("{\"bench\": \"inputs\", \"scene\": \"%s\", \"points_per_s\": %.0f, \"without_inputs\": %.0f, "
+           "\"ratio\": %.4f, \"evaluations_per_point\": %.2f, \"converged\": %.5f}\n",
+           scene->name, some, none, ratios[ROUNDS / 2], (double)stats.iterationCount / POINT_COUNT,
+           (double)stats.convergedCount / POINT_COUNT);
+    fflush(stdout);
+}
+
+// Two seas take turns, so that a busy machine counts for both.
+static void CompareInputs(const InputScene* scene, Answers* answers)
+{
+    ScenarioDef def = DefaultScenarioDef(scene->sea);
     Scenario plain, shaped;
     if (CreateScenario(&def, &plain) != SW_SUCCESS)
     {
@@ -446,47 +522,41 @@ static void CompareInputs(const char* name, bool (*add)(swWorld* world), bool ar
     }
     if (CreateScenario(&def, &shaped) == SW_SUCCESS)
     {
-        double seconds[2][ROUNDS], ratios[ROUNDS];
-        swQueryStats stats;
-        bool isFine = add(shaped.world) && swWorld_Step(shaped.world, 0.0) == SW_SUCCESS;
         Scatter(answers, 1000.0);
-        for (int i = 0; i < POINT_COUNT && arePatches; ++i)
+        if (scene->arePatches)
         {
-            const swPosXZ* first = &answers->points[i - i % 64]; // 64 points of a ship, on a lattice
-            answers->points[i].x = first->x + 4.0 * (i % 8);
-            answers->points[i].z = first->z + 4.0 * (i / 8 % 8);
+            MakePatches(answers);
         }
-        for (int i = 0; i < ROUNDS && isFine; ++i)
+        if (scene->add(shaped.world) && swWorld_Step(shaped.world, 0.0) == SW_SUCCESS)
         {
-            double start = Now();
-            Ask(plain.world, QUESTION_HEIGHTS, answers, &stats);
-            double middle = Now();
-            Ask(shaped.world, QUESTION_HEIGHTS, answers, &stats);
-            seconds[0][i] = middle - start;
-            seconds[1][i] = Now() - middle;
-            ratios[i] = seconds[0][i] / seconds[1][i];
+            AskInTurns(scene, plain.world, shaped.world, answers);
         }
-        qsort(seconds[0], ROUNDS, sizeof(double), CompareDoubles);
-        qsort(seconds[1], ROUNDS, sizeof(double), CompareDoubles);
-        qsort(ratios, ROUNDS, sizeof(double), CompareDoubles);
-        double none = POINT_COUNT / seconds[0][0], some = POINT_COUNT / seconds[1][0];
-        printf("{\"bench\": \"inputs\", \"scene\": \"%s\", \"points_per_s\": %.0f, \"without_inputs\": %.0f, "
-               "\"ratio\": %.4f}\n",
-               name, some, none, ratios[ROUNDS / 2]);
-        fflush(stdout);
         DestroyScenario(&shaped);
     }
     DestroyScenario(&plain);
 }
 
-static void MeasureInputs(Answers* answers)
+// Those whose name has `part` in it.
+static void MeasureInputs(const char* part, Answers* answers)
 {
-    CompareInputs("open sea, 1000 inputs elsewhere", AddInputsElsewhere, false, answers);
-    CompareInputs("beach, points anywhere", AddShore, false, answers);
-    CompareInputs("beach, patches of 64 points", AddShore, true, answers);
+    static const InputScene scenes[] = {
+        {"open sea, 1000 inputs elsewhere", AddInputsElsewhere, SCENARIO_BREEZE, false},
+        {"beach, points anywhere", AddShore, SCENARIO_BREEZE, false},
+        {"beach, patches of 64 points", AddShore, SCENARIO_BREEZE, true},
+        {"stream, points anywhere", AddStream, SCENARIO_BREEZE, false},
+        {"shore, points anywhere", AddShoreScene, SCENARIO_GALE, false},
+        {"shore, patches of 64 points", AddShoreScene, SCENARIO_GALE, true},
+    };
+    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; ++i)
+    {
+        if (strstr(scenes[i].name, part) != NULL)
+        {
+            CompareInputs(&scenes[i], answers);
+        }
+    }
 }
 
-// bench_queries [THREADS], or bench_queries inputs
+// bench_queries [THREADS], or bench_queries inputs [PART of a scene's name]
 int main(int argumentCount, char** arguments)
 {
     Answers* answers = malloc(sizeof *answers);
@@ -497,7 +567,7 @@ int main(int argumentCount, char** arguments)
     }
     if (argumentCount > 1 && strcmp(arguments[1], "inputs") == 0)
     {
-        MeasureInputs(answers);
+        MeasureInputs(argumentCount > 2 ? arguments[2] : "", answers);
         free(answers);
         return 0;
     }
@@ -520,7 +590,7 @@ int main(int argumentCount, char** arguments)
     }
     MeasureMoments(answers);
     MeasurePatch(answers);
-    MeasureInputs(answers);
+    MeasureInputs("", answers);
     free(answers);
     int threads = argumentCount > 1 ? atoi(arguments[1]) : 2;
     MeasureThreads(threads < 1 ? 1 : threads > MAX_THREADS ? MAX_THREADS : threads);

@@ -30,7 +30,8 @@ static swResult MarkVolley(swWorld* world, swInputId id, int count, const swPosX
     swInputPoint points[200];
     for (int i = 0; i < count; ++i)
     {
-        points[i] = (swInputPoint){(float)places[i].x, (float)places[i].z, 6.0f, (float)fmax(1.0 - age / 60.0, 0.0), {0}};
+        points[i] =
+            (swInputPoint){(float)places[i].x, (float)places[i].z, 6.0f, (float)fmax(1.0 - age / 60.0, 0.0), {0}};
     }
     return swInput_SetPoints(world, id, count, points);
 }
@@ -94,10 +95,13 @@ int main(void)
     swInputId volley, hole;
     swWaterBodyId lock;
     const swPosXZ shells[3] = {{10.0, 0.0}, {60.0, 20.0}, {120.0, -15.0}};
-    bool isFine = CreateVolley(world, &volley) == SW_SUCCESS && CreateHole(world, &hole) == SW_SUCCESS &&
-                  CreateLock(world, &lock) == SW_SUCCESS;
+    if (CreateVolley(world, &volley) != SW_SUCCESS || CreateHole(world, &hole) != SW_SUCCESS ||
+        CreateLock(world, &lock) != SW_SUCCESS)
+    {
+        return 1;
+    }
 
-    isFine = isFine && MarkVolley(world, volley, 3, shells, 30.0) == SW_SUCCESS;
+    bool isFine = MarkVolley(world, volley, 3, shells, 30.0) == SW_SUCCESS;
     MoveHole(world, hole, (swPos){-50.0, 0.3, 8.0}, 0.4f, 0.02f, -0.05f);
     FillLock(world, lock, 150.0);
     isFine = isFine && swWorld_Step(world, 1.0 / 60.0) == SW_SUCCESS;

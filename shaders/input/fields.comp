@@ -55,7 +55,7 @@ layout(push_constant) uniform Push
 
 shared uint leastDepth; // as bits: no depth is below 0
 shared uint systems;
-shared uint flowsAnywhere;
+shared uint flags;
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
@@ -106,6 +106,12 @@ uint findSystems(ivec2 low, ivec2 high)
         record = findInput(SW_FIELD_OF_WAVES, low, high, record + 1);
     }
     return found;
+}
+
+// Inputs that stay put are read where waves have brought the water, from the next cell perhaps.
+uint findDisplaced(ivec2 low, ivec2 high)
+{
+    return touchesInputs(SW_FIELD_OF_DISPLACEMENT, low - 1, high + 1) ? SW_BLOCK_DISPLACED : 0u;
 }
 
 void store(ivec3 texel, Fields fields)
@@ -191,7 +197,9 @@ void main()
     {
         if (gl_LocalInvocationIndex == 0)
         {
-            blocks[block].systems = findSystems(low, high); // inputs of waves may have changed all the same
+            // Inputs of waves and of displacement may have changed all the same.
+            blocks[block].systems = findSystems(low, high);
+            blocks[block].flags = (blocks[block].flags & SW_BLOCK_FLOWS) | findDisplaced(low, high);
         }
         return;
     }
@@ -201,7 +209,7 @@ void main()
     {
         leastDepth = floatBitsToUint(SW_NO_DEPTH);
         systems = findSystems(low, high);
-        flowsAnywhere = 0;
+        flags = findDisplaced(low, high);
     }
     barrier();
     float least = SW_NO_DEPTH;
@@ -228,12 +236,12 @@ void main()
     }
     if (flows)
     {
-        atomicOr(flowsAnywhere, 1);
+        atomicOr(flags, SW_BLOCK_FLOWS);
     }
     atomicMin(leastDepth, floatBitsToUint(max(least, 0.0)));
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
-        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flowsAnywhere);
+        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flags);
     }
 }

@@ -29,16 +29,18 @@ void addTexel(inout Texel texel, Texel other)
 
 // ---- who adds what ----
 
-// Whether waves of a system, of wave number k, are shaped anywhere in a block.
+// Whether waves of a system, of wave number k, are shaped anywhere in a block. Inputs that displace the water do so to
+// the sum of all waves, so where there are any, all are.
 bool isShapedIn(swFieldBlock block, uint system, float k, swAttenuation attenuation)
 {
-    return !swIsDeepFor(attenuation, k, block.leastDepth) || (block.systems >> (system & 31u) & 1u) != 0;
+    return block.flags != 0 || !swIsDeepFor(attenuation, k, block.leastDepth) ||
+           (block.systems >> (system & 31u) & 1u) != 0;
 }
 
 // Whether any waves are: the block's longest may feel its depth.
 bool isTouched(swFieldBlock block)
 {
-    return block.leastDepth < SW_NO_DEPTH || block.systems != 0;
+    return block.leastDepth < SW_NO_DEPTH || block.systems != 0 || block.flags != 0;
 }
 
 // ---- tiles ----
@@ -66,13 +68,12 @@ vec3 weigh(vec4 weights, vec3 a, vec3 b, vec3 c, vec3 d)
     return fma(vec3(weights.w), d, fma(vec3(weights.z), c, fma(vec3(weights.y), b, weights.x * a)));
 }
 
-// Adds a tile to one texel, from all sixteen coefficients around it.
-void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
+// Adds a tile at spline coordinates, from all sixteen coefficients around them.
+void addWindowAt(inout Texel texel, swSliceTile tile, float x, float z)
 {
-    float x = splineX(tile, column), z = splineZ(tile, row);
     float cellX = floor(x), cellZ = floor(z);
-    uint firstX = (tile.base & 0xffffu) + uint(cellX);
-    uint firstZ = (tile.base >> 16) + uint(cellZ);
+    uint firstX = (tile.base & 0xffffu) + uint(int(cellX));
+    uint firstZ = (tile.base >> 16) + uint(int(cellZ));
     vec4 valueX = swSplineWeights(x - cellX), slopeX = swSplineSlopes(x - cellX) * tile.perMetre;
     vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
     for (uint k = 0; k < 4; ++k)
@@ -86,12 +87,23 @@ void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
     }
 }
 
+// Adds a tile to one texel.
+void addWindow(inout Texel texel, swSliceTile tile, uint column, uint row)
+{
+    addWindowAt(texel, tile, splineX(tile, column), splineZ(tile, row));
+}
+
 // ---- free waves ----
+
+uint phaseOfTexel(swSliceWave wave, uint column, uint row)
+{
+    return wave.phase + column * wave.stepX + row * wave.stepZ;
+}
 
 // A free wave's amplitude times cosine and sine of its phase.
 vec2 swingOf(swSliceWave wave, uint column, uint row)
 {
-    return wave.amplitude * unitOf(wave.phase + column * wave.stepX + row * wave.stepZ);
+    return wave.amplitude * unitOf(phaseOfTexel(wave, column, row));
 }
 
 // Adds a free wave, `unit` its swing there.

@@ -30,6 +30,7 @@
 #include "lib/inputs.glsl"
 
 #include "lib/displaced.glsl"
+#include "lib/likeness.glsl"
 #include "lib/places.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
@@ -291,24 +292,7 @@ void addShaped(Shape shape, Sum own, inout Sum sum)
 // How alike a tile's heights are a way apart, and the slopes of that by the way. All lanes know all of it.
 vec3 likenessOf(swQueryTile tile, vec2 way)
 {
-    vec2 turns = way * tile.turnsPerMetre;
-    uint turnsX = toTurns(turns.x), turnsZ = toTurns(turns.y);
-    uint mask = (1u << tile.resolutionBits) - 1u;
-    uint first = tile.firstTexel + (turnsX >> (32 - tile.resolutionBits));
-    uint row = turnsZ >> (32 - tile.resolutionBits);
-    float x = float((turnsX << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    float z = float((turnsZ << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    vec4 valueX = swSplineWeights(x), slopeX = swSplineSlopes(x) * tile.texelsPerMetre;
-    vec4 valueZ = swSplineWeights(z), slopeZ = swSplineSlopes(z) * tile.texelsPerMetre;
-    vec3 found = vec3(0.0);
-    for (uint i = 0; i < 4; ++i)
-    {
-        uint at = first + ((row + i) & mask) * (mask + 4u);
-        vec4 texel = vec4(likeness[at], likeness[at + 1], likeness[at + 2], likeness[at + 3]);
-        float value = dot(valueX, texel);
-        found += vec3(valueZ[i] * value, valueZ[i] * dot(slopeX, texel), slopeZ[i] * value);
-    }
-    return found;
+    return likenessOf(tile.firstTexel, 1u << tile.resolutionBits, tile.texelsPerMetre, way);
 }
 
 // The same of free waves [first, end): the mean of cos(k . way), by energy.

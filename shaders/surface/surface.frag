@@ -150,7 +150,7 @@ Bottom bottomAt(Water water, vec3 view, vec3 normal, float depth)
     return bottom;
 }
 
-// What inputs put on the water at a pixel.
+// What inputs put on the water at a pixel. The field has colours times their cover.
 struct Paint
 {
     vec4 albedo; // and how much of the pixel it covers
@@ -183,7 +183,7 @@ Paint paintAt(vec2 rest, Footprint footprint)
             vec2 aside = footprint.axis * (footprint.longest * ((i + 0.5) / looks - 0.5));
             vec4 value = fieldOnWater(paintFields[f], seaPlaceOf(anchorCell, anchorRest + here + aside),
                                       seaPlaceOf(anchorCell, anchorRest + rest + aside));
-            sum += f == 0 ? vec4(value.rgb * value.a, value.a) : value;
+            sum += value; // a colour times its cover
         }
         sum /= looks;
         paint.albedo = f == 0 ? vec4(sum.rgb / max(sum.a, 1e-4), clamp(sum.a, 0.0, 1.0)) : paint.albedo;

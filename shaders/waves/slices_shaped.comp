@@ -17,8 +17,10 @@
 #include "shared/waves.h"
 
 layout(local_size_x = SW_SLICE_WIDTH) in;
-layout(constant_id = 0) const bool WITH_WAVES = true;   // free waves
-layout(constant_id = 1) const bool WITH_WEIGHTS = true; // systems may have weights of their own there
+layout(constant_id = 0) const bool WITH_WAVES = true;        // free waves
+layout(constant_id = 1) const bool WITH_WEIGHTS = true;      // systems may have weights of their own there
+layout(constant_id = 2) const bool WITH_FLOW = true;         // a flow may carry waves
+layout(constant_id = 3) const bool WITH_DISPLACEMENT = true; // inputs may displace the water
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -67,12 +69,21 @@ layout(std430, binding = 11) writeonly buffer Shaped
 {
     vec4 shaped[];
 };
+layout(binding = 12, rgba32f) uniform readonly image2DArray flow;       // velocity along x and z
+layout(binding = 13, rgba16f) uniform readonly image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(std430, binding = 14) readonly buffer Likeness
+{
+    float likeness[]; // see lib/likeness.glsl
+};
 layout(push_constant) uniform Push
 {
     uint resolution;
 };
 
 #include "lib/inputs.glsl"
+
+#include "lib/displaced.glsl"
+#include "lib/likeness.glsl"
 #include "lib/places.glsl"
 #include "lib/slice_waves.glsl"
 
@@ -107,6 +118,17 @@ Shape weightOf(uint system, uint column, uint row)
     }
     vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
     return Shape(weight.x, weight.yz);
+}
+
+bool doesCarry()
+{
+    return WITH_FLOW && (fieldBlock.flags & SW_BLOCK_FLOWS) != 0;
+}
+
+Flow flowAt(uint column, uint row)
+{
+    ivec3 texel = ivec3(column, row, gl_WorkGroupID.z);
+    return Flow(imageLoad(flow, texel).xy, imageLoad(flowSlopes, texel));
 }
 
 // Adds waves of one shape.
@@ -205,17 +227,99 @@ void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, Sh
     }
 }
 
+// ---- waves that a flow carries ----
+
+// Adds a copy of waves: what it counts, and the slopes of where it is looked up less where that is.
+void addCopy(inout Texel texel, float weight, vec4 way, Texel own)
+{
+    vec3 alongZ = vec3(own.alongX.z, own.alongZ);
+    texel.sum += weight * own.sum;
+    texel.alongX += weight * (own.alongX * (1.0 + way.x) + alongZ * way.z);
+    texel.alongZ += weight * (own.alongX.yz * way.y + own.alongZ * (1.0 + way.w));
+}
+
+// Adds both copies of a tile to a texel of the run, from all sixteen coefficients around each.
+void addCarriedTile(inout Run run, swSliceTile tile, uint column, uint row, uint i, Flow moved, Shape shape)
+{
+    Texel sum = CALM;
+    if (!isMoved(moved)) // of the block's other texels
+    {
+        addWindow(sum, tile, column, row);
+        addToRun(run, i, sum, shape);
+        return;
+    }
+    Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
+    float between = 0.5 * tile.carryPeriod;
+    vec3 rho = likenessOf(tile.firstTexel, tile.resolution, tile.perMetre, between * moved.velocity);
+    for (uint c = 0; c < 2; ++c)
+    {
+        vec2 way = -carry.seconds[c] * moved.velocity * tile.perMetre;
+        Texel own = CALM;
+        addWindowAt(own, tile, splineX(tile, column) + way.x, splineZ(tile, row) + way.y);
+        addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
+    }
+    addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
+}
+
+float turnsOf(swSliceWave wave, vec2 way)
+{
+    return (wave.kx * way.x + wave.kz * way.y) * (1.0 / 6.28318530718);
+}
+
+// How alike the heights of free waves [first, end) are a way apart: the mean of cos(k . way), by energy.
+vec3 likenessOf(uint first, uint end, vec2 way)
+{
+    float energy = 0.0;
+    vec3 found = vec3(0.0);
+    for (uint i = first; i < end; ++i)
+    {
+        swSliceWave wave = waves[i];
+        float square = wave.amplitude * wave.amplitude;
+        vec2 unit = square * unitOf(toTurns(turnsOf(wave, way)));
+        energy += square;
+        found += vec3(unit.x, -unit.y * vec2(wave.kx, wave.kz));
+    }
+    return energy > 0.0 ? found / energy : vec3(1.0, 0.0, 0.0);
+}
+
+// Both copies of free waves [first, end), which are of one octave and one system.
+void addCarriedWaves(inout Run run, uint first, uint end, uint column, uint row, uint i, Flow moved, Shape shape)
+{
+    Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+    float between = 0.5 * waves[first].carryPeriod;
+    vec3 rho = likenessOf(first, end, between * moved.velocity);
+    Texel sum = CALM;
+    for (uint c = 0; c < 2; ++c)
+    {
+        vec2 way = -carry.seconds[c] * moved.velocity;
+        Texel own = CALM;
+        for (uint k = first; k < end; ++k)
+        {
+            swSliceWave wave = waves[k];
+            addWave(own, wave, wave.amplitude * unitOf(phaseOfTexel(wave, column, row) + toTurns(turnsOf(wave, way))));
+        }
+        addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
+    }
+    addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
+}
+
 // ---- all of a run ----
 
 // Adds the tiles and free waves that are shaped in this block.
 void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
 {
     Ground grounds[SW_SHAPED_RUN];
+    Flow flows[SW_SHAPED_RUN];
     Shape weights[SW_SHAPED_RUN], shapes[SW_SHAPED_RUN];
     for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
         grounds[i] = groundOf(column, lowest + i);
         weights[i] = Shape(1.0, vec2(0.0));
+        flows[i] = STILL;
+        if (doesCarry())
+        {
+            flows[i] = flowAt(column, lowest + i);
+        }
     }
     uint system = ~0u; // that `weights` are of
     uint tileCount = list.count + list.windowCount;
@@ -240,7 +344,24 @@ void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
             shapes[i] = attenuated(weights[i], grounds[i], number, attenuation);
         }
         system = its;
-        if (isTile)
+        if (doesCarry() && isTile && tile.carryPeriod > 0.0)
+        {
+            for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+            {
+                addCarriedTile(run, tile, column, lowest + i, i, flows[i], shapes[i]);
+            }
+        }
+        else if (doesCarry() && !isTile)
+        {
+            uint first = k - tileCount;
+            for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+            {
+                addCarriedWaves(run, list.firstWave + first, list.firstWave + wave.groupEnd, column, lowest + i, i,
+                                flows[i], shapes[i]);
+            }
+            k += wave.groupEnd - first - 1;
+        }
+        else if (isTile)
         {
             addShapedTile(run, tile, column, lowest, shapes);
         }
@@ -258,6 +379,25 @@ void storeShaped(uint column, uint row, Texel texel)
     shaped[at + gl_NumWorkGroups.z * resolution * resolution] = vec4(texel.alongX.yz, texel.alongZ);
 }
 
+Texel texelOfRun(Run run, uint i)
+{
+    if (i < 2)
+    {
+        return i == 0 ? run.a : run.b;
+    }
+    return i == 2 ? run.c : run.d;
+}
+
+// Once inputs have joined that displace the water.
+Texel displacedTexel(Texel texel, float least, uint column, uint row)
+{
+    swInputValue waves =
+        swInputValue(vec4(texel.sum, 0.0), vec4(texel.alongX, 0.0), vec4(texel.alongX.z, texel.alongZ, 0.0));
+    waves = displacedWater(placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row), swDisplaceRange(least, 0.0, 0.0),
+                           waves);
+    return Texel(waves.value.xyz, waves.alongX.xyz, waves.alongZ.yz);
+}
+
 void main()
 {
     uint column = gl_GlobalInvocationID.x;
@@ -271,8 +411,13 @@ void main()
     }
     Run run = Run(CALM, CALM, CALM, CALM);
     addAllShaped(run, lists[gl_WorkGroupID.z], column, lowest);
-    storeShaped(column, lowest, run.a);
-    storeShaped(column, lowest + 1, run.b);
-    storeShaped(column, lowest + 2, run.c);
-    storeShaped(column, lowest + 3, run.d);
+    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    {
+        Texel texel = texelOfRun(run, i);
+        if (WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0)
+        {
+            texel = displacedTexel(texel, lists[gl_WorkGroupID.z].minWavelength, column, lowest + i);
+        }
+        storeShaped(column, lowest + i, texel);
+    }
 }

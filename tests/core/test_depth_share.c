@@ -226,6 +226,43 @@ static void AttenuationChangesGentlyAndIsSaved(void** state)
     swDestroyWorld(world);
 }
 
+// What the core's sums take eight at a time, without a branch.
+static void TheKernelsHaveTheSameShareOnEachMachine(void** state)
+{
+    (void)state;
+    const swAttenuation laws[4] = {Nature, {0.7f, 0.0f}, {1.0f, 0.05f}, {0.0f, 0.01f}};
+    const swWaveKernels* first = swGetWaveKernels(SW_ISA_SCALAR);
+    for (int i = 0; i < 4 * 4000; i += SW_SHARE_LANES)
+    {
+        swAttenuation law = laws[i / 4000];
+        float k = 0.02f * (float)(1 + i % 700);
+        float depths[SW_SHARE_LANES], shares[SW_SHARE_LANES], slopes[SW_SHARE_LANES];
+        for (int d = 0; d < SW_SHARE_LANES; ++d)
+        {
+            depths[d] = d == 7 ? INFINITY : 0.013f * (float)(i % 4000 + d) / (k + 0.1f);
+        }
+        swFindDepthShares(first, law, k, SW_SHARE_LANES, depths, shares, slopes);
+        for (int d = 0; d < SW_SHARE_LANES; ++d)
+        {
+            swDepthShare one = swFindDepthShare(law, k, depths[d]);
+            assert_float_equal(shares[d], one.share, 3e-7f);
+            assert_true(depths[d] == 0.0f || fabsf(slopes[d] - one.slope) <= 1e-6f * (k + 1.0f));
+            assert_true((shares[d] == 1.0f && slopes[d] == 0.0f) == (one.share == 1.0f && one.slope == 0.0f));
+        }
+        for (int isa = SW_ISA_SCALAR; isa < SW_ISA_COUNT; ++isa)
+        {
+            const swWaveKernels* kernels = swGetWaveKernels((swIsa)isa);
+            float own[SW_SHARE_LANES], ownSlopes[SW_SHARE_LANES];
+            if (kernels != NULL)
+            {
+                swFindDepthShares(kernels, law, k, SW_SHARE_LANES, depths, own, ownSlopes);
+                assert_memory_equal(shares, own, sizeof shares);
+                assert_memory_equal(slopes, ownSlopes, sizeof slopes);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +272,7 @@ int main(void)
         cmocka_unit_test(NothingIsLeftAtTheWatersEdge),
         cmocka_unit_test(TheShareNeverFallsWithDepthAndItsSlopeIsExact),
         cmocka_unit_test(AHostMayAskForLess),
+        cmocka_unit_test(TheKernelsHaveTheSameShareOnEachMachine),
         cmocka_unit_test(EachSystemHasItsOwnAttenuation),
         cmocka_unit_test(AttenuationChangesGentlyAndIsSaved),
     };

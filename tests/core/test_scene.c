@@ -690,6 +690,9 @@ static void FailingMemoryLeavesNothingBehind(void** state)
     FailEachAllocation(SCENES "/buoy.yaml");
     FailEachAllocation(SCENES "/crossing.yaml");
     FailEachAllocation(SCENES "/hindcast.yaml");
+    FailEachAllocation(SCENES "/whirlpool.yaml");
+    FailEachAllocation(SCENES "/dioramas/varying_level.yaml");
+    FailEachAllocation(SCENES "/dioramas/river.yaml");
 }
 
 int main(void)

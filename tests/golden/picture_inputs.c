@@ -137,6 +137,26 @@ static void ColoursLieWhereTheyWerePut(void** state)
     assert_true((float)coloured > 0.97f * inside && (float)others > 0.99f * outside);
 }
 
+// A colour that covers half of the water is halfway between the water and itself.
+static void HalfACoverIsHalfway(void** state)
+{
+    (void)state;
+    static float bare[4 * PIXELS], half[4 * PIXELS], whole[4 * PIXELS];
+    swInputDef def = MakeCircle(SW_INPUT_ALBEDO, 16.0f);
+    def.value[0] = 0.8f;
+    def.value[3] = 1.0f;
+    Shot shot = MakeShot(NULL, 0);
+    Draw(&shot, bare);
+    shot = MakeShot(&def, 1);
+    Draw(&shot, whole);
+    def.value[3] = 0.5f;
+    Draw(&shot, half);
+    float wanted = 0.5f * (bare[MIDDLE] + whole[MIDDLE]);
+    print_message("red of the water %g, of the colour %g, of half of it %g, wanted %g\n", (double)bare[MIDDLE],
+                  (double)whole[MIDDLE], (double)half[MIDDLE], (double)wanted);
+    assert_float_equal(half[MIDDLE], wanted, 0.01f * wanted);
+}
+
 // Several kilometres away a decal that is smaller than a pixel is long still has its share of the picture.
 static void ColoursArePresentFarAway(void** state)
 {
@@ -211,8 +231,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ARiverThatFallsLeans),       cmocka_unit_test(ALakeStandsAtItsLevel),
-        cmocka_unit_test(ColoursLieWhereTheyWerePut), cmocka_unit_test(ColoursArePresentFarAway),
-        cmocka_unit_test(ShadeTakesTheSunAway),
+        cmocka_unit_test(ColoursLieWhereTheyWerePut), cmocka_unit_test(HalfACoverIsHalfway),
+        cmocka_unit_test(ColoursArePresentFarAway),   cmocka_unit_test(ShadeTakesTheSunAway),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
 }

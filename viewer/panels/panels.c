@@ -60,6 +60,7 @@ void DrawPanels(App* app)
     DrawSeaPanel(app);
     DrawSkyPanel(app);
     DrawViewPanel(app);
+    DrawLayerPanel(app);
     DrawTimingPanel(app);
     DrawKeyPanel();
     EndUiPanel();

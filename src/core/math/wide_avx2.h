@@ -40,6 +40,11 @@ static inline swWide swMulW(swWide a, swWide b)
     return _mm256_mul_ps(a, b);
 }
 
+static inline swWide swDivW(swWide a, swWide b)
+{
+    return _mm256_div_ps(a, b);
+}
+
 static inline swWide swMinW(swWide a, swWide b)
 {
     return _mm256_min_ps(a, b);

@@ -40,6 +40,11 @@ static inline swWide swMulW(swWide a, swWide b)
     return vmulq_f32(a, b);
 }
 
+static inline swWide swDivW(swWide a, swWide b)
+{
+    return vdivq_f32(a, b);
+}
+
 // Compare and select, because vminq treats NaN and signed zeros in a way of its own.
 static inline swWide swMinW(swWide a, swWide b)
 {

@@ -38,6 +38,11 @@ static inline swWide swMulW(swWide a, swWide b)
     return a * b;
 }
 
+static inline swWide swDivW(swWide a, swWide b)
+{
+    return a / b;
+}
+
 // The second operand where one is NaN.
 static inline swWide swMinW(swWide a, swWide b)
 {

@@ -40,6 +40,11 @@ static inline swWide swMulW(swWide a, swWide b)
     return _mm_mul_ps(a, b);
 }
 
+static inline swWide swDivW(swWide a, swWide b)
+{
+    return _mm_div_ps(a, b);
+}
+
 static inline swWide swMinW(swWide a, swWide b)
 {
     return _mm_min_ps(a, b);

@@ -183,7 +183,8 @@ static void sumShaped(const swQuery* query, const Block* block, int i, const swD
 {
     swPlaceBlock place;
     swLook look;
-    swBeginPlaces(&place, query->places, query->kernels, query->ticks, 1, &block->points[i]);
+    swWarp warps[SW_MAX_WARPS][SW_PLACE_BLOCK];
+    swBeginPlaces(&place, query->places, warps, query->kernels, query->ticks, 1, &block->points[i]);
     for (int t = 0, w = 0; t < query->tileCount || w < query->waveCount;)
     {
         bool isTile = t < query->tileCount;
@@ -198,7 +199,7 @@ static void sumShaped(const swQuery* query, const Block* block, int i, const swD
         int lookCount = swCountLooks(&place, &group);
         for (int n = 0; n < lookCount; ++n)
         {
-            swFindLook(&place, &group, n, &look);
+            swFindLook(&place, &group, n, false, &look);
             for (int k = 0; k < look.copyCount; ++k)
             {
                 addGroup(query, &group, &look.copies[k], block->heights[i], sums->velocity[i], sums->acceleration[i],

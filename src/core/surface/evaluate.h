@@ -60,6 +60,7 @@ typedef struct swEvaluation
     float (*acceleration)[4];
     bool withHeights;        // inputs that stay put change heights, as they do where levels are asked for
     float shortest, longest; // only waves between, m: tiles by their longest, see swTileChoice; 0 is no bound
+    swPlaceBlock* places;    // for a guess: of the points a few metres away, to be moved here by its tangents; or NULL
 } swEvaluation;
 
 // At most SW_QUERY_BLOCK points. Points of one z whose x ascend are a row of a grid, and cheaper, for the same bits.

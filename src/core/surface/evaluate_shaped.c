@@ -56,7 +56,7 @@ static void chain(const float way[4], swPointSums* own)
 // Add a look at waves to all, `own` and `all` being those of the block's point i.
 static void addCopy(const swCopy* copy, int i, bool withSlopes, swPointSums* own, swPointSums* all)
 {
-    if (withSlopes)
+    if (withSlopes && copy->hasWay)
     {
         chain(copy->way[i], own);
     }
@@ -117,7 +117,7 @@ static void look(const swQuery* query, const swWaveGroup* group, int field, int 
 {
     if (group->tile != NULL && swHasTexels(query, field))
     {
-        swAddTile(query->kernels, group->tile, field, count, points, withSlopes, own);
+        swAddTile(query->kernels, group->tile, field, count, points, NULL, withSlopes, own);
     }
     else
     {
@@ -130,8 +130,11 @@ static int countLook(const swPlaceBlock* block, int first)
     return block->count - first < LOOK_BLOCK ? block->count - first : LOOK_BLOCK;
 }
 
-static void addLook(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes,
-                    const swPlaceBlock* block, const swCopy* copy, swPointSums* all)
+// By points, as the kernel of shaped tiles does it. Not inlined: the stack that it needs is not there together with
+// that kernel's.
+__attribute__((noinline)) static void addLookByPoints(const swQuery* query, const swWaveGroup* group, int field,
+                                                      bool withSlopes, const swPlaceBlock* block, const swCopy* copy,
+                                                      swPointSums* all)
 {
     for (int first = 0; first < block->count; first += LOOK_BLOCK)
     {
@@ -146,22 +149,33 @@ static void addLook(const swQuery* query, const swWaveGroup* group, int field, b
     }
 }
 
+static void addLook(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes,
+                    const swPlaceBlock* block, const swCopy* copy, swPointSums* all)
+{
+    if (copy->warps != NULL || group->tile == NULL || !swHasTexels(query, field))
+    {
+        addLookByPoints(query, group, field, withSlopes, block, copy, all);
+        return;
+    }
+    const swTileShape shape = {copy->weight, copy->alongX, copy->alongZ, copy->hasWay ? copy->way : NULL};
+    swAddTile(query->kernels, group->tile, field, block->count, copy->source, &shape, withSlopes, all);
+}
+
 static void addGroup(const swQuery* query, const swWaveGroup* group, int field, bool withSlopes, swPlaceBlock* block,
                      swPointSums* all)
 {
-    bool isPlain = swIsGroupPlain(block, group);
-    for (int first = 0; first < block->count && isPlain; first += LOOK_BLOCK)
+    if (block->areAllAsked && swIsGroupPlain(block, group))
     {
-        look(query, group, field, countLook(block, first), block->rest + first, withSlopes, all + first);
-    }
-    if (isPlain)
-    {
+        for (int first = 0; first < block->count; first += LOOK_BLOCK)
+        {
+            look(query, group, field, countLook(block, first), block->rest + first, withSlopes, all + first);
+        }
         return;
     }
     for (int i = 0; i < swCountLooks(block, group); ++i)
     {
         swLook found;
-        swFindLook(block, group, i, &found);
+        swFindLook(block, group, i, withSlopes, &found);
         for (int c = 0; c < found.copyCount; ++c)
         {
             addLook(query, group, field, withSlopes, block, &found.copies[c], all);
@@ -202,18 +216,24 @@ static bool nextGroup(Groups* groups)
     return false;
 }
 
-// `gradients` may be NULL.
+// Answers of the points that are asked for. `gradients` may be NULL.
 static void evaluateField(const swQuery* query, const swWaveSumJob* asked, int field, swPlaceBlock* block,
                           float (*out)[4], float (*gradients)[8])
 {
     Sums all;
-    memset(all, 0, sizeof all);
+    memset(all, 0, (size_t)block->count * sizeof all[0]);
     Groups groups = {.query = query, .asked = asked};
     while (nextGroup(&groups))
     {
         addGroup(query, &groups.group, field, gradients != NULL, block, all);
     }
-    swStorePointSums(query->kernels, block->count, all, out[0], gradients != NULL ? gradients[0] : NULL);
+    for (int i = 0; i < block->count; ++i)
+    {
+        if (block->isAsked[i])
+        {
+            swStorePointSums(query->kernels, 1, &all[i], out[i], gradients != NULL ? gradients[i] : NULL);
+        }
+    }
 }
 
 // Answers from point `first` on.
@@ -227,50 +247,114 @@ static swEvaluation skipPoints(const swEvaluation* out, int first)
     return rest;
 }
 
-static void evaluateBlock(const swQuery* query, const swWaveSumJob* asked, swPlaceBlock* block, const swEvaluation* out)
+// Which points of a block have all waves as they would be anywhere.
+static void findPlainPoints(const swQuery* query, const swWaveSumJob* asked, swPlaceBlock* block, bool* isPlain)
 {
+    Groups groups = {.query = query, .asked = asked};
+    bool isAny = true;
+    memset(isPlain, true, (size_t)block->count * sizeof(bool));
+    while (isAny && nextGroup(&groups))
+    {
+        isAny = swIsGroupPlain(block, &groups.group) || swKeepPlainPoints(block, &groups.group, isPlain);
+    }
+}
+
+// Evaluates the points of a block that are shaped, and says of all whether they are.
+static void evaluateBlock(const swQuery* query, swPlaceBlock* block, const swEvaluation* out, bool* isPlain)
+{
+    const swWaveSumJob asked = swMakeSumJob(query, out, block->count, block->rest);
     float(*const fields[3])[4] = {out->displacement, out->velocity, out->acceleration};
-    for (int field = 0; field < 3; ++field)
+    bool isShaped[SW_PLACE_BLOCK], isAny = false;
+    findPlainPoints(query, &asked, block, isPlain);
+    for (int i = 0; i < block->count; ++i)
+    {
+        isShaped[i] = !isPlain[i];
+        isAny = isAny || isShaped[i];
+    }
+    swAskPoints(block, isShaped);
+    for (int field = 0; field < 3 && isAny; ++field)
     {
         if (fields[field] != NULL)
         {
-            evaluateField(query, asked, field, block, fields[field], field == 0 ? out->gradients : NULL);
+            evaluateField(query, &asked, field, block, fields[field], field == 0 ? out->gradients : NULL);
         }
     }
 }
 
-// Which points of a block have all waves as they would be anywhere. Returns whether all do.
-static bool findPlainPoints(const swQuery* query, const swWaveSumJob* asked, swPlaceBlock* block, bool* isPlain)
-{
-    Groups groups = {.query = query, .asked = asked};
-    bool areAll = true;
-    memset(isPlain, true, (size_t)block->count * sizeof(bool));
-    while (nextGroup(&groups))
-    {
-        if (!swIsGroupPlain(block, &groups.group))
-        {
-            areAll = swKeepPlainPoints(block, &groups.group, isPlain) && areAll;
-        }
-    }
-    return areAll;
-}
-
-// Evaluates the points that are shaped, and says of all whether they are. Not inlined: what it needs shall not be on
-// the stack together with what other points need.
+// Not inlined: what it needs shall not be on the stack together with what other points need.
 __attribute__((noinline)) static void evaluateShapedPoints(const swQuery* query, int count, const swPosXZ* rest,
                                                            const swEvaluation* out, bool* isPlain)
 {
+    swPlaceBlock block;
+    swWarp warps[SW_MAX_WARPS][SW_PLACE_BLOCK];
     for (int first = 0; first < count; first += SW_PLACE_BLOCK)
     {
         int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
-        const swWaveSumJob asked = swMakeSumJob(query, out, some, rest + first);
-        swPlaceBlock block;
-        swBeginPlaces(&block, query->places, query->kernels, query->ticks, some, rest + first);
-        if (!findPlainPoints(query, &asked, &block, isPlain + first))
+        const swEvaluation own = skipPoints(out, first);
+        swBeginPlaces(&block, query->places, warps, query->kernels, query->ticks, some, rest + first);
+        evaluateBlock(query, &block, &own, isPlain + first);
+    }
+}
+
+// Plain points that are evaluated together where others are between them, to spare the stack.
+#define PLAIN_BLOCK 8
+
+static void putRows(const int* which, int count, float (*from)[4], float (*to)[4])
+{
+    for (int i = 0; i < count && to != NULL; ++i)
+    {
+        memcpy(to[which[i]], from[i], sizeof from[i]);
+    }
+}
+
+__attribute__((noinline)) static void evaluatePlainPoints(const swQuery* query, int count, const int* which,
+                                                          const swPosXZ* rest, const swEvaluation* out)
+{
+    swPosXZ points[PLAIN_BLOCK] = {{0.0, 0.0}};
+    float rows[3][PLAIN_BLOCK][4], gradients[PLAIN_BLOCK][8];
+    swEvaluation own = *out;
+    own.displacement = out->displacement != NULL ? rows[0] : NULL;
+    own.velocity = out->velocity != NULL ? rows[1] : NULL;
+    own.acceleration = out->acceleration != NULL ? rows[2] : NULL;
+    own.gradients = out->gradients != NULL ? gradients : NULL;
+    for (int i = 0; i < count; ++i)
+    {
+        points[i] = rest[which[i]];
+    }
+    swEvaluatePlain(query, count, points, &own);
+    putRows(which, count, rows[0], out->displacement);
+    putRows(which, count, rows[1], out->velocity);
+    putRows(which, count, rows[2], out->acceleration);
+    for (int i = 0; i < count && out->gradients != NULL; ++i)
+    {
+        memcpy(out->gradients[which[i]], gradients[i], sizeof gradients[i]);
+    }
+}
+
+static void evaluatePlainOnes(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out,
+                              const bool* isPlain)
+{
+    int which[PLAIN_BLOCK], some = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        which[some] = i;
+        some += isPlain[i] ? 1 : 0;
+        if (some == PLAIN_BLOCK || (some > 0 && i == count - 1))
         {
-            const swEvaluation own = skipPoints(out, first);
-            evaluateBlock(query, &asked, &block, &own);
+            evaluatePlainPoints(query, some, which, rest, out);
+            some = 0;
         }
+    }
+}
+
+// Sums wave by wave take less of the stack for a few points, and a guess is deep in it.
+static void evaluateAllPlain(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
+{
+    int most = query->isNow || out->places == NULL ? count : PLAIN_BLOCK;
+    for (int first = 0; first < count; first += most)
+    {
+        const swEvaluation own = skipPoints(out, first);
+        swEvaluatePlain(query, count - first < most ? count - first : most, rest + first, &own);
     }
 }
 
@@ -278,27 +362,34 @@ __attribute__((noinline)) static void evaluateShapedPoints(const swQuery* query,
 void swEvaluateShaped(const swQuery* query, int count, const swPosXZ* rest, const swEvaluation* out)
 {
     const swPlaces* places = query->places;
-    if (places->localSystems == 0 &&
-        (swFindTouchedFields(places, query->ticks, count, rest, 0.0) & ~SW_TOUCHES_LEVEL) == 0)
+    uint32_t touched =
+        out->places != NULL ? out->places->touched : swFindTouchedFields(places, query->ticks, count, rest, 0.0);
+    if (places->localSystems == 0 && (touched & ~SW_TOUCHES_LEVEL) == 0)
     {
-        swEvaluatePlain(query, count, rest, out);
+        evaluateAllPlain(query, count, rest, out);
         return;
     }
-    bool isPlain[SW_QUERY_BLOCK + 1];
-    isPlain[count] = false;
-    evaluateShapedPoints(query, count, rest, out, isPlain);
-    for (int begin = 0; begin < count; ++begin)
+    bool isPlain[SW_QUERY_BLOCK];
+    if (out->places != NULL)
     {
-        int end = begin;
-        while (isPlain[end])
-        {
-            end += 1;
-        }
-        if (end > begin)
-        {
-            const swEvaluation own = skipPoints(out, begin);
-            swEvaluatePlain(query, end - begin, rest + begin, &own);
-            begin = end;
-        }
+        swMovePlaces(out->places, rest);
+        evaluateBlock(query, out->places, out, isPlain);
+    }
+    else
+    {
+        evaluateShapedPoints(query, count, rest, out, isPlain);
+    }
+    int plainCount = 0;
+    for (int i = 0; i < count; ++i)
+    {
+        plainCount += isPlain[i] ? 1 : 0;
+    }
+    if (plainCount == count)
+    {
+        evaluateAllPlain(query, count, rest, out);
+    }
+    else if (plainCount > 0)
+    {
+        evaluatePlainOnes(query, count, rest, out, isPlain);
     }
 }

@@ -188,13 +188,12 @@ static void findFlow(const void* context, int64_t ticks, int count, const swPosX
     }
 }
 
-static float attenuate(const void* context, const swWaveGroup* group, float depth, float* slope)
+static void attenuate(const void* context, const swWaveKernels* kernels, const swWaveGroup* group, int count,
+                      const float* depths, float* shares, float* slopes)
 {
     (void)context;
     swAttenuation law = group->tile != NULL ? group->tile->attenuation : group->waves[0].attenuation;
-    swDepthShare found = swFindDepthShare(law, group->k, depth);
-    *slope = found.slope;
-    return found.share;
+    swFindDepthShares(kernels, law, group->k, count, depths, shares, slopes);
 }
 
 bool swMakeInputPlaces(const swInputSet* set, swPlaces* places)

@@ -26,6 +26,7 @@ static void findDepths(swPlaceBlock* block)
     {
         return;
     }
+    memset(block->depth, 0, sizeof block->depth);
     places->depth(places->context, -1, block->ticks, block->count, block->rest, block->depth, block->depthGradients);
     for (int i = 0; i < block->count; ++i)
     {
@@ -35,6 +36,13 @@ static void findDepths(swPlaceBlock* block)
         }
         block->leastDepth = fminf(block->leastDepth, block->depth[i]);
     }
+}
+
+bool swIsStill(const swPlaceBlock* block, int i)
+{
+    const float* g = block->flowGradients[i];
+    return block->flow[i][0] == 0.0f && block->flow[i][1] == 0.0f && g[0] == 0.0f && g[1] == 0.0f && g[2] == 0.0f &&
+           g[3] == 0.0f;
 }
 
 static void findFlow(swPlaceBlock* block)
@@ -48,25 +56,64 @@ static void findFlow(swPlaceBlock* block)
     bool isStill = true;
     for (int i = 0; i < block->count; ++i)
     {
-        const float* g = block->flowGradients[i];
-        isStill = isStill && block->flow[i][0] == 0.0f && block->flow[i][1] == 0.0f && g[0] == 0.0f && g[1] == 0.0f &&
-                  g[2] == 0.0f && g[3] == 0.0f;
+        isStill = isStill && swIsStill(block, i);
     }
     block->touched &= isStill ? ~SW_TOUCHES_FLOW : SW_TOUCHES_ALL;
 }
 
-void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKernels* kernels, int64_t ticks, int count,
-                   const swPosXZ* rest)
+void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, swWarp (*warps)[SW_PLACE_BLOCK],
+                   const swWaveKernels* kernels, int64_t ticks, int count, const swPosXZ* rest)
 {
+    block->warps = warps;
     block->places = places;
     block->kernels = kernels;
     block->ticks = ticks;
     block->count = count;
-    block->rest = rest;
+    memcpy(block->rest, rest, (size_t)count * sizeof *rest);
+    memset(block->isAsked, true, sizeof block->isAsked);
+    block->areAllAsked = true;
     block->system = -1;
+    block->warpCount = 0;
     block->touched = swFindTouchedFields(places, ticks, count, rest, 0.0);
     findDepths(block);
     findFlow(block);
+}
+
+static void moveDepth(swPlaceBlock* block, int i, float x, float z)
+{
+    float depth = block->depth[i] + block->depthGradients[i][0] * x + block->depthGradients[i][1] * z;
+    block->depth[i] = fmaxf(depth, 0.0f);
+    block->leastDepth = i == 0 ? block->depth[0] : fminf(block->leastDepth, block->depth[i]);
+}
+
+static void moveFlow(swPlaceBlock* block, int i, float x, float z)
+{
+    const float* g = block->flowGradients[i];
+    block->flow[i][0] += g[0] * x + g[1] * z;
+    block->flow[i][1] += g[2] * x + g[3] * z;
+}
+
+void swMovePlaces(swPlaceBlock* block, const swPosXZ* rest)
+{
+    for (int i = 0; i < block->count; ++i)
+    {
+        float x = (float)(rest[i].x - block->rest[i].x), z = (float)(rest[i].z - block->rest[i].z);
+        block->rest[i] = rest[i];
+        if ((block->touched & SW_TOUCHES_DEPTH) != 0)
+        {
+            moveDepth(block, i, x, z);
+        }
+        if ((block->touched & SW_TOUCHES_FLOW) != 0)
+        {
+            moveFlow(block, i, x, z);
+        }
+        if (block->system >= 0 && block->isWeighted)
+        {
+            block->weight[i] += block->weightGradients[i][0] * x + block->weightGradients[i][1] * z;
+        }
+    }
+    memset(block->isAsked, true, sizeof block->isAsked);
+    block->areAllAsked = true;
 }
 
 // ---- a system ----
@@ -117,17 +164,13 @@ swWaveGroup swGroupTile(const swTile* tile)
 swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves)
 {
     float k = swGetOctaveWaveNumber(waves[0].wavelength);
-    int some = 1;
-    while (some < count && waves[some].system == waves[0].system && swGetOctaveWaveNumber(waves[some].wavelength) == k)
-    {
-        some += 1;
-    }
-    return (swWaveGroup){.system = waves[0].system, .k = k, .waveCount = some, .waves = waves};
+    return (swWaveGroup){
+        .system = waves[0].system, .k = k, .waveCount = swFindCarriedEnd(waves, 0, count), .waves = waves};
 }
 
 // ---- shapes ----
 
-// Whether the depth takes some of the waves anywhere in the block. The share falls with the depth.
+// Whether the depth takes some of the waves anywhere in the block.
 static bool isAttenuated(const swPlaceBlock* block, const swWaveGroup* group)
 {
     if ((block->touched & SW_TOUCHES_DEPTH) == 0)
@@ -135,9 +178,17 @@ static bool isAttenuated(const swPlaceBlock* block, const swWaveGroup* group)
         return false;
     }
     const swPlaces* places = block->places;
-    float slope;
-    float share = places->attenuate(places->context, group, block->leastDepth, &slope);
-    return share != 1.0f || slope != 0.0f;
+    float depths[SW_PLACE_BLOCK] = {block->leastDepth}, shares[SW_PLACE_BLOCK], slopes[SW_PLACE_BLOCK];
+    places->attenuate(places->context, block->kernels, group, 1, depths, shares, slopes);
+    return shares[0] != 1.0f || slopes[0] != 0.0f;
+}
+
+// What the depth leaves of the waves at each point.
+static void findShares(swPlaceBlock* block, const swWaveGroup* group)
+{
+    const swPlaces* places = block->places;
+    places->attenuate(places->context, block->kernels, group, block->count, block->depth, block->share,
+                      block->shareSlope);
 }
 
 bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group)
@@ -158,71 +209,76 @@ static bool isPointWarped(const swPlaceBlock* block, int i)
     return isWarped;
 }
 
-static bool isPointPlain(const swPlaceBlock* block, const swWaveGroup* group, int i)
+static bool isPointPlain(const swPlaceBlock* block, int i)
 {
-    const swPlaces* places = block->places;
     const float* w = block->weightGradients[i];
-    const float* g = block->flowGradients[i];
     bool isEven = !block->isWeighted || (block->weight[i] == 1.0f && w[0] == 0.0f && w[1] == 0.0f);
-    bool isStill =
-        (block->touched & SW_TOUCHES_FLOW) == 0 || (block->flow[i][0] == 0.0f && block->flow[i][1] == 0.0f &&
-                                                    g[0] == 0.0f && g[1] == 0.0f && g[2] == 0.0f && g[3] == 0.0f);
-    if (block->isGone || isPointWarped(block, i) || !isEven || !isStill)
-    {
-        return false;
-    }
-    float slope = 0.0f;
-    return (block->touched & SW_TOUCHES_DEPTH) == 0 ||
-           (places->attenuate(places->context, group, block->depth[i], &slope) == 1.0f && slope == 0.0f);
+    bool isStill = (block->touched & SW_TOUCHES_FLOW) == 0 || swIsStill(block, i);
+    bool isDeep = (block->touched & SW_TOUCHES_DEPTH) == 0 || (block->share[i] == 1.0f && block->shareSlope[i] == 0.0f);
+    return !block->isGone && isEven && isStill && isDeep && !isPointWarped(block, i);
 }
 
 bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain)
 {
     findSystem(block, group->system);
-    bool areAll = true;
+    if ((block->touched & SW_TOUCHES_DEPTH) != 0)
+    {
+        findShares(block, group);
+    }
+    bool isAny = false;
     for (int i = 0; i < block->count; ++i)
     {
-        isPlain[i] = isPlain[i] && isPointPlain(block, group, i);
-        areAll = areAll && isPlain[i];
+        isPlain[i] = isPlain[i] && isPointPlain(block, i);
+        isAny = isAny || isPlain[i];
     }
-    return areAll;
+    return isAny;
+}
+
+void swAskPoints(swPlaceBlock* block, const bool* isAsked)
+{
+    block->areAllAsked = true;
+    for (int i = 0; i < block->count; ++i)
+    {
+        block->isAsked[i] = isAsked[i];
+        block->areAllAsked = block->areAllAsked && isAsked[i];
+    }
 }
 
 static void placePlain(const swPlaceBlock* block, swCopy* copy)
 {
-    memset(copy->way, 0, sizeof copy->way);
+    copy->hasWay = false;
     copy->warps = NULL;
     for (int i = 0; i < block->count; ++i)
     {
+        bool isWeighted = block->isWeighted && block->isAsked[i];
         copy->source[i] = block->rest[i];
-        copy->weight[i] = block->isWeighted ? block->weight[i] : 1.0f;
-        copy->alongX[i] = block->isWeighted ? block->weightGradients[i][0] : 0.0f;
-        copy->alongZ[i] = block->isWeighted ? block->weightGradients[i][1] : 0.0f;
+        copy->weight[i] = isWeighted ? block->weight[i] : block->isAsked[i] ? 1.0f : 0.0f;
+        copy->alongX[i] = isWeighted ? block->weightGradients[i][0] : 0.0f;
+        copy->alongZ[i] = isWeighted ? block->weightGradients[i][1] : 0.0f;
     }
 }
 
 static void placeWarped(const swPlaceBlock* block, const swWarp* warps, swCopy* copy)
 {
     copy->warps = warps;
+    copy->hasWay = true;
     for (int i = 0; i < block->count; ++i)
     {
         copy->source[i] = warps[i].source;
-        copy->weight[i] = warps[i].weight;
-        copy->alongX[i] = warps[i].alongX;
-        copy->alongZ[i] = warps[i].alongZ;
+        copy->weight[i] = block->isAsked[i] ? warps[i].weight : 0.0f;
+        copy->alongX[i] = block->isAsked[i] ? warps[i].alongX : 0.0f;
+        copy->alongZ[i] = block->isAsked[i] ? warps[i].alongZ : 0.0f;
         memcpy(copy->way[i], warps[i].gradients, sizeof copy->way[i]);
     }
 }
 
 // Product rule: a weight times what the depth leaves.
-static void attenuate(const swPlaceBlock* block, const swWaveGroup* group, swCopy* copy)
+static void attenuate(swPlaceBlock* block, const swWaveGroup* group, swCopy* copy)
 {
-    const swPlaces* places = block->places;
+    findShares(block, group);
     for (int i = 0; i < block->count; ++i)
     {
-        float slope;
-        float share = places->attenuate(places->context, group, block->depth[i], &slope);
-        slope *= copy->weight[i];
+        float share = block->share[i], slope = block->shareSlope[i] * copy->weight[i];
         copy->alongX[i] = copy->alongX[i] * share + slope * block->depthGradients[i][0];
         copy->alongZ[i] = copy->alongZ[i] * share + slope * block->depthGradients[i][1];
         copy->weight[i] *= share;
@@ -235,7 +291,7 @@ int swCountLooks(swPlaceBlock* block, const swWaveGroup* group)
     return (block->isGone ? 0 : 1) + block->warpCount;
 }
 
-void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, swLook* look)
+void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, bool withSlopes, swLook* look)
 {
     findSystem(block, group->system);
     int warp = block->isGone ? index : index - 1;
@@ -254,7 +310,7 @@ void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, swLook
     }
     if ((block->touched & SW_TOUCHES_FLOW) != 0)
     {
-        swCarryLook(block, group, look);
+        swCarryLook(block, group, withSlopes, look);
     }
 }
 

@@ -54,9 +54,11 @@ typedef int swFindWarps(const void* context, int system, int64_t ticks, int coun
 
 typedef struct swWaveGroup swWaveGroup;
 
-// The share of their amplitude that waves of a group keep over a depth of 0 and more, and the derivative of that by the
-// depth. Falls with the depth, and from half a wavelength on is exactly 1.
-typedef float swAttenuate(const void* context, const swWaveGroup* group, float depth, float* slope);
+// The share of their amplitude that waves of a group keep over depths of 0 and more, and the derivative of that by the
+// depth, which does not count where the depth is 0. Grows with the depth, and from half a wavelength on is exactly 1.
+// All arrays have room for SW_PLACE_BLOCK, and so many depths are numbers.
+typedef void swAttenuate(const void* context, const swWaveKernels* kernels, const swWaveGroup* group, int count,
+                         const float* depths, float* shares, float* slopes);
 
 // Each may be NULL.
 typedef struct swPlaces
@@ -87,7 +89,8 @@ typedef struct swCopy
 {
     const swWarp* warps; // by which sideways displacement is turned, or NULL
     swPosXZ source[SW_PLACE_BLOCK];
-    float way[SW_PLACE_BLOCK][4]; // gradients of source - rest
+    bool hasWay;
+    float way[SW_PLACE_BLOCK][4]; // gradients of source - rest, where there are any
     float weight[SW_PLACE_BLOCK];
     float alongX[SW_PLACE_BLOCK], alongZ[SW_PLACE_BLOCK]; // of the weight
 } swCopy;
@@ -106,11 +109,13 @@ typedef struct swPlaceBlock
     const swWaveKernels* kernels;
     int64_t ticks;
     int count;
-    const swPosXZ* rest;
+    swPosXZ rest[SW_PLACE_BLOCK];
+    bool areAllAsked, isAsked[SW_PLACE_BLOCK];
     uint32_t touched;
     float leastDepth; // infinite without any
     float depth[SW_PLACE_BLOCK];
     float depthGradients[SW_PLACE_BLOCK][2];
+    float share[SW_PLACE_BLOCK], shareSlope[SW_PLACE_BLOCK]; // of the group whose look was found last
     float flow[SW_PLACE_BLOCK][2];
     float flowGradients[SW_PLACE_BLOCK][4];
     // Of a system that was asked about last.
@@ -119,22 +124,31 @@ typedef struct swPlaceBlock
     int warpCount;
     float weight[SW_PLACE_BLOCK];
     float weightGradients[SW_PLACE_BLOCK][2];
-    swWarp warps[SW_MAX_WARPS][SW_PLACE_BLOCK];
+    swWarp (*warps)[SW_PLACE_BLOCK];
 } swPlaceBlock;
 
-void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, const swWaveKernels* kernels, int64_t ticks, int count,
-                   const swPosXZ* rest);
+// `warps` is room for SW_MAX_WARPS, needed where places have any and kept as long as the block.
+void swBeginPlaces(swPlaceBlock* block, const swPlaces* places, swWarp (*warps)[SW_PLACE_BLOCK],
+                   const swWaveKernels* kernels, int64_t ticks, int count, const swPosXZ* rest);
+
+// Take the points of a block a few metres on, by the tangents of what is there: for guesses. Not of places with warps.
+void swMovePlaces(swPlaceBlock* block, const swPosXZ* rest);
 
 // Fields that may say something at any number of points.
 uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, double reach);
 
 // Whether all waves of a group are as they would be with no places; a group that is nowhere near is not.
 bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group);
-// Leave isPlain[] of points where they are, and set it to false of all others. Returns whether it is still true of all.
+// Leave isPlain[] of points where they are, and set it to false of all others. Returns whether it is still true of any.
 bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain);
+// Looks count only points that are asked for; at first they are all.
+void swAskPoints(swPlaceBlock* block, const bool* isAsked);
+// Whether the water of a point in a block that has a flow stands still, and all around it.
+bool swIsStill(const swPlaceBlock* block, int i);
 // Looks at a group of waves: plainly, unless none are there so, and by each warp. One by one, to spare the stack.
+// Without slopes the gradients of places and weights are not found.
 int swCountLooks(swPlaceBlock* block, const swWaveGroup* group);
-void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, swLook* look);
+void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, bool withSlopes, swLook* look);
 
 // Free waves from the first on that are shaped alike.
 swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves);

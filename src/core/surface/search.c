@@ -46,6 +46,7 @@ typedef struct Guess
     float b00[GUESS_BLOCK], b01[GUESS_BLOCK], b10[GUESS_BLOCK], b11[GUESS_BLOCK]; // inverse Jacobian
     Tangents middle; // of waves that will be evaluated once more
     Tangents others;
+    swPlaceBlock* places; // of the points, moved along, or NULL
 } Guess;
 
 // Wavelengths that part the passes. The first holds waves so long that the horizontal displacement of all, by which
@@ -96,8 +97,11 @@ static bool addTangents(const swQuery* query, const Guess* guess, float shortest
     swPosXZ tried[GUESS_BLOCK];
     float displacement[GUESS_BLOCK][4];
     float gradients[GUESS_BLOCK][8];
-    const swEvaluation evaluation = {
-        .displacement = displacement, .gradients = gradients, .shortest = shortest, .longest = longest};
+    const swEvaluation evaluation = {.displacement = displacement,
+                                     .gradients = gradients,
+                                     .shortest = shortest,
+                                     .longest = longest,
+                                     .places = guess->places};
     placeGuess(guess, tried);
     swEvaluate(query, guess->count, tried, &evaluation);
     for (int i = 0; i < guess->count; ++i)
@@ -112,12 +116,14 @@ static bool addTangents(const swQuery* query, const Guess* guess, float shortest
     return true;
 }
 
-// Bring tangents through the waves at the offsets; their slopes stay.
-static void touchAgain(const swQuery* query, const Guess* guess, float shortest, float longest, Tangents* tangents)
+// Bring tangents through the waves at the offsets; their slopes stay. Not inlined, for the sake of the stack.
+__attribute__((noinline)) static void touchAgain(const swQuery* query, const Guess* guess, float shortest,
+                                                 float longest, Tangents* tangents)
 {
     swPosXZ tried[GUESS_BLOCK];
     float displacement[GUESS_BLOCK][4];
-    const swEvaluation evaluation = {.displacement = displacement, .shortest = shortest, .longest = longest};
+    const swEvaluation evaluation = {
+        .displacement = displacement, .shortest = shortest, .longest = longest, .places = guess->places};
     placeGuess(guess, tried);
     swEvaluate(query, guess->count, tried, &evaluation);
     for (int i = 0; i < guess->count; ++i)
@@ -318,10 +324,11 @@ static void writeHint(const swSearch* search, double time, swSurfaceHint* hint)
 // Guess where the particles above some of a block's points are, for their searches to begin there. Returns how often
 // all waves were evaluated. Not inlined: what it needs shall not be on the stack together with what the search needs.
 __attribute__((noinline)) static int guessSome(const swQuery* query, int count, const int* cold, const swPosXZ* points,
-                                               swSearch* searches)
+                                               swPlaceBlock* places, swSearch* searches)
 {
     Guess guess;
     guess.count = count;
+    guess.places = places;
     for (int i = 0; i < count; ++i)
     {
         guess.points[i] = points[cold[i]];
@@ -339,6 +346,28 @@ __attribute__((noinline)) static int guessSome(const swQuery* query, int count, 
         search->b11 = guess.b11[i];
     }
     return evaluations * count;
+}
+
+// Not inlined, for the sake of the stack.
+__attribute__((noinline)) static void beginPlaces(const swQuery* query, int count, const int* cold,
+                                                  const swPosXZ* points, swPlaceBlock* places)
+{
+    swPosXZ own[SW_PLACE_BLOCK];
+    for (int i = 0; i < count; ++i)
+    {
+        own[i] = points[cold[i]];
+    }
+    swBeginPlaces(places, query->places, NULL, query->kernels, query->ticks, count, own);
+}
+
+// The same where waves are shaped by their places: those are looked up once, unless waves have coordinates of their
+// own.
+__attribute__((noinline)) static int guessShaped(const swQuery* query, int count, const int* cold,
+                                                 const swPosXZ* points, swSearch* searches)
+{
+    swPlaceBlock places;
+    beginPlaces(query, count, cold, points, &places);
+    return guessSome(query, count, cold, points, &places, searches);
 }
 
 // Points without a hint get a guess.
@@ -359,10 +388,13 @@ static int beginSearches(const swQuery* query, int count, const swPosXZ* points,
         coldCount += searches[i].isWarm ? 0 : 1;
     }
     int evaluations = 0;
-    for (int first = 0; first < coldCount; first += GUESS_BLOCK)
+    bool holdsPlaces = query->places != NULL && query->places->warps == NULL;
+    int most = holdsPlaces ? SW_PLACE_BLOCK : GUESS_BLOCK;
+    for (int first = 0; first < coldCount; first += most)
     {
-        int some = coldCount - first < GUESS_BLOCK ? coldCount - first : GUESS_BLOCK;
-        evaluations += guessSome(query, some, cold + first, points, searches);
+        int some = coldCount - first < most ? coldCount - first : most;
+        evaluations += holdsPlaces ? guessShaped(query, some, cold + first, points, searches)
+                                   : guessSome(query, some, cold + first, points, NULL, searches);
     }
     return evaluations;
 }

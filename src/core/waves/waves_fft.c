@@ -641,9 +641,20 @@ void swSampleChosenTiles(const swWaveKernels* kernels, const swTileChoice* choic
 }
 
 void swAddTile(const swWaveKernels* kernels, const swTile* tile, int field, int count, const swPosXZ* points,
-               bool withSlopes, swPointSums* sums)
+               const swTileShape* shape, bool withSlopes, swPointSums* sums)
 {
+    if (shape != NULL)
+    {
+        kernels->addShapedTile(tile, field, count, points, shape, withSlopes, sums);
+        return;
+    }
     kernels->addTile(tile, field, count, points, withSlopes, sums);
+}
+
+void swFindDepthShares(const swWaveKernels* kernels, swAttenuation law, float k, int count, const float* depths,
+                       float* shares, float* slopes)
+{
+    kernels->findDepthShares(law, k, count, depths, shares, slopes);
 }
 
 void swStorePointSums(const swWaveKernels* kernels, int count, const swPointSums* sums, float* out, float* gradients)

@@ -109,11 +109,19 @@ typedef struct swPointSums
     float alongX[8], alongZ[8];
 } swPointSums;
 
+// How much of a tile counts at each of some points, for a look-up elsewhere than where they rest.
+typedef struct swTileShape
+{
+    const float* weight;
+    const float *alongX, *alongZ; // of the weight
+    const float (*way)[4];        // gradients of place - rest: of its x along x and z, then of its z; NULL: none
+} swTileShape;
+
 // Add one tile to the sums of at most SW_SUM_BLOCK points, and make of sums what swSampleTiles() answers: the same
-// bits, for callers that do something to a tile's part on the way.
+// bits, for callers that do something to a tile's part on the way. With a shape gradients are by where points rest.
 #define SW_SUM_BLOCK 64
 void swAddTile(const swWaveKernels* kernels, const swTile* tile, int field, int count, const swPosXZ* points,
-               bool withSlopes, swPointSums* sums);
+               const swTileShape* shape, bool withSlopes, swPointSums* sums);
 void swStorePointSums(const swWaveKernels* kernels, int count, const swPointSums* sums, float* out, float* gradients);
 
 // Evaluate the spline sum of tiles at `count` rest points (double, metres), out[count][4] = x, y, z displacement, 0;
@@ -126,3 +134,9 @@ void swSampleTiles(const swWaveKernels* kernels, int tileCount, const swTile* ti
 // the time. `gradients` may be NULL.
 void swSampleRow(const swWaveKernels* kernels, const swTileChoice* choice, int count, const double* x, double z,
                  float* out, float (*gradients)[8]);
+
+// swFindDepthShare() of `count` depths in water that is not dry. All arrays have room for a multiple of
+// SW_SHARE_LANES, and all of that many depths are numbers.
+#define SW_SHARE_LANES 8
+void swFindDepthShares(const swWaveKernels* kernels, swAttenuation law, float k, int count, const float* depths,
+                       float* shares, float* slopes);

@@ -14,6 +14,9 @@ struct swWaveKernels
     void (*sampleTiles)(const swTileChoice* choice, int count, const swPosXZ* points, float* out, float* gradients);
     void (*addTile)(const swTile* tile, int field, int count, const swPosXZ* points, bool withSlopes,
                     swPointSums* sums);
+    void (*addShapedTile)(const swTile* tile, int field, int count, const swPosXZ* points, const swTileShape* shape,
+                          bool withSlopes, swPointSums* sums);
+    void (*findDepthShares)(swAttenuation law, float k, int count, const float* depths, float* shares, float* slopes);
     void (*storeSums)(int count, const swPointSums* sums, float* out, float* gradients);
     void (*sampleRow)(const swTileChoice* choice, int count, const double* x, double z, float* out,
                       float (*gradients)[8]);

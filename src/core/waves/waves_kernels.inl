@@ -389,7 +389,7 @@ typedef struct Cells
 
 // u * scale = cell + fraction, with cell modulo N (a power of two). Adding 3 * 2^51 leaves the nearest integer in the
 // low bits of a double, exactly as long as |u * scale| < 2^51; taking it away again shows whether that was above.
-static void findCells(const double* u, int count, double scale, int size, Cells* cells)
+static void findCells(const double* u, int count, double scale, int size, int32_t* cell, float* fraction)
 {
     const double shift = 6755399441055744.0;
     for (int i = 0; i < count; ++i)
@@ -400,8 +400,8 @@ static void findCells(const double* u, int count, double scale, int size, Cells*
         int64_t bits;
         memcpy(&bits, &shifted, sizeof bits);
         int32_t below = rest < 0.0 ? 1 : 0;
-        cells->cell[i] = ((int32_t)bits - below) & (size - 1);
-        cells->fraction[i] = (float)(rest < 0.0 ? rest + 1.0 : rest);
+        cell[i] = ((int32_t)bits - below) & (size - 1);
+        fraction[i] = (float)(rest < 0.0 ? rest + 1.0 : rest);
     }
 }
 
@@ -472,6 +472,12 @@ static inline void addValue(const float* window, int pitch4, const Weights* w, i
     addQuads(sums->value, swFoldR(sumRows(window, pitch4, &w->value, z), &w->value, x));
 }
 
+// What a tile's window says at a point: its value and its derivatives.
+typedef struct WindowSums
+{
+    swQuads value, alongX, alongZ;
+} WindowSums;
+
 #ifdef SW_HAS_ROWS
 
 // There are registers to sum up rows for value and slope at once.
@@ -488,29 +494,31 @@ static inline void sumRowsTwice(const float* window, int pitch4, const Weights* 
     }
 }
 
-static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
+static inline WindowSums sumWindow(const float* window, int pitch4, const Weights* w, int x, int z)
 {
     swRow row, slope;
     sumRowsTwice(window, pitch4, w, z, &row, &slope);
-    swQuads value = swFoldR(row, &w->value, x);
-    swQuads alongX = swFoldR(row, &w->slope, x);
-    swQuads alongZ = swFoldR(slope, &w->value, x);
-    addQuads(sums->value, value);
-    addQuads(sums->alongX, alongX);
-    addQuads(sums->alongZ, alongZ);
+    return (WindowSums){swFoldR(row, &w->value, x), swFoldR(row, &w->slope, x), swFoldR(slope, &w->value, x)};
 }
 
 #else
 
-static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
+static inline WindowSums sumWindow(const float* window, int pitch4, const Weights* w, int x, int z)
 {
     swRow row = sumRows(window, pitch4, &w->value, z);
-    addQuads(sums->value, swFoldR(row, &w->value, x));
-    addQuads(sums->alongX, swFoldR(row, &w->slope, x));
-    addQuads(sums->alongZ, swFoldR(sumRows(window, pitch4, &w->slope, z), &w->value, x));
+    return (WindowSums){swFoldR(row, &w->value, x), swFoldR(row, &w->slope, x),
+                        swFoldR(sumRows(window, pitch4, &w->slope, z), &w->value, x)};
 }
 
 #endif
+
+static inline void addSlopes(const float* window, int pitch4, const Weights* w, int x, int z, swPointSums* sums)
+{
+    WindowSums own = sumWindow(window, pitch4, w, x, z);
+    addQuads(sums->value, own.value);
+    addQuads(sums->alongX, own.alongX);
+    addQuads(sums->alongZ, own.alongZ);
+}
 
 // Where points are, interleaved, on to a multiple of eight of them.
 static void listPlaces(int count, const swPosXZ* points, double* u)
@@ -529,7 +537,7 @@ static void addTileAt(const swTile* tile, const float* texels, int count, const 
 {
     double scale = tile->resolution / tile->side;
     int pitch4 = (tile->resolution + 3) * 4;
-    findCells(u, 2 * padToEight(count), scale, tile->resolution, cells);
+    findCells(u, 2 * padToEight(count), scale, tile->resolution, cells->cell, cells->fraction);
     for (int first = 0; first < count; first += 8)
     {
         Weights weights;

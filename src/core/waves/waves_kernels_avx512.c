@@ -7,7 +7,8 @@
 
 #include "core/waves/waves_kernels.inl"
 #include "core/waves/waves_row.inl"
+#include "core/waves/waves_shaped.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsAvx512 = {SW_ISA_AVX512, transformTiles, sampleTiles, addOneTile,
-                                           storeAllSums,  sampleRow,      sumWaves};
+const swWaveKernels swWaveKernelsAvx512 = {SW_ISA_AVX512,   transformTiles, sampleTiles, addOneTile, addShapedTile,
+                                           findDepthShares, storeAllSums,   sampleRow,   sumWaves};

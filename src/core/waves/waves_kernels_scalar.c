@@ -7,7 +7,8 @@
 
 #include "core/waves/waves_kernels.inl"
 #include "core/waves/waves_row.inl"
+#include "core/waves/waves_shaped.inl"
 #include "core/waves/waves_sum.inl"
 
-const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR, transformTiles, sampleTiles, addOneTile,
-                                           storeAllSums,  sampleRow,      sumWaves};
+const swWaveKernels swWaveKernelsScalar = {SW_ISA_SCALAR,   transformTiles, sampleTiles, addOneTile, addShapedTile,
+                                           findDepthShares, storeAllSums,   sampleRow,   sumWaves};

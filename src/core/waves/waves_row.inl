@@ -23,7 +23,7 @@ static void sumColumns(const swTile* tile, const float* texels, double z, int co
     Cells cells;
     const double places[8] = {z, z, z, z, z, z, z, z};
     float fractions[16] = {0.0f};
-    findCells(places, 8, scale, tile->resolution, &cells);
+    findCells(places, 8, scale, tile->resolution, cells.cell, cells.fraction);
     fractions[0] = cells.fraction[0];
     Weights weights;
     findWeights(fractions, &weights);
@@ -74,7 +74,7 @@ __attribute__((noinline)) static bool addTileRowAt(const swTile* tile, const flo
     double scale = tile->resolution / tile->side;
     Cells cells;
     Columns columns;
-    findCells(x, (count + 15) / 16 * 16, scale, tile->resolution, &cells);
+    findCells(x, (count + 15) / 16 * 16, scale, tile->resolution, cells.cell, cells.fraction);
     columns.first = cells.cell[0];
     int columnCount = countColumns(tile, count, x);
     if (columnCount == 0)

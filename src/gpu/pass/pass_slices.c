@@ -119,6 +119,11 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
             continue;
         }
         swSliceTile tile = makeSliceTile(slice, &frame->tiles[i], gpuWorld->tiles.params[i].firstTexel);
+        if (gpuWorld->tiles.isCarried)
+        {
+            tile.carryTurns =
+                swGetCarryPhase(tile.waveNumber, frame->tiles[i].loopTicks, frame->ticks, &tile.carryPeriod);
+        }
         tile.columnCount = countColumns(&tile);
         if (tile.step <= SW_SLICE_STEP && count < SW_SLICE_TILES)
         {
@@ -171,10 +176,21 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
 // Longest first, as the frame has them.
 static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWave* waves, swSliceList* list)
 {
-    for (int i = 0; i < frame->waveCount && frame->waves[i].wavelength >= slice->minWavelength; ++i)
+    int count = 0, groupEnd = 0;
+    while (count < frame->waveCount && frame->waves[count].wavelength >= slice->minWavelength)
     {
-        waves[list->waveCount++] = makeSliceWave(slice, &frame->waves[i], frame->ticks);
+        count += 1;
     }
+    for (int i = 0; i < count; ++i)
+    {
+        const swFreeWave* wave = &frame->waves[i];
+        swSliceWave seen = makeSliceWave(slice, wave, frame->ticks);
+        groupEnd = i == groupEnd ? swFindCarriedEnd(frame->waves, i, count) : groupEnd;
+        seen.groupEnd = (uint32_t)groupEnd;
+        seen.carryTurns = swGetCarryPhase(seen.waveNumber, wave->loopTicks, frame->ticks, &seen.carryPeriod);
+        waves[i] = seen;
+    }
+    list->waveCount = (uint32_t)count;
 }
 
 static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, ViewState* view)
@@ -203,6 +219,7 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
         list->first = tileCount;
         list->firstWave = waveCount;
         list->texelsPerMetre = (float)(1.0 / slice->texel);
+        list->minWavelength = slice->minWavelength;
         makeSliceTiles(gpuWorld, frame, slice, tiles, list);
         uint32_t all = list->count + list->windowCount;
         memcpy((swSliceTile*)view->tiles.data + tileCount, tiles, all * sizeof(swSliceTile));
