@@ -14,8 +14,8 @@
 SW_PARAMS(swInputHead)
 {
     swInputRange ranges[SW_FIELD_OF_COUNT];
-    sw_uint localSystems; // see swInputSet
-    sw_uint unused0, unused1, unused2;
+    sw_uint localSystems, ribbonSystems; // see swInputSet
+    sw_uint unused0, unused1;
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 

@@ -61,10 +61,11 @@ SW_PARAMS(swSliceTile)
     float waveNumber;    // in the middle of the tile's waves, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint cellTurns;  // how far a cell of SW_QUERY_CELL takes one through the tile, a fraction of 2^32 of a turn
     sw_uint carryTurns; // of copies that a flow carries, see swQueryTile
     float carryPeriod;
 };
-SW_PARAMS_SIZE(swSliceTile, 76);
+SW_PARAMS_SIZE(swSliceTile, 80);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -79,11 +80,12 @@ SW_PARAMS(swSliceWave)
     float waveNumber; // of its octave, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint cellTurnsX, cellTurnsZ; // likewise
     sw_uint groupEnd; // of those that are carried together, counted from the slice's first wave: one past the last
     sw_uint carryTurns;
     float carryPeriod;
 };
-SW_PARAMS_SIZE(swSliceWave, 68);
+SW_PARAMS_SIZE(swSliceWave, 76);
 
 // The waves of a slice: tiles[first .. first + count) as cubics, windowCount tiles behind them texel by texel, and
 // waves[firstWave .. firstWave + waveCount).

@@ -21,6 +21,7 @@ layout(constant_id = 0) const bool WITH_WAVES = true;        // free waves
 layout(constant_id = 1) const bool WITH_WEIGHTS = true;      // systems may have weights of their own there
 layout(constant_id = 2) const bool WITH_FLOW = true;         // a flow may carry waves
 layout(constant_id = 3) const bool WITH_DISPLACEMENT = true; // inputs may displace the water
+layout(constant_id = 4) const bool WITH_RIBBONS = true;      // some waves run along splines
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -85,6 +86,7 @@ layout(push_constant) uniform Push
 #include "lib/displaced.glsl"
 #include "lib/likeness.glsl"
 #include "lib/places.glsl"
+#include "lib/ribbons.glsl"
 #include "lib/slice_waves.glsl"
 
 swFieldBlock fieldBlock;
@@ -116,7 +118,17 @@ Shape weightOf(uint system, uint column, uint row)
     {
         return Shape(1.0, vec2(0.0));
     }
-    vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
+    SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row);
+    swInputValue value;
+    if (WITH_RIBBONS)
+    {
+        value = looksAt(SW_FIELD_OF_WAVES, system, place).plain;
+    }
+    else
+    {
+        value = fieldAt(SW_FIELD_OF_WAVES, system, place);
+    }
+    vec3 weight = firstOf(value);
     return Shape(weight.x, weight.yz);
 }
 
@@ -303,6 +315,133 @@ void addCarriedWaves(inout Run run, uint first, uint end, uint column, uint row,
     addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
 }
 
+// ---- waves along splines ----
+
+// Bits of the systems of which some waves run along splines in the block.
+uint ribbonSystemsOfBlock()
+{
+    return WITH_RIBBONS ? fieldBlock.systems & inputHead.ribbonSystems : 0u;
+}
+
+// The way from the slice's first texel to so many seconds against a flow from a place.
+Way wayTo(SeaPlace place, float seconds, Flow moved)
+{
+    swFieldSlice slice = fieldSlices[gl_WorkGroupID.z];
+    return Way(place.cell - ivec2(slice.cellX, slice.cellZ),
+               place.rest - vec2(slice.restX, slice.restZ) - seconds * moved.velocity);
+}
+
+// Adds one of the copies of waves as a look sees them. `moved` is in the look's axes.
+void addLooked(inout Run run, uint i, Look look, Flow moved, Shape shape, float weight, float seconds, Texel own)
+{
+    turnWaterByLook(look, look.source.way - seconds * moved.slopes, own.sum, own.alongX, own.alongZ);
+    addToRun(run, i, own, Shape(weight * shape.weight, weight * shape.slope));
+}
+
+void addLookedTile(inout Run run, uint i, swSliceTile tile, Look look, Flow moved, Shape shape)
+{
+    Carry carry = Carry(vec2(1.0, 0.0), vec2(0.0));
+    if (isMoved(moved) && tile.carryPeriod > 0.0)
+    {
+        float between = 0.5 * tile.carryPeriod;
+        carry = carryOf(tile.carryTurns, tile.carryPeriod);
+        shape = carried(shape, carry, between, moved,
+                        likenessOf(tile.firstTexel, tile.resolution, tile.perMetre, between * moved.velocity));
+    }
+    for (uint c = 0; c < (carry.weights.y != 0.0 ? 2 : 1); ++c)
+    {
+        Texel own = CALM;
+        addTileAt(own, tile, wayTo(look.at, carry.seconds[c], moved));
+        addLooked(run, i, look, moved, shape, carry.weights[c], carry.seconds[c], own);
+    }
+}
+
+// Free waves [first, end), which are of one octave and one system.
+void addLookedWaves(inout Run run, uint i, uint first, uint end, Look look, Flow moved, Shape shape)
+{
+    Carry carry = Carry(vec2(1.0, 0.0), vec2(0.0));
+    if (isMoved(moved))
+    {
+        float between = 0.5 * waves[first].carryPeriod;
+        carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+        shape = carried(shape, carry, between, moved, likenessOf(first, end, between * moved.velocity));
+    }
+    for (uint c = 0; c < (carry.weights.y != 0.0 ? 2 : 1); ++c)
+    {
+        Texel own = CALM;
+        for (uint k = first; k < end; ++k)
+        {
+            addWaveAt(own, waves[k], wayTo(look.at, carry.seconds[c], moved));
+        }
+        addLooked(run, i, look, moved, shape, carry.weights[c], carry.seconds[c], own);
+    }
+}
+
+// Adds a system's tiles and free waves as they are seen by a look to a texel of the run.
+void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, uint column, uint row)
+{
+    if (!isLookThere(look))
+    {
+        return;
+    }
+    Ground ground = groundOf(column, row);
+    Flow moved = STILL;
+    if (doesCarry())
+    {
+        moved = turnFlowByLook(look, flowAt(column, row));
+    }
+    for (uint k = 0; k < list.count + list.windowCount; ++k)
+    {
+        swSliceTile tile = tiles[list.first + k];
+        if (tile.system == system)
+        {
+            addLookedTile(run, i, tile, look, moved, attenuated(look.shape, ground, tile.waveNumber, tile.attenuation));
+        }
+    }
+    uint end = 0;
+    for (uint k = 0; k < (WITH_WAVES ? list.waveCount : 0); k = end)
+    {
+        swSliceWave wave = waves[list.firstWave + k];
+        end = wave.groupEnd;
+        if (wave.system == system)
+        {
+            addLookedWaves(run, i, list.firstWave + k, list.firstWave + end, look, moved,
+                           attenuated(look.shape, ground, wave.waveNumber, wave.attenuation));
+        }
+    }
+}
+
+// Bits of the systems of a slice.
+uint systemsOf(swSliceList list)
+{
+    uint systems = 0;
+    for (uint k = 0; k < list.count + list.windowCount; ++k)
+    {
+        systems |= 1u << tiles[list.first + k].system;
+    }
+    for (uint k = 0; k < (WITH_WAVES ? list.waveCount : 0); k = waves[list.firstWave + k].groupEnd)
+    {
+        systems |= 1u << waves[list.firstWave + k].system;
+    }
+    return systems;
+}
+
+// Adds waves along splines.
+void addRibbons(inout Run run, swSliceList list, uint column, uint lowest)
+{
+    for (uint systems = ribbonSystemsOfBlock() & systemsOf(list); systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+        {
+            SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, lowest + i);
+            swRibbonLooks looks = looksAt(SW_FIELD_OF_WAVES, system, place).ribbons;
+            addLook(run, i, list, system, lookOf(looks.first), column, lowest + i);
+            addLook(run, i, list, system, lookOf(looks.second), column, lowest + i);
+        }
+    }
+}
+
 // ---- all of a run ----
 
 // Adds the tiles and free waves that are shaped in this block.
@@ -411,6 +550,10 @@ void main()
     }
     Run run = Run(CALM, CALM, CALM, CALM);
     addAllShaped(run, lists[gl_WorkGroupID.z], column, lowest);
+    if (ribbonSystemsOfBlock() != 0)
+    {
+        addRibbons(run, lists[gl_WorkGroupID.z], column, lowest);
+    }
     for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
         Texel texel = texelOfRun(run, i);

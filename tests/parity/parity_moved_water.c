@@ -255,8 +255,8 @@ static Difference CompareFlow(Parity* parity, swLayer layer)
     Difference difference = {0};
     for (int slice = 0; slice < parity->sliceCount; ++slice)
     {
-        const float* cpu = layer == SW_LAYER_FLOW ? swView_GetFlow(parity->view, slice)
-                                                  : swView_GetFlowSlopes(parity->view, slice);
+        const float* cpu =
+            layer == SW_LAYER_FLOW ? swView_GetFlow(parity->view, slice) : swView_GetFlowSlopes(parity->view, slice);
         assert_non_null(cpu);
         assert_int_equal(swGpuWorld_ReadLayer(parity->gpuWorld, parity->view, layer, slice, gpu), SW_SUCCESS);
         difference = MaxDifference(difference, Compare(cpu, gpu, count, 4, 4));
@@ -279,8 +279,8 @@ static void LayersAgree(void** state)
         Difference derivatives = CompareLayer(&parity, SW_LAYER_DERIVATIVES);
         Difference flow = CompareFlow(&parity, SW_LAYER_FLOW);
         Difference slopes = CompareFlow(&parity, SW_LAYER_FLOW_SLOPES);
-        bool isRight = displacement.worst < MOST_OFF_M && derivatives.worst < DERIVATIVE &&
-                       flow.worst < MOST_OFF_M && slopes.worst < SLOPE;
+        bool isRight = displacement.worst < MOST_OFF_M && derivatives.worst < DERIVATIVE && flow.worst < MOST_OFF_M &&
+                       slopes.worst < SLOPE;
         wrong += isRight ? 0 : 1;
         printf("  %-24s displacement %.2g m, derivatives %.2g, flow %.2g of %.2g m/s, slopes %.2g of %.2g 1/s%s\n",
                GetName(i), displacement.worst, derivatives.worst, flow.worst, flow.scale, slopes.worst, slopes.scale,
@@ -354,8 +354,7 @@ static void QueriesAgree(void** state)
     swGpuQueryDef gpuDef = swDefaultGpuQueryDef();
     gpuDef.capacity = SPOTS * POINTS;
     gpuDef.tolerance = TOLERANCE;
-    gpuDef.outputs =
-        SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL | SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION;
+    gpuDef.outputs = SW_GPU_QUERY_SIDEWAYS | SW_GPU_QUERY_NORMAL | SW_GPU_QUERY_VELOCITY | SW_GPU_QUERY_ACCELERATION;
     swGpuQuery* query = NULL;
     assert_int_equal(swCreateGpuQuery(parity.gpuWorld, &gpuDef, &query), SW_SUCCESS);
     for (int i = 0; i < SPOTS; ++i)

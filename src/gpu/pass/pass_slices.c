@@ -24,6 +24,12 @@ typedef struct State
     ViewState views[SW_MAX_VIEWS];
 } State;
 
+// Turns as a fraction of 2^32.
+static uint32_t toPhase(double turns)
+{
+    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
+}
+
 // Spline coordinate of the slice's first texel along one axis, as a texel column and a fraction.
 static void reduceOffset(int64_t first, double texel, double shift, const swTile* tile, float* fraction, uint32_t* base)
 {
@@ -45,6 +51,7 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .waveNumber = swGetTileWaveNumber(tile),
         .system = (uint32_t)tile->system,
         .attenuation = tile->attenuation,
+        .cellTurns = toPhase((double)SW_QUERY_CELL / tile->side + 0x1p-33),
     };
     uint32_t baseX, baseZ;
     reduceOffset(slice->firstX, slice->texel, tile->shiftX, tile, &out.fractionX, &baseX);
@@ -146,12 +153,6 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
     list->windowCount += count - list->count;
 }
 
-// Turns as a fraction of 2^32.
-static uint32_t toPhase(double turns)
-{
-    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
-}
-
 static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
 {
     double place =
@@ -168,6 +169,8 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
         .waveNumber = swGetOctaveWaveNumber(wave->wavelength),
         .system = (uint32_t)wave->system,
         .attenuation = wave->attenuation,
+        .cellTurnsX = toPhase(wave->turnsX * (double)SW_QUERY_CELL + 0x1p-33),
+        .cellTurnsZ = toPhase(wave->turnsZ * (double)SW_QUERY_CELL + 0x1p-33),
     };
     swSinCosTurns(out.stepZ, &out.sinZ, &out.cosZ);
     return out;

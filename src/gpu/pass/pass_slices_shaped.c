@@ -26,6 +26,7 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
         .withFlow = gpuWorld->inputs.hasFlow ? 1 : 0,
         .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0,
         .withWeights = swHasInputs(frame->inputs, SW_INPUT_WAVES) || frame->inputs->localSystems != 0 ? 1 : 0,
+        .withRibbons = gpuWorld->inputs.hasRibbons ? 1 : 0,
     };
     for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
     {
