@@ -229,7 +229,7 @@ void swSetWaterBodyLevel(swWaterBodies* bodies, swWaterBody* body, double level)
     if (input != NULL)
     {
         input->def.value[0] = (float)(level - bodies->inputs->seaLevel);
-        bodies->inputs->isChanged = true;
+        swTouchInput(bodies->inputs, input);
     }
 }
 
