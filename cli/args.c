@@ -120,20 +120,20 @@ static bool ParseDevice(const Verb* verb, const Option* option, const char* text
     return true;
 }
 
-static bool ParseChoice(const Verb* verb, const Option* option, const char* text)
+// The index of the word, or -1 after a sentence.
+static int FindWord(const Verb* verb, const Option* option, const char* const* words, const char* text)
 {
     char all[512] = "";
-    for (int i = 0; option->choices[i] != NULL; ++i)
+    for (int i = 0; words[i] != NULL; ++i)
     {
-        if (strcmp(text, option->choices[i]) == 0)
+        if (strcmp(text, words[i]) == 0)
         {
-            *(int*)option->value = i;
-            return true;
+            return i;
         }
         size_t used = strlen(all);
-        snprintf(all + used, sizeof(all) - used, "%s%s", i == 0 ? "" : ", ", option->choices[i]);
+        snprintf(all + used, sizeof(all) - used, "%s%s", i == 0 ? "" : ", ", words[i]);
     }
-    const char* nearest = FindNearestName(text, option->choices);
+    const char* nearest = FindNearestName(text, words);
     if (nearest != NULL)
     {
         Complain("%s: --%s %s is unknown; did you mean %s?", verb->name, option->name, text, nearest);
@@ -142,7 +142,47 @@ static bool ParseChoice(const Verb* verb, const Option* option, const char* text
     {
         Complain("%s: --%s is one of %s, not \"%s\"", verb->name, option->name, all, text);
     }
-    return false;
+    return -1;
+}
+
+static bool ParseChoice(const Verb* verb, const Option* option, const char* text)
+{
+    int index = FindWord(verb, option, option->choices, text);
+    if (index >= 0)
+    {
+        *(int*)option->value = index;
+    }
+    return index >= 0;
+}
+
+static bool ParseDebug(const Verb* verb, const Option* option, const char* text)
+{
+    static const char prefix[] = "layer:";
+    DebugName* debug = option->value;
+    if (strncmp(text, prefix, sizeof(prefix) - 1) == 0)
+    {
+        char problem[512] = "";
+        debug->sheet = swDefaultSheetDef();
+        debug->isSheet = swParseSheet(text + sizeof(prefix) - 1, &debug->sheet, problem, sizeof(problem));
+        if (!debug->isSheet)
+        {
+            Complain("%s: --%s %s: %s", verb->name, option->name, text, problem);
+        }
+        return debug->isSheet;
+    }
+    const char* names[SW_DEBUG_COUNT + 2] = {NULL};
+    for (int i = 0; i < SW_DEBUG_COUNT; ++i)
+    {
+        names[i] = swDebugMode_GetName((swDebugMode)i);
+    }
+    names[SW_DEBUG_COUNT] = "layer:NAME";
+    int index = FindWord(verb, option, names, text);
+    if (index == SW_DEBUG_COUNT)
+    {
+        return ParseDebug(verb, option, prefix); // says which names there are
+    }
+    debug->mode = index >= 0 ? (swDebugMode)index : SW_DEBUG_NONE;
+    return index >= 0;
 }
 
 static bool ParseRanged(const Verb* verb, const Option* option, const char* text)
@@ -230,6 +270,8 @@ static bool ParseValue(const Verb* verb, const Option* option, const char* text)
         return ParseDevice(verb, option, text);
     case OPTION_CHOICE:
         return ParseChoice(verb, option, text);
+    case OPTION_DEBUG:
+        return ParseDebug(verb, option, text);
     }
     return false;
 }
@@ -318,8 +360,15 @@ static bool ParseOption(const Verb* verb, int argumentCount, char** arguments, i
 static bool IsOn(const Verb* verb, const char* name, const bool* isGiven)
 {
     int number = FindOption(verb, name);
+    if (number < 0 || !isGiven[number])
+    {
+        return false;
+    }
     const Option* option = verb->options + number;
-    return number >= 0 && isGiven[number] && (option->kind != OPTION_CHOICE || *(const int*)option->value != 0);
+    const DebugName* debug = option->value;
+    return option->kind == OPTION_DEBUG    ? debug->isSheet || debug->mode != SW_DEBUG_NONE
+           : option->kind == OPTION_CHOICE ? *(const int*)option->value != 0
+                                           : true;
 }
 
 // Nobody turns a knob that does nothing.

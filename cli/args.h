@@ -6,7 +6,8 @@
 
 #include <stdbool.h>
 
-#include "seaway/gpu.h"
+#include "seaway/draw.h"
+#include "seaway/sheet.h"
 
 typedef enum OptionKind
 {
@@ -17,7 +18,8 @@ typedef enum OptionKind
     OPTION_NUMBER, // double, in [min, max]
     OPTION_SIZE,   // PixelSize, WxH, each in [min, max]
     OPTION_DEVICE, // DeviceName, auto|gpu|software|INDEX
-    OPTION_CHOICE  // int: index of the word in `choices`
+    OPTION_CHOICE, // int: index of the word in `choices`
+    OPTION_DEBUG   // DebugName: a swDebugMode, or layer:NAME[.CHANNEL][:SLICE]
 } OptionKind;
 
 typedef struct PixelSize
@@ -31,6 +33,14 @@ typedef struct DeviceName
     int index;
 } DeviceName;
 
+// What is shown instead of the picture.
+typedef struct DebugName
+{
+    swDebugMode mode;
+    bool isSheet; // of a layer
+    swSheetDef sheet;
+} DebugName;
+
 typedef struct Option
 {
     const char* name; // without the dashes
@@ -41,7 +51,8 @@ typedef struct Option
     double min, max;
     const char* const* choices; // ends with NULL
 
-    // An option that would have no effect is refused. "On" is what was given, other than the first of the choices.
+    // An option that would have no effect is refused. "On" is what was given, other than the first of the choices
+    // and no debug mode.
     const char* needs;          // the name of the option that has to be on too; NULL: none
     const char* const* without; // names of options of which none may be on; ends with NULL
 } Option;

@@ -26,6 +26,19 @@ static swRasterDef MakeLattice(const Bake* bake)
     return def;
 }
 
+static bool FitsLattice(const Bake* bake)
+{
+    double across = bake->width / bake->spacing + 1.0, down = bake->height / bake->spacing + 1.0;
+    bool fits = across < SW_MAX_RASTER_SIDE + 1.0 && down < SW_MAX_RASTER_SIDE + 1.0;
+    if (!fits)
+    {
+        Complain("bake: %g x %g m with cells of %g m would be %.0f x %.0f cells; at most %d a side are made, so raise "
+                 "--spacing",
+                 bake->width, bake->height, bake->spacing, across, down, SW_MAX_RASTER_SIDE);
+    }
+    return fits;
+}
+
 static void Silence(void* context, swLogLevel level, const char* message)
 {
     (void)context;
@@ -170,5 +183,5 @@ int RunBake(int argumentCount, char** arguments)
         Complain("bake: --out names the file to write");
         return EXIT_USAGE;
     }
-    return BakeScene(&bake);
+    return FitsLattice(&bake) ? BakeScene(&bake) : EXIT_USAGE;
 }

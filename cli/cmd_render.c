@@ -22,6 +22,8 @@
 #define WARMUP_STEP 0.1        // s, in the last second
 #define EARLY_WARMUP_STEP 0.25 // before
 
+static const PixelSize usualSize = {1280, 720};
+
 typedef enum OutputKind
 {
     OUTPUT_PNG,
@@ -34,7 +36,7 @@ typedef struct RenderOptions
 {
     const char* outPath;
     OutputKind kind;
-    PixelSize size;
+    PixelSize size; // 0 x 0: not said, of a sheet
     DeviceName device;
     double time; // NAN: the scene's
     int frames;
@@ -43,7 +45,8 @@ typedef struct RenderOptions
     const char* toViewName;
     bool ease;
     bool ride;
-    int debug;
+    DebugName debug;
+    const char* rangeText; // of the sheet
     double exposureEv;
     double sunElevation, sunAzimuth; // degrees; NAN: the scene's
     double warmup;
@@ -63,6 +66,7 @@ typedef struct Render
     swWorld* world;
     swView* view;
     PictureMaker* maker;
+    swSheet* sheet; // where a layer is shown instead of the picture
     const swSceneView* from;
     const swSceneView* to; // NULL: the camera stands still
     Video* video;
@@ -192,6 +196,25 @@ static bool WarmUp(Render* render, double time)
     return isFine;
 }
 
+static void PrintSheet(const Render* render, double time)
+{
+    swSheetInfo info = swSheet_GetInfo(render->sheet);
+    FILE* to = IsDevice(render->options.outPath) ? stderr : stdout; // which may be the picture itself
+    fprintf(to, "%s.%s at %.10g s: ", swLayer_GetName(info.def.layer),
+            swLayer_GetChannelName(info.def.layer, info.def.channel), time);
+    if (info.sliceCount == 1)
+    {
+        fprintf(to, "slice %d", info.firstSlice);
+    }
+    else
+    {
+        fprintf(to, "slices 0 to %d", info.sliceCount - 1);
+    }
+    fprintf(to, " of %d x %d texels, least %.6g, greatest %.6g, shown from %.6g to %.6g", info.resolution,
+            info.resolution, (double)info.least, (double)info.greatest, (double)info.low, (double)info.high);
+    fprintf(to, info.unknownCount > 0 ? ", %d texels hold nothing\n" : "\n", info.unknownCount);
+}
+
 static bool DrawFrame(Render* render, int frame, double time)
 {
     const RenderOptions* options = &render->options;
@@ -206,13 +229,22 @@ static bool DrawFrame(Render* render, int frame, double time)
     {
         return false;
     }
+    if (options->debug.isSheet)
+    {
+        bool isFine = MakeSheet(render->maker, render->view, &options->debug.sheet, render->sheet);
+        if (isFine)
+        {
+            PrintSheet(render, time + frame / options->fps);
+        }
+        return isFine;
+    }
     swPos position = PlaceCamera(render, &view); // on the water of this step
     swShot shot = {.view = render->view,
                    .camera = swMakeCamera(position, view.heading, view.pitch, view.roll, view.verticalFov,
                                           (uint32_t)options->size.width, (uint32_t)options->size.height),
                    .sky = FindFrameSky(render, frame),
                    .water = render->scene->water,
-                   .debug = (swDebugMode)options->debug,
+                   .debug = options->debug.mode,
                    .time = time + frame / options->fps,
                    .exposureEv = render->scene->exposureEv + (float)options->exposureEv,
                    .bodyWaters = render->scene->looks,
@@ -221,6 +253,36 @@ static bool DrawFrame(Render* render, int frame, double time)
     shot.camera.width *= (uint32_t)factor;
     shot.camera.height *= (uint32_t)factor;
     return MakePicture(render->maker, &shot, (float)dt, frame == 0);
+}
+
+static void ReadBytes(Render* render)
+{
+    PixelSize size = render->options.size;
+    if (!render->options.debug.isSheet)
+    {
+        ReadPictureBytes(render->maker, render->bytes);
+        return;
+    }
+    uint8_t* rgba = (uint8_t*)render->floats; // 12 bytes a pixel, and not used otherwise
+    swSheet_Draw(render->sheet, size.width, size.height, rgba);
+    size_t pixelCount = (size_t)size.width * (size_t)size.height;
+    for (size_t i = 0; i < pixelCount; ++i)
+    {
+        memcpy(render->bytes + 3 * i, rgba + 4 * i, 3);
+    }
+}
+
+static void ReadFloats(Render* render)
+{
+    PixelSize size = render->options.size;
+    if (render->options.debug.isSheet)
+    {
+        swSheet_DrawValues(render->sheet, size.width, size.height, render->floats);
+    }
+    else
+    {
+        ReadPictureFloats(render->maker, render->floats);
+    }
 }
 
 static bool IsExr(const RenderOptions* options)
@@ -248,10 +310,10 @@ static bool SaveFrame(Render* render, int frame)
     }
     if (asExr)
     {
-        ReadPictureFloats(render->maker, render->floats);
+        ReadFloats(render);
         return WriteExr(path, options->size.width, options->size.height, render->floats, !options->singlePrecision);
     }
-    ReadPictureBytes(render->maker, render->bytes);
+    ReadBytes(render);
     return options->kind == OUTPUT_VIDEO ? WriteVideoFrame(render->video, render->bytes)
                                          : WritePng(path, options->size.width, options->size.height, render->bytes);
 }
@@ -346,8 +408,7 @@ static bool OpenSea(Render* render, const char* scenePath)
     return result == SW_SUCCESS && ShowWorld(render->maker, render->world);
 }
 
-// Whether the output can be written is found out before the sea is made, which may take minutes.
-static bool OpenOutput(Render* render)
+static bool OpenPixels(Render* render)
 {
     const RenderOptions* options = &render->options;
     size_t pixelCount = (size_t)options->size.width * (size_t)options->size.height;
@@ -358,6 +419,44 @@ static bool OpenOutput(Render* render)
         Complain("no memory for a picture of %dx%d", options->size.width, options->size.height);
         return false;
     }
+    if (options->kind == OUTPUT_VIDEO)
+    {
+        render->video = OpenVideo(options->outPath, options->size.width, options->size.height, options->fps);
+        return render->video != NULL;
+    }
+    return true;
+}
+
+// A sheet has a pixel for each texel, unless a size was asked for.
+static bool OpenSheet(Render* render)
+{
+    const swView* view = render->view;
+    PixelSize* size = &render->options.size;
+    const swSheetDef* def = &render->options.debug.sheet;
+    if (!render->options.debug.isSheet)
+    {
+        return true;
+    }
+    if (swCreateSheet(&render->host, &render->sheet) != SW_SUCCESS)
+    {
+        return false; // the log has said why
+    }
+    if (size->width == 0)
+    {
+        swFindSheetSize(def->slice >= 0 ? 1 : swView_GetSliceCount(view), swView_GetSlice(view, 0).resolution,
+                        &size->width, &size->height);
+    }
+    return OpenPixels(render);
+}
+
+// Whether the output can be written is found out before the sea is made, which may take minutes.
+static bool OpenOutput(Render* render)
+{
+    const RenderOptions* options = &render->options;
+    if (!options->debug.isSheet && !OpenPixels(render))
+    {
+        return false;
+    }
     switch (options->kind)
     {
     case OUTPUT_PNG:
@@ -366,8 +465,7 @@ static bool OpenOutput(Render* render)
     case OUTPUT_FRAMES:
         return MakeFolder(options->outPath);
     case OUTPUT_VIDEO:
-        render->video = OpenVideo(options->outPath, options->size.width, options->size.height, options->fps);
-        return render->video != NULL;
+        return true;
     }
     return false;
 }
@@ -381,23 +479,25 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
     {
         PictureMakerDef def = {.device = options->device.choice,
                                .deviceIndex = options->device.index,
-                               .width = options->size.width,
-                               .height = options->size.height,
+                               .width = options->size.width > 0 ? options->size.width : usualSize.width,
+                               .height = options->size.height > 0 ? options->size.height : usualSize.height,
                                .supersample = (int)lround(sqrt((double)options->samples)),
                                .enableValidation = options->enableValidation};
         render.maker = CreatePictureMaker(&render.host, &def);
-        isFine = render.maker != NULL && OpenSea(&render, scenePath) && DrawFrames(&render);
+        isFine = render.maker != NULL && OpenSea(&render, scenePath) && OpenSheet(&render) && DrawFrames(&render);
     }
     if (render.video != NULL)
     {
         isFine = CloseVideo(render.video, isFine) && isFine;
     }
+    swDestroySheet(render.sheet);
     int messageCount = DestroyPictureMaker(render.maker);
     if (messageCount > 0)
     {
         Complain("the validation layers gave %d messages", messageCount);
         isFine = false;
     }
+    isFine = FinishOutput() && isFine;
     swDestroyView(render.view);
     swDestroySceneSea(&render.sea);
     swDestroyWorld(render.world);
@@ -459,6 +559,49 @@ static bool CheckEffects(const RenderOptions* options)
     return useless == NULL;
 }
 
+static bool ParseRange(const char* text, swSheetDef* def)
+{
+    char low[64];
+    const char* colon = strchr(text, ':');
+    double numbers[2];
+    bool isPair = colon != NULL && (size_t)(colon - text) < sizeof(low);
+    if (isPair)
+    {
+        memcpy(low, text, (size_t)(colon - text));
+        low[colon - text] = '\0';
+    }
+    if (!isPair || !ParseNumber(low, &numbers[0]) || !ParseNumber(colon + 1, &numbers[1]) ||
+        !((float)numbers[0] < (float)numbers[1]) || fabs(numbers[0]) > 1e9 || fabs(numbers[1]) > 1e9)
+    {
+        Complain("render: --layer-range wants two numbers within 1e9, the lower first, such as -2:2, not \"%s\"", text);
+        return false;
+    }
+    def->hasRange = true;
+    def->low = (float)numbers[0];
+    def->high = (float)numbers[1];
+    return true;
+}
+
+// What is drawn has no effect on a layer.
+static bool CheckSheet(RenderOptions* options)
+{
+    if (!options->debug.isSheet)
+    {
+        options->size = options->size.width > 0 ? options->size : usualSize;
+        if (options->rangeText != NULL)
+        {
+            Complain("render: --layer-range has no effect without --debug layer:NAME; add that, or leave it out");
+        }
+        return options->rangeText == NULL;
+    }
+    if (options->samples > 1)
+    {
+        Complain("render: --samples has no effect on a layer; leave it out");
+        return false;
+    }
+    return options->rangeText == NULL || ParseRange(options->rangeText, &options->debug.sheet);
+}
+
 static bool CheckOptions(RenderOptions* options)
 {
     const char* path = options->outPath;
@@ -467,7 +610,7 @@ static bool CheckOptions(RenderOptions* options)
         Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
         return false;
     }
-    if (!ChooseKind(options) || !CheckEffects(options))
+    if (!ChooseKind(options) || !CheckEffects(options) || !CheckSheet(options))
     {
         return false;
     }
@@ -502,14 +645,8 @@ int RunRender(int argumentCount, char** arguments)
 {
     static const char* const formats[] = {"png", "exr", NULL};
     static const char* const debugWords[] = {"debug", NULL};
-    const char* debugNames[SW_DEBUG_COUNT + 1] = {NULL};
-    for (int i = 0; i < SW_DEBUG_COUNT; ++i)
-    {
-        debugNames[i] = swDebugMode_GetName((swDebugMode)i);
-    }
     const char* scenePath = NULL;
-    RenderOptions render = {.size = {1280, 720},
-                            .time = (double)NAN,
+    RenderOptions render = {.time = (double)NAN,
                             .frames = 1,
                             .fps = (double)NAN,
                             .sunElevation = (double)NAN,
@@ -526,7 +663,7 @@ int RunRender(int argumentCount, char** arguments)
          .kind = OPTION_SIZE,
          .value = &render.size,
          .placeholder = "WxH",
-         .help = "pixels (default 1280x720)",
+         .help = "pixels (default 1280x720; of a layer, a pixel for each texel)",
          .min = 16,
          .max = 16384},
         {.name = "time",
@@ -609,12 +746,13 @@ int RunRender(int argumentCount, char** arguments)
          .placeholder = "S",
          .help = "seconds of foam before the first frame (default 5)",
          .max = 600},
-        {.name = "debug",
-         .kind = OPTION_CHOICE,
-         .value = &render.debug,
-         .placeholder = "MODE",
-         .help = DEBUG_MODE_HELP,
-         .choices = debugNames},
+        {.name = "debug", .kind = OPTION_DEBUG, .value = &render.debug, .placeholder = "MODE", .help = DEBUG_MODE_HELP},
+        {.name = "layer-range",
+         .kind = OPTION_TEXT,
+         .value = &render.rangeText,
+         .placeholder = "A:B",
+         .help = "numbers of a layer's first and last colour (default: its least and greatest)",
+         .needs = "debug"},
         {.name = "frame-format",
          .kind = OPTION_CHOICE,
          .value = &render.frameFormat,

@@ -13,12 +13,7 @@ int RunView(int argumentCount, char** arguments)
     DeviceName device = {SW_DEVICE_AUTO, 0};
     bool disableVsync = false;
     double uiScale = 1.0;
-    int debug = SW_DEBUG_NONE;
-    const char* debugNames[SW_DEBUG_COUNT + 1] = {NULL};
-    for (int i = 0; i < SW_DEBUG_COUNT; ++i)
-    {
-        debugNames[i] = swDebugMode_GetName((swDebugMode)i);
-    }
+    DebugName debug = {.mode = SW_DEBUG_NONE, .sheet = viewer.sheet};
     static const char* const pictureEndings[] = {".png", NULL};
     const Option options[] = {
         {.name = "size",
@@ -48,12 +43,7 @@ int RunView(int argumentCount, char** arguments)
          .help = "panel and letters so many times as large as suits the window",
          .min = 0.5,
          .max = 4.0},
-        {.name = "debug",
-         .kind = OPTION_CHOICE,
-         .value = &debug,
-         .placeholder = "MODE",
-         .help = DEBUG_MODE_HELP,
-         .choices = debugNames},
+        {.name = "debug", .kind = OPTION_DEBUG, .value = &debug, .placeholder = "MODE", .help = DEBUG_MODE_HELP},
         {.name = "frames",
          .kind = OPTION_INT,
          .value = &viewer.frameCount,
@@ -92,7 +82,9 @@ int RunView(int argumentCount, char** arguments)
         return EXIT_USAGE;
     }
     viewer.uiScale = (float)uiScale;
-    viewer.debug = (swDebugMode)debug;
+    viewer.debug = debug.mode;
+    viewer.showSheet = debug.isSheet;
+    viewer.sheet = debug.sheet;
     viewer.scenePath = scenePath;
     viewer.width = size.width;
     viewer.height = size.height;

@@ -17,7 +17,7 @@
 #define EXIT_USAGE 2   // asked for something that cannot be asked
 
 // What --debug shows instead of the picture, by the names of swDebugMode_GetName().
-#define DEBUG_MODE_HELP "slices, wireframe, normals, height, jacobian, foam or roughness instead of the picture"
+#define DEBUG_MODE_HELP "slices, wireframe, normals, height, jacobian, foam, roughness, or layer:NAME[.CHANNEL][:SLICE]"
 
 // One sentence on stderr, with the program's name before it.
 void Complain(const char* format, ...) __attribute__((format(printf, 1, 2)));

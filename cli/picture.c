@@ -52,17 +52,6 @@ swViewDef FitPictureView(const PictureMaker* maker, const swViewDef* def)
     return swGpu_FitView(maker->gpu, def, maker->height);
 }
 
-// Land and sea floor as the world's inputs have them.
-static void FindFloor(void* context, int count, const swPosXZ* points, float* heights)
-{
-    const swFieldSamples samples = {.floor = heights};
-    swMoment_QueryFields(swWorld_GetMoment(context), count, points, &samples);
-    for (int i = 0; i < count; i++)
-    {
-        heights[i] = isfinite(heights[i]) ? heights[i] : NAN;
-    }
-}
-
 bool ShowWorld(PictureMaker* maker, const swWorld* world)
 {
     swResult result = swCreateGpuWorld(maker->gpu, world, &maker->world);
@@ -70,8 +59,7 @@ bool ShowWorld(PictureMaker* maker, const swWorld* world)
     result = result == SW_SUCCESS ? swCreateRenderer(maker->world, &maker->renderer) : result;
     result = result == SW_SUCCESS ? swCreatePicture(maker->renderer, &def, &maker->picture) : result;
     swStageTerrainDef land = swDefaultStageTerrainDef();
-    land.floor = FindFloor;
-    land.context = (void*)(uintptr_t)world;
+    land.world = world;
     result = result == SW_SUCCESS ? swStage_CreateTerrain(maker->stage, &land, &maker->terrain) : result;
     if (result != SW_SUCCESS)
     {
@@ -160,6 +148,21 @@ bool AdvancePicture(PictureMaker* maker)
 {
     swStageFrame frame;
     return swGpu_WantsCpuLayers(maker->gpu) || (BeginFrame(maker, &frame) && FinishFrame(maker, &frame));
+}
+
+bool MakeSheet(PictureMaker* maker, const swView* view, const swSheetDef* def, swSheet* sheet)
+{
+    swStageFrame frame;
+    if (!BeginFrame(maker, &frame) || !FinishFrame(maker, &frame))
+    {
+        return false;
+    }
+    swResult result = swSheet_Read(sheet, maker->world, view, def);
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, "the layer could not be read");
+    }
+    return result == SW_SUCCESS;
 }
 
 bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst)

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "seaway/draw.h"
+#include "seaway/sheet.h"
 
 typedef struct PictureMaker PictureMaker;
 
@@ -36,6 +37,9 @@ bool AdvancePicture(PictureMaker* maker);
 // Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;
 // `isFirst` jumps to the measured exposure.
 bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst);
+
+// Run the passes of the world's last step and read a layer of them, instead of drawing.
+bool MakeSheet(PictureMaker* maker, const swView* view, const swSheetDef* def, swSheet* sheet);
 
 // Room for width * height * 3. Bytes are tone mapped and sRGB encoded; floats are linear light before tone mapping.
 void ReadPictureBytes(const PictureMaker* maker, uint8_t* rgb);

@@ -74,6 +74,8 @@ ALLOWED = {
     ("swMoment_QueryHeightMap", "map.originX", "*"): "every point is bad, and NaN",
     ("swMoment_QueryHeightMap", "map.originZ", "*"): "every point is bad, and NaN",
     ("swMoment_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
+    ("swCreateSceneInputs", "scene", "NULL"): "it is the scene that knows whom to tell",
+    ("swSheet_Read", "sheet", "NULL"): "it is the sheet that knows whom to tell",
     ("swCreateSceneSea", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("*", "spectrum.depth", "infinite"): "deep water",
     ("swLookAtPatches", "depth", "infinite"): "deep water",
@@ -325,9 +327,9 @@ FREES = set()
 def main():
     folder, output = sys.argv[1:3]
     is_gpu, is_scene = "--gpu" in sys.argv, "--scene" in sys.argv
-    names = HEADERS + (["gpu", "layers", "draw", "stage"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
+    names = HEADERS + (["gpu", "layers", "draw", "stage", "sheet"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
     known = {name[:-2] for name in os.listdir(folder) if name.endswith(".h")} - {"seaway"}
-    for name in known - set(HEADERS + ["gpu", "layers", "draw", "stage", "files", "scene"]):
+    for name in known - set(HEADERS + ["gpu", "layers", "draw", "stage", "sheet", "files", "scene"]):
         sys.exit(f"make_misuse_test.py: {name}.h is in no list of headers here")
     Writer(*parse(folder, names)).write(output, is_gpu, is_scene)
 

@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "pace.h"
 #include "picture.h"
+#include "pointer.h"
 #include "question.h"
 #include "viewer.h"
 
@@ -38,7 +39,9 @@ typedef struct App
     UiMesh mesh;
 
     Sea sea;
-    int64_t sceneStamp; // when the scene file was last written
+    swStageTerrain* land; // of the sea's world
+    int landVersion;      // of the sea's floor that it was sampled from
+    int64_t sceneStamp;   // when the scene file was last written
     double nextStampCheck;
     bool wantsReload;    // with the next frame
     bool wantsSave;      // likewise
@@ -59,7 +62,11 @@ typedef struct App
     InputQueue input;
     bool isLooking; // the mouse turns the camera
 
+    int chosenInput, chosenBody; // of the panel
     swDebugMode debug;
+    SheetView sheetView;
+    double pointerX, pointerY; // of the mouse, pixels of the window
+    bool isPointerFree;        // it is over the picture
     bool showPanel;
     float uiFactor; // on the size of letters and panel that suits the window
     bool jumpExposure;
@@ -79,6 +86,9 @@ void ShowNote(App* app, const char* format, ...);
 void GoToView(App* app, int index);
 
 bool OpenFirstSea(App* app);
+
+// Land and sea floor are sampled again with the next picture: they have changed, or their coordinates have.
+void ForgetLand(App* app);
 
 // Read the scene file again when it has changed on disk.
 void FollowSceneFile(App* app);

@@ -82,10 +82,31 @@ void UpdateTitle(App* app)
     }
 }
 
+static bool OpenLand(App* app)
+{
+    swStageTerrainDef def = swDefaultStageTerrainDef();
+    def.world = app->sea.world;
+    app->landVersion = app->sea.floorVersion;
+    return swStage_CreateTerrain(app->stage, &def, &app->land) == SW_SUCCESS;
+}
+
+void ForgetLand(App* app)
+{
+    app->landVersion = app->sea.floorVersion;
+    if (app->land != NULL)
+    {
+        swStageTerrain_Refresh(app->land);
+    }
+}
+
 bool OpenFirstSea(App* app)
 {
     app->sceneStamp = GetSceneStamp(app);
     if (!OpenSea(&app->sea, &app->host, app->gpu, app->screen.extent.height, app->options.scenePath))
+    {
+        return false;
+    }
+    if (!OpenLand(app))
     {
         return false;
     }
@@ -122,8 +143,13 @@ static void ReloadSea(App* app)
     swWorld_SetTime(fresh.world, app->clock.time);
     swWorld_SetOrigin(fresh.world, swWorld_GetOrigin(app->sea.world));
     swStage_Wait(app->stage);
+    swStage_DestroyTerrain(app->stage, app->land);
     CloseSea(&app->sea);
     app->sea = fresh;
+    if (!OpenLand(app))
+    {
+        app->land = NULL; // the log says why; the sea goes on without
+    }
     app->jumpExposure = true;
     ShowNote(app, "scene read");
 }

@@ -111,6 +111,10 @@ static void PressKey(App* app, int key, int modifiers)
     case GLFW_KEY_F2:
         CycleDebug(app, hasShift ? -1 : 1);
         break;
+    case GLFW_KEY_F3:
+        app->sheetView.isShown = !app->sheetView.isShown;
+        ShowNote(app, app->sheetView.isShown ? "layer: %s" : "the picture", swLayer_GetName(app->sheetView.def.layer));
+        break;
     case GLFW_KEY_F11:
         ToggleFullscreen(app);
         break;

@@ -77,16 +77,21 @@ static void CopyToWindow(const PictureDef* def)
     swStage_UseImage(def->stage, commands, &window, SW_STAGE_USE_COPY_TO, SW_STAGE_USE_PRESENT);
 }
 
-bool RecordPicture(const PictureDef* def)
+bool RecordPicture(PictureDef* def)
 {
     VkCommandBuffer commands = def->frame.commands;
     swPicture* picture = def->sea->picture;
     if (swGpuWorld_Record(def->sea->gpuWorld, commands, def->frame.index) != SW_SUCCESS ||
+        (def->land != NULL && swStageTerrain_Prepare(def->land, &def->targets->stage, &def->shot) != SW_SUCCESS) ||
         swPicture_Prepare(picture, commands, &def->shot, def->frame.index) != SW_SUCCESS)
     {
         return false;
     }
-    swStage_DrawPicture(def->stage, commands, picture, &def->targets->stage, NULL, def->dt, def->jumpExposure);
+    swStage_DrawPicture(def->stage, commands, picture, &def->targets->stage, def->land, def->dt, def->jumpExposure);
+    if (def->sheet->isRead)
+    {
+        CopySheetView(def->sheet, def->stage, commands, &def->targets->stage.output);
+    }
     if (def->capture == CAPTURE_SEA && !Capture(def))
     {
         return false;
@@ -96,5 +101,6 @@ bool RecordPicture(const PictureDef* def)
         return false;
     }
     CopyToWindow(def);
+    def->sea->hasRecorded = true;
     return true;
 }

@@ -6,6 +6,7 @@
 
 #include "screen.h"
 #include "sea.h"
+#include "sheet_view.h"
 #include "ui_draw.h"
 
 // Of the first view of the stage's output: the panel blends sRGB bytes as they are.
@@ -43,8 +44,10 @@ typedef struct PictureDef
     const Screen* screen;
     Targets* targets;
     Sea* sea;
+    swStageTerrain* land; // NULL: none
     UiDrawer* drawer;
     const UiMesh* mesh;
+    const SheetView* sheet; // in place of the picture, if it has been read
     swShot shot;
     swStageFrame frame;
     float dt;          // s since the last frame, for exposure
@@ -53,4 +56,4 @@ typedef struct PictureDef
 } PictureDef;
 
 // Record one frame, from the sea's waves to the window's image.
-bool RecordPicture(const PictureDef* def);
+bool RecordPicture(PictureDef* def);

@@ -70,6 +70,37 @@ static swResult PutAllWaves(const Sea* sea, swScene* scene)
     return result;
 }
 
+// What the tables of inputs and bodies have; resources and points stay the scene's own.
+static swResult PutInputs(const Sea* sea, swScene* scene)
+{
+    int inputs = sea->scene != NULL ? sea->scene->inputCount : 0;
+    int bodies = sea->scene != NULL ? sea->scene->waterBodyCount : 0;
+    if (inputs != scene->inputCount || bodies != scene->waterBodyCount)
+    {
+        SayInSea(sea, "the scene was not saved: the file has other inputs than when it was read; read it again");
+        return SW_ERROR_INVALID;
+    }
+    for (int i = 0; i < inputs; i++)
+    {
+        swInputDef *to = &scene->inputs[i].def, own = *to;
+        *to = sea->inputs[i].def;
+        to->raster = own.raster;
+        to->mesh = own.mesh;
+        to->hull = own.hull;
+        to->spline = own.spline;
+        to->points = own.points;
+        to->pointCount = own.pointCount;
+    }
+    for (int i = 0; i < bodies; i++)
+    {
+        swWaterBodyDef *to = &scene->waterBodies[i].def, own = *to;
+        *to = sea->bodies[i].def;
+        to->points = own.points;
+        to->pointCount = own.pointCount;
+    }
+    return SW_SUCCESS;
+}
+
 swResult SaveSea(const Sea* sea, const char* from, const char* path)
 {
     swScene* scene = NULL;
@@ -79,7 +110,8 @@ swResult SaveSea(const Sea* sea, const char* from, const char* path)
         return result;
     }
     PutLook(sea, scene);
-    result = PutAllWaves(sea, scene);
+    result = PutInputs(sea, scene);
+    result = result == SW_SUCCESS ? PutAllWaves(sea, scene) : result;
     result = result == SW_SUCCESS ? swWriteScene(scene, path) : result;
     swDestroyScene(scene);
     return result;

@@ -155,6 +155,7 @@ static swResult BuildSea(Sea* sea, uint32_t height)
     {
         result = CreateWaves(sea, &sea->waves[i], sea->waves[i].def.weight);
     }
+    result = result ? result : OpenInputs(sea);
     result = result ? result : swCreateView(sea->world, &viewDef, &sea->view);
     result = result ? result : swCreateGpuWorld(sea->gpu, sea->world, &sea->gpuWorld);
     result = result ? result : swCreateRenderer(sea->gpuWorld, &sea->renderer);
@@ -197,6 +198,7 @@ void CloseSea(Sea* sea)
         swDestroySeaReplay(sea->waves[i].replay);
         free(sea->waves[i].hand);
     }
+    CloseInputs(sea);
     swDestroyWorld(sea->world);
     if (sea->scene != NULL)
     {
@@ -276,6 +278,7 @@ void ApplyChanges(Sea* sea, bool isPaused)
     double seconds = isPaused ? 0.0 : (double)sea->transition;
     bool isEarly = now < sea->nextChange && now > sea->nextChange - SW_MAX_TRANSITION; // or time was set back
     ClearLeavingWaves(sea, isPaused);
+    ApplyInputs(sea);
     for (int i = 0; i < sea->wavesCount; i++)
     {
         SeaWaves* waves = &sea->waves[i];

@@ -60,6 +60,20 @@ typedef struct SeaLook
     float exposureEv;
 } SeaLook;
 
+// An input of the scene, or a body of water, as the panel has it; the world follows with ApplyChanges().
+typedef struct SeaInput
+{
+    swInputDef def, filedDef;
+    swInputDef takenDef; // that the world has, in the file's coordinates
+    bool hasChanged;     // since the world had it
+} SeaInput;
+
+typedef struct SeaBody
+{
+    swWaterBodyDef def, filedDef, takenDef;
+    bool hasChanged;
+} SeaBody;
+
 typedef struct Sea
 {
     const swHost* host;
@@ -74,6 +88,10 @@ typedef struct Sea
     int lastSerial;
     int leavingCount;
     LeavingWaves leaving[SW_MAX_WAVE_SYSTEMS];
+    swSceneSea authored; // handles of inputs and bodies, in the scene's order
+    SeaInput* inputs;    // as many as the scene has
+    SeaBody* bodies;
+    int floorVersion;  // counts what may have changed the sea floor
     float transition;  // s of the sea that a change of its waves takes
     double nextChange; // when the next one may begin, s of the sea
 
@@ -82,6 +100,7 @@ typedef struct Sea
     swGpuWorld* gpuWorld;
     swRenderer* renderer;
     swPicture* picture;
+    bool hasRecorded; // a frame: there are layers to read
 } Sea;
 
 // Read and build, with slices for pictures of `height` pixels; `path` NULL is an open sea. Reasons for failing go to
@@ -137,6 +156,21 @@ swResult RaiseWaves(Sea* sea, SeaWaves* waves);
 
 // Systems that have run down are destroyed. ApplyChanges() calls it.
 void ClearLeavingWaves(Sea* sea, bool isPaused);
+
+// ---- sea_inputs.c: what the scene puts into the sea ----
+
+// All of it, into the world that has the wave systems.
+swResult OpenInputs(Sea* sea);
+void CloseInputs(Sea* sea);
+
+// Let the world have what has changed; an input whose waves were removed is not there. ApplyChanges() calls it.
+void ApplyInputs(Sea* sea);
+
+// Of inputs and bodies that have to do with waves that are about to go, or that came back.
+void FollowWaves(Sea* sea, int waves);
+
+// Everything as the file has it.
+void ResetInputs(Sea* sea);
 
 // UTC in seconds since 1970 that a replay has reached.
 double GetReplaySeconds(const Sea* sea, int index);

@@ -106,16 +106,17 @@ static void LetGo(Sea* sea, SeaWaves* waves)
 void RemoveWaves(Sea* sea, int index)
 {
     SeaWaves* waves = &sea->waves[index];
+    if (!waves->isAdded)
+    {
+        waves->isRemoved = true;
+        FollowWaves(sea, index);
+    }
     LetGo(sea, waves);
     if (waves->isAdded)
     {
         free(waves->hand);
         sea->wavesCount--;
         memmove(waves, waves + 1, (size_t)(sea->wavesCount - index) * sizeof(SeaWaves));
-    }
-    else
-    {
-        waves->isRemoved = true;
     }
 }
 
@@ -128,6 +129,7 @@ bool BringBackWaves(Sea* sea, int index)
         return false;
     }
     waves->isRemoved = false;
+    FollowWaves(sea, index);
     return true;
 }
 

@@ -83,6 +83,16 @@ int CountWavesChanges(const SeaWaves* waves)
            (waves->record != waves->filedRecord) + HasReplayChanged(waves);
 }
 
+int CountInputChanges(const SeaInput* input)
+{
+    return CountDifferent(swGetInputFields(), &input->def, &input->filedDef);
+}
+
+int CountBodyChanges(const SeaBody* body)
+{
+    return CountDifferent(swGetWaterBodyFields(), &body->def, &body->filedDef);
+}
+
 int CountChanges(const Sea* sea)
 {
     const SeaLook *look = &sea->look, *filed = &sea->filedLook;
@@ -92,6 +102,14 @@ int CountChanges(const Sea* sea)
     for (int i = 0; i < sea->wavesCount; i++)
     {
         count += CountWavesChanges(&sea->waves[i]);
+    }
+    for (int i = 0; sea->scene != NULL && i < sea->scene->inputCount; i++)
+    {
+        count += CountInputChanges(&sea->inputs[i]);
+    }
+    for (int i = 0; sea->scene != NULL && i < sea->scene->waterBodyCount; i++)
+    {
+        count += CountBodyChanges(&sea->bodies[i]);
     }
     return count;
 }
@@ -115,6 +133,7 @@ bool ResetChanges(Sea* sea)
     bool isGood = true;
     sea->look = sea->filedLook;
     swWorld_SetFoam(sea->world, &sea->look.foam);
+    ResetInputs(sea);
     for (int i = sea->wavesCount - 1; i >= 0; i--) // backwards: added ones leave the list
     {
         if (sea->waves[i].isAdded)

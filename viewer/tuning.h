@@ -9,6 +9,8 @@
 // How many values of the sea, rows and systems differ from the file's. Every value that the panel turns counts.
 int CountChanges(const Sea* sea);
 int CountWavesChanges(const SeaWaves* waves);
+int CountInputChanges(const SeaInput* input);
+int CountBodyChanges(const SeaBody* body);
 
 // Rows of the file that are not there any more.
 int CountMissingRows(const SeaWaves* waves);

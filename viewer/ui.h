@@ -79,6 +79,9 @@ void CopyUiMesh(UiVertex* vertices, uint16_t* indices);
 void BeginUiPanel(const char* title);
 void EndUiPanel(void);
 
+// How far the panel reaches from the left edge, window units; 0 while it is folded. Of the last frame.
+float GetUiPanelRight(void);
+
 // A line over the picture, at the bottom.
 void ShowUiNote(const char* text);
 

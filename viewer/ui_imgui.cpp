@@ -38,9 +38,10 @@ static const int fontCount = sizeof(fontSizes) / sizeof(fontSizes[0]);
 
 static struct
 {
-    float density;  // pixels of the picture in one of the window's units
-    float scale;    // of letters and spaces
-    ImVec2 room;    // the window, when the panel was placed
+    float density; // pixels of the picture in one of the window's units
+    float scale;   // of letters and spaces
+    ImVec2 room;   // the window, when the panel was placed
+    float panelRight;
     bool mustPlace; // the panel, with its next frame
     ImVec2 cursor;  // where a button was pressed in this frame's events
     bool hasCursor; //
@@ -269,7 +270,13 @@ void BeginUiPanel(const char* title)
     ImGui::SetNextWindowPos(ImVec2(margin, margin), when);
     ImGui::SetNextWindowSize(ImVec2(ChoosePanelWidth(room.x, ImGui::GetFontSize()), room.y - 2.0f * margin), when);
     ImGui::Begin(title, nullptr, ImGuiWindowFlags_NoFocusOnAppearing);
+    ui.panelRight = ImGui::IsWindowCollapsed() ? 0.0f : ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
     ImGui::PushItemWidth(std::fmin(13.0f * ImGui::GetFontSize(), 0.5f * ImGui::GetContentRegionAvail().x));
+}
+
+float GetUiPanelRight(void)
+{
+    return ui.panelRight;
 }
 
 void EndUiPanel(void)

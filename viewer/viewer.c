@@ -26,8 +26,12 @@
 
 ViewerOptions DefaultViewerOptions(void)
 {
-    return (ViewerOptions){
-        .device = SW_DEVICE_AUTO, .width = 1280, .height = 720, .enableVsync = true, .uiScale = 1.0f};
+    return (ViewerOptions){.device = SW_DEVICE_AUTO,
+                           .width = 1280,
+                           .height = 720,
+                           .enableVsync = true,
+                           .uiScale = 1.0f,
+                           .sheet = swDefaultSheetDef()};
 }
 
 void ShowNote(App* app, const char* format, ...)
@@ -169,6 +173,7 @@ static void KeepOriginNear(App* app)
     double x = floor(camera->position.x), z = floor(camera->position.z);
     swWorld_SetOrigin(app->sea.world, (swPosXZ){origin.x + x, origin.z + z});
     ShiftCamera(camera, -x, -z);
+    ForgetLand(app);
 }
 
 static bool StepSea(App* app, double passed)
@@ -182,6 +187,10 @@ static bool StepSea(App* app, double passed)
     if (!AdvanceSea(&app->sea, time) || swWorld_StepTo(app->sea.world, time) != SW_SUCCESS)
     {
         return false;
+    }
+    if (app->landVersion != app->sea.floorVersion)
+    {
+        ForgetLand(app);
     }
     app->waterHeight =
         swMoment_GetHeight(swWorld_GetMoment(app->sea.world), app->camera.position.x, app->camera.position.z);
@@ -240,6 +249,8 @@ static PictureDef DescribePicture(App* app, const swStageFrame* frame, double pa
         .screen = &app->screen,
         .targets = &app->targets,
         .sea = &app->sea,
+        .land = app->land,
+        .sheet = &app->sheetView,
         .drawer = &app->drawer,
         .mesh = &app->mesh,
         .shot =
@@ -261,10 +272,42 @@ static PictureDef DescribePicture(App* app, const swStageFrame* frame, double pa
     };
 }
 
+// Where the mouse is in the picture. A widget that has it comes first.
+static void FindPointer(App* app)
+{
+    int isHovered = glfwGetWindowAttrib(app->window, GLFW_HOVERED);
+    glfwGetCursorPos(app->window, &app->pointerX, &app->pointerY);
+    app->pointerX *= (double)app->screen.extent.width / app->screen.windowExtent.width;
+    app->pointerY *= (double)app->screen.extent.height / app->screen.windowExtent.height;
+    app->isPointerFree = isHovered != 0 && !app->isLooking && !HasUiMouse();
+}
+
+// The layer as the last frame left it.
+static void ReadSheet(App* app)
+{
+    SheetView* view = &app->sheetView;
+    view->isRead = false;
+    if (!view->isShown || !app->sea.hasRecorded)
+    {
+        return;
+    }
+    float left = app->showPanel ? GetUiPanelRight() : 0.0f;
+    VkExtent2D extent = app->screen.extent;
+    int x = (int)ceil((double)left * extent.width / app->screen.windowExtent.width);
+    if (!UpdateSheetView(view, &app->host, app->stage, app->sea.gpuWorld, app->sea.view, x, (int)extent.width,
+                         (int)extent.height))
+    {
+        view->isShown = false;
+        ShowNote(app, "the layer could not be read; see Messages");
+    }
+}
+
 // One frame into the image that was acquired.
 static bool MakeFrame(App* app, const swStageFrame* frame)
 {
     double passed = TakeFrameTime(app);
+    FindPointer(app);
+    ReadSheet(app);
     BuildPanel(app);
     app->changeCount = CountChanges(&app->sea);
     UpdateTitle(app);
@@ -354,6 +397,8 @@ static bool OpenApp(App* app)
     app->showPanel = !app->options.hidePanel;
     app->uiFactor = app->options.uiScale;
     app->debug = app->options.debug;
+    app->sheetView.isShown = app->options.showSheet;
+    app->sheetView.def = app->options.sheet;
     app->jumpExposure = true;
     if (!OpenWindow(app) || !OpenDevice(app) || !OpenPanel(app) || !OpenFirstSea(app))
     {
@@ -368,7 +413,9 @@ static void CloseApp(App* app)
     if (app->stage != NULL)
     {
         swStage_GetVk(app->stage)->DeviceWaitIdle(swGpu_GetDevice(app->gpu));
+        swStage_DestroyTerrain(app->stage, app->land);
         CloseSea(&app->sea);
+        CloseSheetView(&app->sheetView, app->stage);
         CloseUiDrawer(&app->drawer);
         CloseTargets(&app->targets, app->stage);
         CloseScreen(&app->screen);

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "seaway/draw.h"
-#include "seaway/gpu.h"
+#include "seaway/sheet.h"
 
 typedef struct ViewerOptions
 {
@@ -23,6 +23,8 @@ typedef struct ViewerOptions
     bool hidePanel;
     float uiScale;     // factor on the size of letters and panel, which suits the window by itself; range [0.5, 4]
     swDebugMode debug; // what is shown instead of the picture
+    bool showSheet;    // begin with a layer in place of the picture
+    swSheetDef sheet;  // which one
 
     int frameCount; // 0: until the window is closed; else leave after that many frames, 1/30 s of the sea each
     const char* screenshotPath; // PNG of the last of `frameCount` frames, panel included; NULL: none

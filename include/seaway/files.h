@@ -133,12 +133,15 @@ SW_API swResult swWriteRaster(const swHost* host, const char* path, const swRast
 /// Room for the text of what a raster was made from, with its zero.
 #define SW_MAX_RASTER_SOURCE 1024
 
-/// What a file of swWriteRaster() says it was made from. A hash other than that of what it would be made from now says
-/// that it is stale.
+/// What a file of swWriteRaster() says it was made from. A hash other than that of what it would be made from now, on
+/// the same lattice, says that it is stale (see swWorld_HashFloor()).
 typedef struct swRasterSource
 {
     char text[SW_MAX_RASTER_SOURCE]; ///< empty if the file says none
     uint64_t hash;
+    int width, height; ///< the lattice, as of swRasterDef
+    double x, z;
+    double spacingX, spacingZ;
 } swRasterSource;
 
 /// @return SW_ERROR_FILE, SW_ERROR_FORMAT (no EXR image, or one that does not say), SW_ERROR_UNSUPPORTED

@@ -34,7 +34,8 @@ typedef struct swSpline swSpline;
 /// Room for an input's name.
 #define SW_MAX_INPUT_NAME 64
 
-/// Fastest flow and wind that an input may give, m/s.
+/// Fastest flow and wind that an input may give along each of its axes, m/s: what its shape brings times `gain`, plus
+/// `value`, times a weight above 1.
 #define SW_MAX_INPUT_SPEED 100.0f
 
 /// What an input says. Each field has a value below all inputs, which stands where no input touches the water.
@@ -100,7 +101,7 @@ typedef struct swInputPoint
 /// What a function of the host's says about a point.
 typedef struct swInputAnswer
 {
-    float value[4];                 ///< as many as the field has
+    float value[4];                 ///< as many as the field has. Range [-1e6, 1e6]; see SW_MAX_INPUT_SPEED
     float valueAlongX[4];           ///< their derivatives by x and z, per metre
     float valueAlongZ[4];           ///< likewise
     float share;                    ///< how much of it counts. Range [0, 1]
@@ -108,7 +109,8 @@ typedef struct swInputAnswer
 } swInputAnswer;
 
 /// Answer for points in the input's own axes (m from its position). Called on any thread, by many at once, for up to 16
-/// points; the answers depend on nothing but the context, the time and the point. `answers` come cleared.
+/// points; the answers depend on nothing but the context, the time and the point. `answers` come cleared. One that is
+/// out of range, or no number, covers nothing.
 typedef void (*swInputFunctionFcn)(void* context, double time, int count, const swPosXZ* points,
                                    swInputAnswer* answers);
 
@@ -266,7 +268,7 @@ typedef struct swInputDef
     /// spectrum adds to it. Range [-1000, 1000]. Default 0.
     float heading;
 
-    /// Of SW_SHAPE_POLYGON (3 or more), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
+    /// Of SW_SHAPE_POLYGON (3 to 4096), SW_SHAPE_POLYLINE (2 or more) and SW_SHAPE_PARTICLES. Copied. Default NULL, 0.
     const swInputPoint* points;
     int pointCount;
 
@@ -284,6 +286,9 @@ typedef struct swInputDef
     /// Set by swDefaultInputDef().
     int internalValue;
 } swInputDef;
+
+/// How many numbers a field has, 1 to 4: those of swInputDef::value that count.
+SW_API int swInputField_CountNumbers(swInputField field);
 
 SW_API swInputDef swDefaultInputDef(void);
 SW_API const swFields* swGetInputFields(void);

@@ -57,9 +57,10 @@ typedef struct swSceneWaves
 typedef struct swSceneRaster
 {
     char name[64];
-    char file[512];    ///< relative to the scene's folder
-    char variable[64]; ///< of def.variable; empty: NULL
-    int channelCount;  ///< of a raster of several channels, one after another: their files, or their variables; or 0
+    char file[512];     ///< relative to the scene's folder
+    char madeFrom[512]; ///< the scene whose floor it was baked from, relative to the folder; empty: none is known
+    char variable[64];  ///< of def.variable; empty: NULL
+    int channelCount;   ///< of a raster of several channels, one after another: their files, or their variables; or 0
     char files[SW_MAX_SCENE_CHANNELS][512];
     char variables[SW_MAX_SCENE_CHANNELS][64];
     int frames;          ///< lattices of the same size that stand below each other in the file
@@ -113,6 +114,7 @@ typedef struct swSceneInput
     swInputDef def;
     int waves;            ///< index of the scene's waves that it weighs; -1: all
     bool isLeftOut;       ///< its raster is an optional file that is not there, or its waves were removed
+    bool hasLostWaves;    ///< its waves were removed: it is no longer written either
     swInputPoint* points; ///< def.points points here; NULL if there are none
     int pointCount;
     const swRaster** nest; ///< rasters of a nest, see swCreateNest(); NULL if it is none
@@ -204,7 +206,8 @@ SW_API void swDestroyScene(swScene* scene);
 
 /// @name Changing a scene
 /// Plain values are changed where they stand: scene->sky.haze, scene->waves[i].def.chop, scene->waves[i].record,
-/// scene->views[i].pitch. What comes and goes has functions. The scene's seas, if there are any, do not follow; do not
+/// scene->views[i].pitch, and of inputs and bodies of water what their defs' tables have under a key. What comes and
+/// goes has functions. The scene's seas, if there are any, do not follow; do not
 /// remove waves that a swSceneSea replays.
 /// @{
 
@@ -217,9 +220,9 @@ SW_API swResult swScene_AddWaves(swScene* scene, const swWaveSystemDef* def);
 /// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY
 SW_API swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDef* def);
 
-/// Remove a wave system; those behind it move up. An input of the removed waves is left out, and a body of water that
-/// had them has none of its own. A file whose inputs or bodies name these or later waves by number is then refused by
-/// swPrintScene() and swWriteScene().
+/// Remove a wave system; those behind it move up, and the numbers that inputs and bodies of water name waves by follow.
+/// An input of the removed waves is left out, also of what is written, and a body of water that had them has none of
+/// its own.
 SW_API void swScene_RemoveWaves(swScene* scene, int index);
 
 /// Add a viewpoint behind the others; it needs a name that no other has.
@@ -294,6 +297,11 @@ typedef struct swSceneSea
 /// scene has to outlive the sea.
 /// @return what swCreateWaveSystem(), swCreateSeaReplay() and swCreateInput() return; the world is then as it was
 SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea);
+
+/// The same of a host that makes the wave systems itself: `systems` are those of the scene's waves, in its order; null
+/// handles of those that are not there, whose inputs are left out. Nothing is replayed.
+SW_API swResult swCreateSceneInputs(swWorld* world, const swScene* scene, const swWaveSystemId* systems,
+                                    swSceneSea* sea);
 
 /// Set replayed systems to a time; call it before each step to that time. Does nothing for a scene without replays.
 /// @return as swSeaReplay_Advance()

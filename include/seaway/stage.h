@@ -184,7 +184,8 @@ typedef void swStageFloorFcn(void* context, int count, const swPosXZ* points, fl
 /// swDefaultStageTerrainDef().
 typedef struct swStageTerrainDef
 {
-    swStageFloorFcn* floor; ///< needed
+    const swWorld* world;   ///< whose inputs say the floor; default NULL: `floor` does
+    swStageFloorFcn* floor; ///< the floor where there is no world
     void* context;          ///< given to `floor`
     float finestSpacing;    ///< of its grid near the camera, m. Range [0.01, 1000]. Default 0.5
     float reach;            ///< how far land is seen, m. Range [10, 1e6]. Default 50e3
@@ -200,7 +201,7 @@ SW_API swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* d
 /// The device must be done with it. NULL is allowed.
 SW_API void swStage_DestroyTerrain(swStage* stage, swStageTerrain* terrain);
 
-/// The floor has changed: sample it again. Waits for the device.
+/// The floor has changed, or the world's origin: sample it again. Waits for the device.
 SW_API void swStageTerrain_Refresh(swStageTerrain* terrain);
 
 /// Before swPicture_Prepare() of the shot: samples what its camera sees, makes the targets' opaque images the first

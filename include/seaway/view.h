@@ -73,6 +73,15 @@ typedef enum swLayer
     SW_LAYER_COUNT
 } swLayer;
 
+/// The layer's name, such as "wake_foam"; NULL beyond the last.
+SW_API const char* swLayer_GetName(swLayer layer);
+
+/// Floats a texel, 1 or 4, as swGpuWorld_ReadLayer() gives them.
+SW_API int swLayer_GetTexelSize(swLayer layer);
+
+/// The name of a number of the layer, from 0 on, such as "depth"; NULL beyond the last that means something.
+SW_API const char* swLayer_GetChannelName(swLayer layer, int channel);
+
 SW_API int swView_GetSliceCount(const swView* view);
 SW_API swSliceInfo swView_GetSlice(const swView* view, int slice);
 

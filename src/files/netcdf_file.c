@@ -7,6 +7,34 @@
 #include <string.h>
 
 #include "core/base/host.h"
+#include "files/netcdf_header.h"
+
+swResult swOpenNetcdfFile(swNetcdfFile* file)
+{
+    file->id = -1;
+    swResult result = swCheckNetcdfFile(file->host, file->name);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    int code = nc_open(file->name, NC_NOWRITE, &file->id);
+    if (code != NC_NOERR)
+    {
+        file->id = -1;
+        return swFail(file->host, SW_ERROR_FORMAT, "%s: this is no netCDF file that can be read: %s.", file->name,
+                      nc_strerror(code));
+    }
+    return SW_SUCCESS;
+}
+
+void swCloseNetcdfFile(swNetcdfFile* file)
+{
+    if (file->id >= 0)
+    {
+        nc_close(file->id);
+    }
+    file->id = -1;
+}
 
 static bool getNumber(const swNetcdfFile* file, int variable, const char* attribute, double* value)
 {

@@ -28,6 +28,11 @@ typedef struct swNetcdfVariable
     double fill[2]; // as stored: _FillValue or what netCDF writes without one, missing_value
 } swNetcdfVariable;
 
+// Opens a file whose `host` and `name` are set. The header of a classic file is looked through first, because libnetcdf
+// believes it. SW_ERROR_FORMAT or SW_ERROR_FILE with a sentence; then `id` is -1 and nothing is to be closed.
+swResult swOpenNetcdfFile(swNetcdfFile* file);
+void swCloseNetcdfFile(swNetcdfFile* file);
+
 // False if there is no variable of that name, or none of at most SW_NETCDF_MAX_DIMENSIONS numbers wide.
 bool swFindNetcdfVariable(const swNetcdfFile* file, const char* name, swNetcdfVariable* variable);
 

@@ -3,12 +3,10 @@
 
 #include "files/netcdf_sea.h"
 
-#include <netcdf.h>
 #include <string.h>
 
 #include "core/base/host.h"
 #include "files/measured_formats.h"
-#include "files/netcdf_header.h"
 
 #define WATER_WEIGHT (1025.0 * 9.81) // J/m3: of what SWAN calls energy
 
@@ -69,11 +67,6 @@ static swResult read(swNetcdfAxes* axes, swDirectionMeaning asked, swMeasuredSea
 swResult swReadNetcdfSea(const swHost* host, const char* path, swDirectionMeaning asked, swMeasuredSea** sea)
 {
     *sea = NULL;
-    swResult checked = swCheckNetcdfFile(host, path);
-    if (checked != SW_SUCCESS)
-    {
-        return checked;
-    }
     swNetcdfAxes* axes = swAllocateZero(host, sizeof(*axes));
     if (axes == NULL)
     {
@@ -81,16 +74,10 @@ swResult swReadNetcdfSea(const swHost* host, const char* path, swDirectionMeanin
     }
     axes->file = (swNetcdfFile){host, path, -1};
     swMeasuredSea* made = NULL;
-    int code = nc_open(path, NC_NOWRITE, &axes->file.id);
-    swResult result = code == NC_NOERR
-                          ? swCreateMeasuredSea(host, path, &made)
-                          : swFail(host, SW_ERROR_FORMAT, "%s: this is no netCDF file that can be read: %s.", path,
-                                   nc_strerror(code));
+    swResult result = swOpenNetcdfFile(&axes->file);
+    result = result == SW_SUCCESS ? swCreateMeasuredSea(host, path, &made) : result;
     result = result == SW_SUCCESS ? read(axes, asked, made) : result;
-    if (code == NC_NOERR)
-    {
-        nc_close(axes->file.id);
-    }
+    swCloseNetcdfFile(&axes->file);
     if (result == SW_SUCCESS)
     {
         *sea = made;

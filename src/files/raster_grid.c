@@ -7,6 +7,7 @@
 #define EQUATOR 6378137.0
 #define SQUARED_ECCENTRICITY 6.69437999014e-3
 #define DEGREE (SW_PI / 180.0)
+#define LATITUDE_SLACK 0.05 // of the length of a degree of longitude, before it is told
 
 static void measureDegrees(swRasterGrid* grid)
 {
@@ -91,6 +92,26 @@ static void crop(swRasterAxis* axis, double origin, double metres, double low, d
     }
 }
 
+// A degree of longitude has one length all over the raster. Where it would be of another length, cells lie aside.
+static void warnOfLatitudes(const swRasterGrid* grid)
+{
+    double south = grid->north.first + grid->north.spacing * grid->north.begin;
+    double north = grid->north.first + grid->north.spacing * (grid->north.end - 1);
+    double here = cos(grid->originNorth * DEGREE);
+    double off = fmax(fabs(cos(south * DEGREE) / here - 1.0), fabs(cos(north * DEGREE) / here - 1.0));
+    double west = grid->east.first + grid->east.spacing * grid->east.begin;
+    double east = grid->east.first + grid->east.spacing * (grid->east.end - 1);
+    double reach = fmax(fabs(west - grid->originEast), fabs(east - grid->originEast)) * grid->metresEast;
+    if (off > LATITUDE_SLACK)
+    {
+        swLog(grid->host, SW_LOG_WARNING,
+              "%s reaches from %.6g to %.6g degrees north, where a degree of longitude is up to %.0f %% longer or "
+              "shorter than at its origin, %.6g: cells lie up to %.3g km aside. Crop it, or set "
+              "swRasterFileDef::originNorth (in scenes origin_north) nearer.",
+              grid->name, south, north, 100.0 * off, grid->originNorth, 1e-3 * off * reach);
+    }
+}
+
 swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
 {
     const swRasterFileDef* def = grid->def;
@@ -120,8 +141,12 @@ swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
     {
         return swFail(grid->host, SW_ERROR_LIMIT,
                       "%s has %d x %d cells, %zu bytes; at most %d along a side and %zu bytes are read. Crop it by "
-                      "swRasterFileDef::west and the others.",
+                      "swRasterFileDef::west and the others (in scenes west_m).",
                       grid->name, width, height, size, SW_MAX_RASTER_SIDE, def->memoryLimit);
+    }
+    if (grid->isDegrees)
+    {
+        warnOfLatitudes(grid);
     }
     return SW_SUCCESS;
 }

@@ -251,12 +251,12 @@ swResult swReadNetcdfGrid(const swHost* host, const char* path, const swRasterFi
 {
     NetcdfGrid reader = {.file = {.host = host, .name = path, .id = -1},
                          .grid = {.host = host, .name = path, .def = def}};
-    int code = nc_open(path, NC_NOWRITE, &reader.file.id);
-    if (code != NC_NOERR)
+    swResult result = swOpenNetcdfFile(&reader.file);
+    if (result != SW_SUCCESS)
     {
-        return swFail(host, SW_ERROR_FILE, "Cannot read %s as netCDF: %s", path, nc_strerror(code));
+        return result;
     }
-    swResult result = swIsGmtGrid(&reader.file) ? swReadGmtGrid(&reader.file, def, raster) : read(&reader, raster);
-    nc_close(reader.file.id);
+    result = swIsGmtGrid(&reader.file) ? swReadGmtGrid(&reader.file, def, raster) : read(&reader, raster);
+    swCloseNetcdfFile(&reader.file);
     return result;
 }

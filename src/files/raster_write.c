@@ -166,6 +166,34 @@ static swResult writeExr(const swHost* host, const char* path, const swRaster* r
     return result;
 }
 
+// The lattice, to the bit as it was written.
+static bool readLattice(exr_context_t file, swRasterSource* source)
+{
+    const struct
+    {
+        const char* name;
+        double* number;
+    } numbers[] = {{SW_EXR_X, &source->x},
+                   {SW_EXR_Z, &source->z},
+                   {SW_EXR_SPACING_X, &source->spacingX},
+                   {SW_EXR_SPACING_Z, &source->spacingZ}};
+    exr_attr_box2i_t window;
+    bool isThere = exr_get_data_window(file, 0, &window) == EXR_ERR_SUCCESS;
+    if (isThere)
+    {
+        long long width = (long long)window.max.x - window.min.x + 1;
+        long long height = (long long)window.max.y - window.min.y + 1;
+        isThere = width >= 1 && width <= SW_MAX_RASTER_SIDE && height >= 1 && height <= SW_MAX_RASTER_SIDE;
+        source->width = isThere ? (int)width : 0;
+        source->height = isThere ? (int)height : 0;
+    }
+    for (int i = 0; i < 4 && isThere; ++i)
+    {
+        isThere = exr_attr_get_double(file, 0, numbers[i].name, numbers[i].number) == EXR_ERR_SUCCESS;
+    }
+    return isThere;
+}
+
 static swResult readSource(const swHost* host, const char* path, swRasterSource* source)
 {
     exr_context_initializer_t settings = EXR_DEFAULT_CONTEXT_INITIALIZER;
@@ -179,7 +207,7 @@ static swResult readSource(const swHost* host, const char* path, swRasterSource*
     const char *text = NULL, *hex = NULL;
     int32_t textSize = 0, hexSize = 0;
     bool isThere = exr_attr_get_string(file, 0, SW_EXR_SOURCE_HASH, &hexSize, &hex) == EXR_ERR_SUCCESS &&
-                   hexSize == 16 && sscanf(hex, "%16" SCNx64, &source->hash) == 1;
+                   hexSize == 16 && sscanf(hex, "%16" SCNx64, &source->hash) == 1 && readLattice(file, source);
     if (exr_attr_get_string(file, 0, SW_EXR_SOURCE, &textSize, &text) == EXR_ERR_SUCCESS && textSize > 0)
     {
         size_t size = (size_t)textSize < sizeof(source->text) ? (size_t)textSize : sizeof(source->text) - 1;

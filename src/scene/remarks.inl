@@ -25,11 +25,17 @@ SW_REMARK(TILTED_INPUT, "tilted_input", WARNING,
 SW_REMARK(COVERED_INPUT, "covered_input", WARNING,
           "an input that replaces everything everywhere comes after this one, which is therefore never seen",
           "change their order, or remove it")
+SW_REMARK(LEVEL_OVER_BODY, "level_over_body", WARNING,
+          "an input of levels everywhere joins after a body of water with a level of its own, and changes that, too",
+          "give the body a higher order than the input")
 SW_REMARK(FAST_FLOW, "fast_flow", WARNING, "an input gives a current of more than 10 m/s, faster than any at sea",
           "give its value in m/s")
 SW_REMARK(SMALL_RASTER, "small_raster", WARNING, "a raster has fewer than four cells along a side",
           "give it more cells, or use a rectangle")
 SW_REMARK(UNKNOWN_RASTER, "unknown_raster", WARNING, "no cell of a raster is known", "look whether it was cropped away")
+SW_REMARK(STALE_RASTER, "stale_raster", WARNING,
+          "a raster is not what its made_from gives now, or that cannot be known of its file",
+          "bake it anew by `seaway bake depth`, or remove made_from")
 SW_REMARK(UNUSED_RASTER, "unused_raster", INFO, "no input names a raster", "name it, or remove it")
 SW_REMARK(UNUSED_SPLINE, "unused_spline", INFO, "no input names a spline", "name it, or remove it")
 SW_REMARK(NARROW_BEND, "narrow_bend", WARNING,

@@ -97,6 +97,18 @@ swResult swReadWaterBodies(swYaml* yaml, yaml_node_t* node, const swSceneReader*
     return result;
 }
 
+void swAddBodyTrees(swTree* tree, int list, const swScene* scene)
+{
+    for (int i = 0; i < scene->waterBodyCount && !tree->isBroken; ++i)
+    {
+        const swSceneWaterBody* body = &scene->waterBodies[i];
+        int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
+        swSetTreeItem(tree, node, body->item - 1, false);
+        swAddCountedFields(tree, node, swGetWaterBodyFields(), &body->def);
+        swAddWavesNumber(tree, node, body->waves);
+    }
+}
+
 void swFreeWaterBodies(swScene* scene)
 {
     for (int i = 0; i < scene->waterBodyCount; ++i)
@@ -120,8 +132,9 @@ swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* s
         swResult result = swCreateWaterBody(world, &def, &sea->waterBodies[i]);
         if (result != SW_SUCCESS)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Body of water %d of the scene '%s' could not be created.", i + 1,
-                  scene->name);
+            swLog(&scene->host, SW_LOG_ERROR,
+                  "Body of water %d of the scene '%s', on its line %d, could not be created.", i + 1, scene->name,
+                  scene->waterBodies[i].line);
             return result;
         }
         sea->waterBodyCount = i + 1;

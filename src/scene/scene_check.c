@@ -7,6 +7,7 @@
 
 #include "core/base/field.h"
 #include "core/base/misuse.h"
+#include "scene/scene_stale.h"
 #include "seaway/scene.h"
 
 typedef enum Remark
@@ -230,6 +231,21 @@ static bool isCovered(const swScene* scene, int index)
     return false;
 }
 
+// Bodies are made before inputs, so that an input of the same order comes later.
+static bool isOverBody(const swScene* scene, const swInputDef* def)
+{
+    bool isAll = def->field == SW_INPUT_LEVEL && def->shape == SW_SHAPE_EVERYWHERE && def->isEnabled;
+    for (int i = 0; i < scene->waterBodyCount && isAll; ++i)
+    {
+        const swWaterBodyDef* body = &scene->waterBodies[i].def;
+        if (body->setsLevel && body->isEnabled && body->order <= def->order)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void checkInput(Checker* checker, int index)
 {
     const swSceneInput* input = &checker->scene->inputs[index];
@@ -244,6 +260,7 @@ static void checkInput(Checker* checker, int index)
         {def->isEnabled && saysNothing(def), REMARK_EMPTY_INPUT},
         {!hasHeight(def->shape) && (def->rotation.pitch != 0.0f || def->rotation.roll != 0.0f), REMARK_TILTED_INPUT},
         {isCovered(checker->scene, index), REMARK_COVERED_INPUT},
+        {isOverBody(checker->scene, def) && !saysNothing(def), REMARK_LEVEL_OVER_BODY},
         {def->field == SW_INPUT_FLOW && speed > FAST, REMARK_FAST_FLOW},
     };
     for (size_t i = 0; i < sizeof(found) / sizeof(found[0]); ++i)
@@ -290,6 +307,10 @@ static void checkRaster(Checker* checker, int index)
     if (!(info.least <= info.most))
     {
         tellOf(checker, REMARK_UNKNOWN_RASTER, raster->line, "raster", index, raster->name);
+    }
+    if (raster->madeFrom[0] != '\0' && swIsSceneRasterStale(scene, index))
+    {
+        tellOf(checker, REMARK_STALE_RASTER, raster->line, "raster", index, raster->name);
     }
     if (!isRasterUsed(scene, raster->raster))
     {

@@ -71,6 +71,8 @@ static const char* const numberWords[] = {"float32", "int16", "uint16", NULL};
 static const swField rasterFields[] = {
     SW_TEXT(name, .key = "name", .label = "name"),
     SW_TEXT(file, .key = "file", .label = "file", .tip = "Relative to the scene file"),
+    SW_TEXT(madeFrom, .key = "made_from", .label = "made from",
+            .tip = "The scene whose floor was baked into the file; `seaway check` tells when it is stale"),
     SW_SWITCH(isOptional, false, .key = "is_optional", .label = "optional",
               .tip = "If the file is not there, inputs that name it are left out, with a warning"),
     SW_TEXT(variable, .key = "variable", .label = "variable", .tip = "Of netCDF; the channel of an image"),

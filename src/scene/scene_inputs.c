@@ -3,9 +3,11 @@
 
 #include "scene/scene_inputs.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "core/base/field.h"
+#include "scene/field_tree.h"
 #include "scene/scene_lists.h"
 
 // Keys of an input beside its def's fields.
@@ -18,22 +20,6 @@ typedef struct InputKeys
 static bool hasKey(const InputKeys* keys, const char* key)
 {
     return swGetYamlNode(&keys->mapping, key) != NULL;
-}
-
-static int countNumbers(swInputField field)
-{
-    switch (field)
-    {
-    case SW_INPUT_ALBEDO:
-        return 4;
-    case SW_INPUT_DISPLACEMENT:
-        return 3;
-    case SW_INPUT_FLOW:
-    case SW_INPUT_WIND:
-        return 2;
-    default:
-        return 1;
-    }
 }
 
 // A point is a mapping of its fields, or [x, z].
@@ -60,7 +46,7 @@ static swResult readPoint(swYaml* yaml, yaml_node_t* node, int wanted, swInputPo
 
 static swResult readPoints(swYaml* yaml, yaml_node_t* node, swSceneInput* input)
 {
-    int wanted = countNumbers(input->def.field);
+    int wanted = swInputField_CountNumbers(input->def.field);
     swResult result = swAllocateYamlItems(yaml, node, "points", SW_MAX_INPUT_POINTS, sizeof(swInputPoint),
                                           (void**)&input->points, &input->pointCount);
     for (int i = 0; i < input->pointCount && !swIsYamlOver(yaml, result); ++i)
@@ -285,8 +271,9 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)
     {
-        result = swKeepFailure(
-            result, swReadYamlNumbers(yaml, value, "value", countNumbers(input->def.field), input->def.value));
+        result =
+            swKeepFailure(result, swReadYamlNumbers(yaml, value, "value", swInputField_CountNumbers(input->def.field),
+                                                    input->def.value));
     }
     return points != NULL ? swKeepFailure(result, readPoints(yaml, points, input)) : result;
 }
@@ -301,6 +288,70 @@ swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* read
         result = swKeepFailure(result, readInput(yaml, swGetYamlItem(yaml, node, i), reader, i));
     }
     return result;
+}
+
+// ---- writing ----
+
+// One number by itself, several as a list.
+static void addValue(swTree* tree, int parent, const swInputDef* def)
+{
+    const swField* field = swFields_Find(swGetInputFields(), "value");
+    int count = swInputField_CountNumbers(def->field);
+    int list = count > 1 ? swAddTreeNode(tree, parent, SW_TREE_LIST, field->key) : -1;
+    bool isDefault = true;
+    for (int i = 0; i < count && !tree->isBroken; ++i)
+    {
+        char text[SW_NUMBER_TEXT];
+        bool isZero = def->value[i] == 0.0f;
+        swPrintFieldNumber(field, (double)def->value[i], text);
+        int node = count > 1 ? swAddTreeText(tree, list, NULL, text, isZero)
+                             : swAddTreeText(tree, parent, field->key, text, isZero);
+        swSetTreeItem(tree, node, count > 1 ? i : -1, false);
+        isDefault = isDefault && isZero;
+    }
+    swSetTreeItem(tree, list, -1, true);
+    swSetTreeDefault(tree, list, isDefault);
+}
+
+void swAddWavesNumber(swTree* tree, int parent, int waves)
+{
+    char text[16];
+    snprintf(text, sizeof(text), "%d", waves + 1);
+    if (waves >= 0)
+    {
+        swAddTreeText(tree, parent, "waves", text, false);
+    }
+}
+
+void swAddCountedFields(swTree* tree, int parent, const swFields* fields, const void* def)
+{
+    for (int i = 0; i < fields->count && !tree->isBroken; ++i)
+    {
+        const swField* field = &fields->fields[i];
+        bool isValue = fields == swGetInputFields() && strcmp(field->member, "value") == 0; // see addValue()
+        if (field->key != NULL && field->type < SW_FIELD_DEF && !isValue && swFields_Counts(fields, field, def))
+        {
+            swAddField(tree, parent, field, def, NULL);
+        }
+    }
+}
+
+// Everything that is no list or name of a resource: those stay as they stand in the text.
+void swAddInputTrees(swTree* tree, int list, const swScene* scene)
+{
+    for (int i = 0; i < scene->inputCount && !tree->isBroken; ++i)
+    {
+        const swSceneInput* input = &scene->inputs[i];
+        if (input->hasLostWaves)
+        {
+            continue;
+        }
+        int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
+        swSetTreeItem(tree, node, input->item - 1, false);
+        swAddCountedFields(tree, node, swGetInputFields(), &input->def);
+        addValue(tree, node, &input->def);
+        swAddWavesNumber(tree, node, input->waves);
+    }
 }
 
 void swFreeInputs(swScene* scene)
@@ -339,7 +390,7 @@ static void* makeRoom(const swScene* scene, int count, size_t size, bool* isMiss
     return room;
 }
 
-swResult swMakeRoomForInputs(const swScene* scene, swSceneSea* sea)
+static swResult makeRoomForInputs(const swScene* scene, swSceneSea* sea)
 {
     bool isMissing = false;
     sea->host = scene->host;
@@ -376,12 +427,13 @@ static swResult createInput(swWorld* world, const swSceneInput* input, swSceneSe
     return result;
 }
 
-swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
+static swResult createInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
     for (int i = 0; i < scene->inputCount; ++i)
     {
         sea->inputCount = i + 1;
-        if (scene->inputs[i].isLeftOut)
+        int waves = scene->inputs[i].waves;
+        if (scene->inputs[i].isLeftOut || (waves >= 0 && SW_IS_NULL(sea->systems[waves])))
         {
             continue;
         }
@@ -407,7 +459,7 @@ static void removeInputs(swWorld* world, int count, const swInputId* ids)
     }
 }
 
-void swRemoveSceneInputs(swWorld* world, swSceneSea* sea)
+static void removeAll(swWorld* world, swSceneSea* sea)
 {
     removeInputs(world, sea->inputCount, sea->inputs);
     removeInputs(world, sea->nestedCount, sea->nested);
@@ -419,4 +471,17 @@ void swRemoveSceneInputs(swWorld* world, swSceneSea* sea)
     {
         swDestroyWindSea(world, &sea->windSeas[i]);
     }
+}
+
+swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
+{
+    swResult result = makeRoomForInputs(scene, sea);
+    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
+    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
+    result = result == SW_SUCCESS ? createInputs(world, scene, sea) : result;
+    if (result != SW_SUCCESS)
+    {
+        removeAll(world, sea);
+    }
+    return result;
 }

@@ -20,10 +20,9 @@ const swFields* swGetSceneMeshFields(void);   // of swSceneMesh
 const swFields* swGetSceneHullFields(void);   // of swSceneHull
 const swFields* swGetInputPointFields(void);  // of swInputPoint
 
-// Put a scene's inputs into a world whose wave systems the sea has. On failure the sea has those that were made.
-swResult swCreateSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea);
+// Put a scene's seas by a wind map, bodies of water and inputs into a world whose wave systems the sea has. On failure
+// none of them is there.
+swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea);
 swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea);
 swResult swCreateSceneWindSeas(swWorld* world, const swScene* scene, swSceneSea* sea);
-void swRemoveSceneInputs(swWorld* world, swSceneSea* sea);
-swResult swMakeRoomForInputs(const swScene* scene, swSceneSea* sea);
 void swFreeSceneSeaInputs(swSceneSea* sea);

@@ -5,6 +5,7 @@
 
 #include "files/file_text.h"
 #include "scene/yaml_read.h"
+#include "scene/yaml_tree.h"
 #include "seaway/scene.h"
 
 // Where a scene's files are.
@@ -61,3 +62,13 @@ void swFreeInputs(swScene* scene);
 swResult swReadLooks(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 swResult swReadWaterBodies(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeWaterBodies(swScene* scene);
+
+// ---- writing ----
+
+// The number of one of the scene's wave systems; none for -1.
+void swAddWavesNumber(swTree* tree, int parent, int waves);
+// Fields of a def that count and that scene files have.
+void swAddCountedFields(swTree* tree, int parent, const swFields* fields, const void* def);
+// An item for each input, and for each body of water.
+void swAddInputTrees(swTree* tree, int list, const swScene* scene);
+void swAddBodyTrees(swTree* tree, int list, const swScene* scene);

@@ -14,7 +14,6 @@ struct swSceneSource
     char name[SW_MAX_PATH];   // for messages; its path if it is a file
     char folder[SW_MAX_PATH]; // that the files in it are relative to
     bool isFile;
-    bool isRenumbered;                      // waves were removed whose numbers inputs or bodies of water hold
     swTree tree;                            // what the text says
     swWavesText waves[SW_MAX_WAVE_SYSTEMS]; // by item
     int records[SW_MAX_WAVE_SYSTEMS];       // as they were chosen

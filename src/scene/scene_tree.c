@@ -8,6 +8,7 @@
 
 #include "core/base/field.h"
 #include "scene/field_tree.h"
+#include "scene/scene_lists.h"
 #include "scene/scene_source.h"
 #include "scene/waves_tree.h"
 #include "scene/yaml_read.h"
@@ -166,17 +167,6 @@ static void addView(swTree* tree, int list, const swSceneView* view)
     }
 }
 
-// Lists that stay as they stand in the file: an empty list says so.
-static void addUnchanged(swTree* tree)
-{
-    static const char* const lists[] = {"rasters", "meshes",    "hulls",        "splines",
-                                        "looks",   "wind_seas", "water_bodies", "inputs"};
-    for (size_t i = 0; i < sizeof(lists) / sizeof(lists[0]) && !tree->isBroken; ++i)
-    {
-        swAddTreeNode(tree, 0, SW_TREE_LIST, lists[i]);
-    }
-}
-
 swTree swMakeSceneTree(const swScene* scene, bool isAsRead)
 {
     const char* sections[SW_SCENE_MAX_SECTIONS];
@@ -192,12 +182,13 @@ swTree swMakeSceneTree(const swScene* scene, bool isAsRead)
             swAddFields(&tree, node, part.fields, (const char*)scene + part.offset, sections[i]);
         }
     }
-    addUnchanged(&tree);
     int list = swAddTreeNode(&tree, 0, SW_TREE_LIST, "waves");
     for (int i = 0; i < scene->wavesCount && !tree.isBroken; ++i)
     {
         addWaves(&tree, list, scene, i, isAsRead);
     }
+    swAddBodyTrees(&tree, swAddTreeNode(&tree, 0, SW_TREE_LIST, "water_bodies"), scene);
+    swAddInputTrees(&tree, swAddTreeNode(&tree, 0, SW_TREE_LIST, "inputs"), scene);
     list = swAddTreeNode(&tree, 0, SW_TREE_LIST, "views");
     for (int i = 0; i < scene->viewCount && !tree.isBroken; ++i)
     {

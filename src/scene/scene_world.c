@@ -74,19 +74,34 @@ swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSea* sea)
     SW_REQUIRE(world != NULL && scene != NULL && sea != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
                "swCreateSceneSea() needs a world, a scene and a place for the sea");
     swResult result = createSystems(world, scene, sea);
-    result = result == SW_SUCCESS ? swMakeRoomForInputs(scene, sea) : result;
-    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? swCreateSceneInputs(world, scene, sea) : result;
+    result = result == SW_SUCCESS ? swAddSceneInputs(world, scene, sea) : result;
     if (result != SW_SUCCESS)
     {
-        swRemoveSceneInputs(world, sea);
         int count = sea->systemCount;
         swDestroySceneSea(sea);
         for (int i = 0; i < count; ++i)
         {
             swDestroyWaveSystem(world, sea->systems[i]);
         }
+    }
+    return result;
+}
+
+swResult swCreateSceneInputs(swWorld* world, const swScene* scene, const swWaveSystemId* systems, swSceneSea* sea)
+{
+    if (sea != NULL)
+    {
+        memset(sea, 0, sizeof(*sea));
+    }
+    SW_REQUIRE(world != NULL && scene != NULL && sea != NULL && systems != NULL, SW_ERROR_INVALID,
+               scene != NULL ? &scene->host : NULL,
+               "swCreateSceneInputs() needs a world, a scene, the systems of its waves and a place for the sea");
+    sea->systemCount = scene->wavesCount;
+    memcpy(sea->systems, systems, (size_t)scene->wavesCount * sizeof(*systems));
+    swResult result = swAddSceneInputs(world, scene, sea);
+    if (result != SW_SUCCESS)
+    {
+        swDestroySceneSea(sea);
     }
     return result;
 }

@@ -96,25 +96,25 @@ swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDef* def)
     return result == SW_SUCCESS ? takeDef(scene, waves, def) : result;
 }
 
-// Inputs and bodies of water name waves by their number. The file's numbers are not changed, so it is no longer
-// written.
-static void renumber(swScene* scene, int index, int* waves, bool* isGone)
+// Inputs and bodies of water name waves by their number. Returns whether these were the removed ones.
+static bool renumber(int index, int* waves)
 {
-    *isGone = *isGone || *waves == index;
-    scene->source->isRenumbered = scene->source->isRenumbered || *waves >= index;
-    *waves = *waves == index ? -1 : *waves - (*waves > index ? 1 : 0);
+    bool isGone = *waves == index;
+    *waves = isGone ? -1 : *waves - (*waves > index ? 1 : 0);
+    return isGone;
 }
 
 static void renumberWaves(swScene* scene, int index)
 {
     for (int i = 0; i < scene->inputCount; ++i)
     {
-        renumber(scene, index, &scene->inputs[i].waves, &scene->inputs[i].isLeftOut);
+        swSceneInput* input = &scene->inputs[i];
+        input->hasLostWaves = renumber(index, &input->waves) || input->hasLostWaves;
+        input->isLeftOut = input->isLeftOut || input->hasLostWaves;
     }
     for (int i = 0; i < scene->waterBodyCount; ++i)
     {
-        bool isGone = false; // the body stays, without waves of its own
-        renumber(scene, index, &scene->waterBodies[i].waves, &isGone);
+        renumber(index, &scene->waterBodies[i].waves); // the body stays, without waves of its own
     }
 }
 
@@ -177,13 +177,6 @@ static swResult checkScene(const swScene* scene)
         return swFail(&scene->host, SW_ERROR_INVALID, "A scene has %d wave systems and %d views; at most %d and %d.",
                       scene->wavesCount, scene->viewCount, SW_MAX_WAVE_SYSTEMS, SW_MAX_SCENE_VIEWS);
     }
-    if (scene->source->isRenumbered)
-    {
-        return swFail(&scene->host, SW_ERROR_FORMAT,
-                      "%s: waves were removed that inputs or bodies of water name, or that stand before those, so its "
-                      "numbers would be wrong; change the file by hand.",
-                      scene->source->name);
-    }
     swResult result = swCheckDef(&scene->host, swGetSceneFields(), scene);
     for (int i = 0; i < SW_SCENE_PART_COUNT && result == SW_SUCCESS; ++i)
     {
@@ -197,6 +190,14 @@ static swResult checkScene(const swScene* scene)
     for (int i = 0; i < scene->viewCount && result == SW_SUCCESS; ++i)
     {
         result = swCheckDef(&scene->host, swGetSceneViewFields(), &scene->views[i]);
+    }
+    for (int i = 0; i < scene->inputCount && result == SW_SUCCESS; ++i)
+    {
+        result = swCheckDef(&scene->host, swGetInputFields(), &scene->inputs[i].def);
+    }
+    for (int i = 0; i < scene->waterBodyCount && result == SW_SUCCESS; ++i)
+    {
+        result = swCheckDef(&scene->host, swGetWaterBodyFields(), &scene->waterBodies[i].def);
     }
     return result;
 }
@@ -361,6 +362,10 @@ static void goOn(swScene* scene, swScene* read, const char* path)
     for (int i = 0; i < scene->viewCount; ++i)
     {
         scene->views[i].item = i + 1;
+    }
+    for (int i = 0, item = 0; i < scene->inputCount; ++i)
+    {
+        scene->inputs[i].item = scene->inputs[i].hasLostWaves ? 0 : ++item;
     }
     swFindFolder(path, read->source->folder);
     snprintf(read->source->name, sizeof(read->source->name), "%s", path);

@@ -14,6 +14,7 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/scene_read.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_resources.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_source.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_stale.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_tide.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_tree.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_waves.c

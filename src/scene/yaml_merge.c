@@ -121,9 +121,13 @@ static void mergeMapping(Merge* merge, int node, int before, int after)
     {
         yaml_node_pair_t pair = at->data.mapping.pairs.start[i];
         int wanted = findKey(merge, merge->after, after, pair.key);
+        int old = before >= 0 ? findKey(merge, merge->before, before, pair.key) : -1;
+        if (wanted < 0 && old < 0 && before >= 0)
+        {
+            plan.isKept[i] = true; // neither tree knows of it
+        }
         if (wanted >= 0)
         {
-            int old = before >= 0 ? findKey(merge, merge->before, before, pair.key) : -1;
             plan.isKept[i] = true;
             mergeValue(merge, pair.value, old, wanted, at->data.mapping.style == YAML_FLOW_MAPPING_STYLE);
         }

@@ -184,7 +184,7 @@ swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t height, 
     const swStageImageDef output = {.name = "the finished picture",
                                     .format = VK_FORMAT_R8G8B8A8_UNORM,
                                     .otherFormat = formats.outputFormat,
-                                    .usage = drawn,
+                                    .usage = drawn | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                     .width = width,
                                     .height = height};
     swResult result = swStage_CreateImage(stage, &hdr, &targets->hdr);

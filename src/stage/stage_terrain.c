@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "seaway/input.h"
 #include "stage/terrain_tiles.h"
 
 #define SW_TERRAIN_COOKIE 0x544552
@@ -213,11 +214,22 @@ static swResult createBuffers(swStageTerrain* terrain)
     return result;
 }
 
+// Land and sea floor as the world's inputs have them.
+static void findWorldFloor(void* context, int count, const swPosXZ* points, float* heights)
+{
+    const swFieldSamples samples = {.floor = heights};
+    swMoment_QueryFields(swWorld_GetMoment(context), count, points, &samples);
+    for (int i = 0; i < count; ++i)
+    {
+        heights[i] = isfinite(heights[i]) ? heights[i] : NAN;
+    }
+}
+
 // Squares from the finest up to one that is as wide as a third of the reach.
 static void setTree(swTerrainTiles* tiles, const swStageTerrainDef* def)
 {
-    tiles->floor = def->floor;
-    tiles->context = def->context;
+    tiles->floor = def->world != NULL ? findWorldFloor : def->floor;
+    tiles->context = def->world != NULL ? (void*)(uintptr_t)def->world : def->context;
     tiles->reach = (double)def->reach;
     tiles->finestSide = SW_TERRAIN_QUADS * (double)def->finestSpacing;
     tiles->levelCount = 1;
@@ -229,8 +241,8 @@ static void setTree(swTerrainTiles* tiles, const swStageTerrainDef* def)
 
 static bool isTerrainDefGood(const swStageTerrainDef* def)
 {
-    return def->floor != NULL && def->finestSpacing >= 0.01f && def->finestSpacing <= 1000.0f && def->reach >= 10.0f &&
-           def->reach <= 1e6f;
+    return (def->floor != NULL) != (def->world != NULL) && def->finestSpacing >= 0.01f &&
+           def->finestSpacing <= 1000.0f && def->reach >= 10.0f && def->reach <= 1e6f;
 }
 
 swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* def, swStageTerrain** terrain)
@@ -243,11 +255,11 @@ swResult swStage_CreateTerrain(swStage* stage, const swStageTerrainDef* def, swS
     SW_REQUIRE(def != NULL && def->internalValue == SW_TERRAIN_COOKIE && terrain != NULL, SW_ERROR_INVALID,
                &stage->host,
                "swStage_CreateTerrain() needs a def made by swDefaultStageTerrainDef() and a place for the terrain");
-    SW_REQUIRE(
-        isTerrainDefGood(def), SW_ERROR_INVALID, &stage->host,
-        "swStage_CreateTerrain() needs a function of the floor, a spacing from 0.01 to 1000 m and a reach from 10 "
-        "m to 1000 km; it was given %g m and %g m",
-        (double)def->finestSpacing, (double)def->reach);
+    SW_REQUIRE(isTerrainDefGood(def), SW_ERROR_INVALID, &stage->host,
+               "swStage_CreateTerrain() needs a world or a function of the floor, not both, a spacing from 0.01 to "
+               "1000 m and a reach from 10 "
+               "m to 1000 km; it was given %g m and %g m",
+               (double)def->finestSpacing, (double)def->reach);
     swStageTerrain* created = swAllocateZero(&stage->host, sizeof(*created));
     if (created == NULL)
     {

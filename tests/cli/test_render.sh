@@ -37,6 +37,27 @@ run 2 render "$sea" --out a.exr --exposure 1
 err 'before exposure'
 run 2 render "$sea" --out a.png --exposure 1 --debug height
 err 'no effect with --debug'
+# Layers: names, slices and ranges.
+run 2 render "$sea" --out a.png --debug layer:depth
+err 'there is no layer "depth"; the layers are places, displacement'
+run 2 render "$sea" --out a.png --debug layer
+err 'did you mean layer:NAME'
+run 2 render "$sea" --out a.png --debug layer:
+err 'the layers are places'
+run 2 render "$sea" --out a.png --debug layer:displacement.w
+err 'it has x, y, z'
+run 2 render "$sea" --out a.png --debug layer:foam:15
+err 'is no slice'
+run 2 render "$sea" --out a.png --layer-range 0:1
+err 'no effect without --debug'
+run 2 render "$sea" --out a.png --debug height --layer-range 0:1
+err 'no effect without --debug layer'
+run 2 render "$sea" --out a.png --debug layer:foam --layer-range 1:0
+err 'the lower first'
+run 2 render "$sea" --out a.png --debug layer:foam --samples 4
+err 'no effect on a layer'
+run 2 render "$sea" --out a.png --debug layer:foam --exposure 1
+err 'no effect with --debug'
 run 2 render "$sea" --out a.png --fps 10
 err 'on a single picture'
 run 2 render "$sea" --out a.png --fps 10 --fps 20
@@ -56,6 +77,19 @@ has a.exr
 run 0 render "$sea" --out frames $small --frames 2
 has frames/frame_00000.png
 has frames/frame_00001.png
+# A layer: a pixel for each texel, its range as it is or as it was asked for, and EXR with the numbers themselves.
+run 0 render "$sea" --out layer.png --warmup 0 --debug layer:displacement:1 --validate
+out '^displacement.y at 0 s: slice 1 of .* least -[0-9.]*, greatest [0-9.]*, shown from -'
+side=$(sed -n 's/.* of \([0-9]*\) x .*/\1/p' out)
+[ "$(od -An -tu1 -j16 -N8 layer.png | awk '{print 256 * $3 + $4, 256 * $7 + $8}')" = "$side $((side + 20))" ] ||
+    fail "$what: not $side pixels wide"
+run 0 render "$sea" --out layer.png --warmup 0 --debug layer:displacement:1 --layer-range -9:9
+out 'shown from -9 to 9'
+run 0 render "$sea" --out layers.exr --exr-float --warmup 0 --debug layer:places
+out 'slices 0 to .* least nan, greatest nan, .* texels hold nothing'
+run 1 render "$sea" --out other.png --warmup 0 --debug layer:foam:14
+err 'There is no slice 14'
+hasnot 'other.png'
 # Unix times a hundredth of a second apart are two seas.
 run 0 render "$sea" --out a.png --size 64x48 --warmup 0 --time 1700000000.01
 run 0 render "$sea" --out b.png --size 64x48 --warmup 0 --time 1700000000.51

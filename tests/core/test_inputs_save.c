@@ -27,6 +27,11 @@ typedef struct Shelf
     swHull* hull;
     swSpline* spline;
     swResourceKind missing; // SW_RESOURCE_KIND_COUNT: nothing is
+    swResourceKind wrong;   // another one is given; SW_RESOURCE_KIND_COUNT: of none
+    swRaster* otherRaster;  // of another size
+    swMesh* otherMesh;
+    swHull* otherHull;
+    swSpline* otherSpline;
 } Shelf;
 
 static swRaster* MakeRaster(const swHost* host, int channels, float scale)
@@ -100,6 +105,7 @@ static Shelf FillShelf(const swHost* host)
         .hull = MakeDock(host),
         .spline = MakeRiver(host),
         .missing = SW_RESOURCE_KIND_COUNT,
+        .wrong = SW_RESOURCE_KIND_COUNT,
     };
 }
 
@@ -368,6 +374,13 @@ static bool FindResource(void* context, swResourceKind kind, uint64_t hash, cons
     resource->mesh = swMesh_GetInfo(shelf->mesh).hash == hash ? shelf->mesh : NULL;
     resource->hull = swHull_GetInfo(shelf->hull).hash == hash ? shelf->hull : NULL;
     resource->spline = swSpline_GetInfo(shelf->spline).hash == hash ? shelf->spline : NULL;
+    if (kind == shelf->wrong)
+    {
+        *resource = (swResource){.raster = shelf->otherRaster,
+                                 .mesh = shelf->otherMesh,
+                                 .hull = shelf->otherHull,
+                                 .spline = shelf->otherSpline};
+    }
     return kind != shelf->missing;
 }
 
@@ -444,13 +457,99 @@ static void WhatIsMissingIsNamed(void** state)
     EmptyShelf(&shelf);
 }
 
+static swRaster* MakeOtherRaster(const swHost* host)
+{
+    const float values[6] = {-4.0f, -5.0f, -6.0f, -4.0f, -5.0f, -6.0f};
+    swRasterDef def = swDefaultRasterDef();
+    def.width = 3;
+    def.height = 2;
+    def.values = values;
+    swRaster* raster = NULL;
+    assert_int_equal(swCreateRaster(host, &def, &raster), SW_SUCCESS);
+    return raster;
+}
+
+static swSpline* MakeOtherSpline(const swHost* host)
+{
+    const swSplinePoint points[2] = {swDefaultSplinePoint(-90.0, 0.0, -20.0), swDefaultSplinePoint(90.0, 0.0, 30.0)};
+    swSplineDef def = swDefaultSplineDef();
+    def.points = points;
+    def.pointCount = 2;
+    swSpline* spline = NULL;
+    assert_int_equal(swCreateSpline(host, &def, &spline), SW_SUCCESS);
+    return spline;
+}
+
+static swMesh* MakeOtherMesh(const swHost* host)
+{
+    const swVec3 vertices[3] = {{-80.0f, -9.0f, -80.0f}, {80.0f, -6.0f, -80.0f}, {80.0f, -4.0f, 80.0f}};
+    const uint32_t indices[3] = {0, 1, 2};
+    swMeshDef def = swDefaultMeshDef();
+    def.vertices = vertices;
+    def.vertexCount = 3;
+    def.indices = indices;
+    def.triangleCount = 1;
+    swMesh* mesh = NULL;
+    assert_int_equal(swCreateMesh(host, &def, &mesh), SW_SUCCESS);
+    return mesh;
+}
+
+static swHull* MakeOtherHull(const swHost* host)
+{
+    static TestMesh mesh;
+    mesh.vertexCount = mesh.triangleCount = 0;
+    AddBox(&mesh, (swVec3){-5.0f, -1.0f, -2.0f}, (swVec3){5.0f, 1.0f, 2.0f});
+    swHullDef def = MakeHullDef(&mesh, "box");
+    def.resolution = 8;
+    swHull* hull = NULL;
+    assert_int_equal(swCreateHull(host, &def, &hull), SW_SUCCESS);
+    return hull;
+}
+
+// Another one than was saved, of another size, is as good as none, and the log says that it is another one.
+static void WhatIsAnotherOneIsRefused(void** state)
+{
+    (void)state;
+    CountingMemory memory;
+    swHost host = MakeCountingHost(&memory);
+    host.log = KeepMessages;
+    Shelf shelf = FillShelf(&host);
+    swWorld* world = MakeWorld(&host, &shelf);
+    swWorld_Step(world, 1.0);
+    Saved saved = Save(world);
+    swDestroyWorld(world);
+    shelf.otherRaster = MakeOtherRaster(&host);
+    shelf.otherMesh = MakeOtherMesh(&host);
+    shelf.otherHull = MakeOtherHull(&host);
+    shelf.otherSpline = MakeOtherSpline(&host);
+    swRestoreDef def = swDefaultRestoreDef();
+    def.findResource = FindResource;
+    def.resourceContext = &shelf;
+    long long held = atomic_load(&memory.bytes);
+    for (int kind = SW_RESOURCE_RASTER; kind <= SW_RESOURCE_SPLINE; ++kind)
+    {
+        shelf.wrong = (swResourceKind)kind;
+        s_messages[0] = '\0';
+        assert_int_equal(swRestoreWorld(&host, saved.data, saved.size, &def, &world), SW_ERROR_UNSUPPORTED);
+        assert_null(world);
+        assert_non_null(strstr(s_messages, "gave another one"));
+        assert_true(atomic_load(&memory.bytes) == held); // nothing half-made
+    }
+    swDestroyRaster(shelf.otherRaster);
+    swDestroyMesh(shelf.otherMesh);
+    swDestroyHull(shelf.otherHull);
+    swDestroySpline(shelf.otherSpline);
+    EmptyShelf(&shelf);
+    free(saved.data);
+    assert_int_equal(atomic_load(&memory.bytes), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(AMappedMomentHasEveryShape),
-        cmocka_unit_test(WordsThatAreWrongLeadNowhere),
-        cmocka_unit_test(ARestoredWorldHasEveryShape),
-        cmocka_unit_test(WhatIsMissingIsNamed),
+        cmocka_unit_test(AMappedMomentHasEveryShape),  cmocka_unit_test(WordsThatAreWrongLeadNowhere),
+        cmocka_unit_test(ARestoredWorldHasEveryShape), cmocka_unit_test(WhatIsMissingIsNamed),
+        cmocka_unit_test(WhatIsAnotherOneIsRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -137,6 +137,80 @@ static void CroppedRastersAreThePartOfTheWhole(void** state)
     swDestroyRaster(part);
 }
 
+// Marks and ends of lines as other systems write them, and no end at all.
+static void LinesMayEndAsOnAnySystem(void** state)
+{
+    (void)state;
+    const char* const texts[] = {
+        "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\n1 2\n3 4\n",
+        "ncols 2\r\nnrows 2\r\nxllcorner 0\r\nyllcorner 0\r\ncellsize 2\r\n1 2\r\n3 4\r\n",
+        "\xef\xbb\xbfncols 2\r\nnrows 2\r\nxllcorner 0\r\nyllcorner 0\r\ncellsize 2\r\n1 2\r\n3 4",
+        "\xef\xbb\xbf"
+        "1 1 3\n3 1 4\n1 3 1\n3 3 2",
+        "1 1 3\r\n3 1 4\r\n1 3 1\r\n3 3 2",
+    };
+    for (size_t i = 0; i < sizeof(texts) / sizeof(texts[0]); ++i)
+    {
+        swRaster* raster = Read(texts[i], NULL);
+        swRasterInfo info = swRaster_GetInfo(raster);
+        assert_true(info.width == 2 && info.height == 2 && info.x == 1.0 && info.z == -3.0);
+        for (int k = 0; k < 4; ++k)
+        {
+            assert_true(swRaster_GetValues(raster)[k] == (float)(k + 1));
+        }
+        swDestroyRaster(raster);
+    }
+}
+
+// A degree has one length all over a raster, which is told where that is far off.
+static void WideLatitudesAreTold(void** state)
+{
+    (void)state;
+    swRasterFileDef def = swDefaultRasterFileDef();
+    def.coordinates = SW_RASTER_DEGREES;
+    swDestroyRaster(Read("10 40 1\n10.5 40 2\n10 40.5 3\n10.5 40.5 4\n", &def));
+    assert_null(strstr(s_messages, "warning"));
+    swDestroyRaster(Read("10 80 1\n11 80 2\n10 81 3\n11 81 4\n", &def));
+    assert_non_null(strstr(s_messages, "warning: "));
+    assert_non_null(strstr(s_messages, "80 to 81 degrees north"));
+    s_messages[0] = '\0';
+    swDestroyRaster(Read("0 40 1\n8 40 2\n0 48 3\n8 48 4\n", &def));
+    assert_non_null(strstr(s_messages, "up to 7 %")); // cos 48 over cos 44
+    swRaster* raster = NULL;
+    assert_int_equal(ReadAs("0 89.5 1\n1 89.5 2\n0 90 3\n1 90 4\n", &def, &raster), SW_ERROR_FORMAT);
+    assert_null(raster);
+}
+
+// The largest that is, as a file with a hole in it: what is kept of it fits a small budget, the whole does not.
+static void TheLargestRasterIsCroppedWhileItIsRead(void** state)
+{
+    (void)state;
+    const int side = 16384;
+    FILE* file = fopen(s_path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, 2L * side * side - 2, SEEK_SET), 0);
+    const uint8_t last[2] = {7, 0};
+    assert_int_equal(fwrite(last, 1, 2, file), 2);
+    fclose(file);
+    swRasterFileDef def = swDefaultRasterFileDef();
+    def.rawWidth = def.rawHeight = side;
+    def.numbers = SW_RASTER_INT16;
+    def.offset = -5.0;
+    def.imageEast = def.imageNorth = 0.0;
+    def.memoryLimit = 1 << 20;
+    swHost host = MakeHost();
+    swRaster* raster = NULL;
+    assert_int_equal(swReadRaster(&host, s_path, &def, &raster), SW_ERROR_LIMIT);
+    assert_null(raster);
+    assert_non_null(strstr(s_messages, "1073741824 bytes"));
+    def.west = def.north = side - 200.5;
+    assert_int_equal(swReadRaster(&host, s_path, &def, &raster), SW_SUCCESS);
+    swRasterInfo info = swRaster_GetInfo(raster);
+    assert_true(info.width == 200 && info.height == 200 && info.memory < 1 << 20);
+    assert_true(swRaster_GetValues(raster)[0] == -5.0f && swRaster_GetValues(raster)[200 * 200 - 1] == 2.0f);
+    swDestroyRaster(raster);
+}
+
 static void WrongFilesAreNamedWithTheirLineAndRemedy(void** state)
 {
     (void)state;
@@ -359,6 +433,9 @@ static void NetcdfThatIsNoGridIsRefused(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(LinesMayEndAsOnAnySystem),
+        cmocka_unit_test(WideLatitudesAreTold),
+        cmocka_unit_test(TheLargestRasterIsCroppedWhileItIsRead),
         cmocka_unit_test(CornersAndMiddlesOfCellsAreHalfACellApart),
         cmocka_unit_test(PointsInAnyOrderMakeTheirLattice),
         cmocka_unit_test(DegreesBecomeMetresAboutTheOrigin),

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "seaway/files.h"
 #include "seaway/scene.h"
 
 static void WriteText(const char* path, const char* text)
@@ -48,6 +49,15 @@ static const struct
     {"unknown_raster", 4,
      FINE "rasters:\n  - {name: a, file: unknown.asc, coordinates: metres}\n"
           "inputs: [{field: floor, shape: raster, raster: a}]\n"},
+    {"stale_raster", 4,
+     FINE "rasters:\n  - {name: a, file: fine.asc, coordinates: metres, made_from: none.yaml}\n"
+          "inputs: [{field: floor, shape: raster, raster: a}]\n"},
+    {"level_over_body", 5,
+     FINE "water_bodies: [{points: [[0, 0], [9, 0], [0, 9]]}]\n"
+          "inputs:\n  - {field: level, blend: add, tide: [{constituent: M2, amplitude: 1}]}\n"},
+    {NULL, 0,
+     FINE "water_bodies: [{points: [[0, 0], [9, 0], [0, 9]], order: 1}]\n"
+          "inputs:\n  - {field: level, blend: add, tide: [{constituent: M2, amplitude: 1}]}\n"},
     {"unused_raster", 4, FINE "rasters:\n  - {name: a, file: fine.asc, coordinates: metres}\n"},
     {"unused_spline", 4, FINE "splines:\n  - {name: a, points: [{x_m: 0}, {x_m: 500}]}\n"},
     {"narrow_bend", 4,
@@ -115,6 +125,74 @@ static void EveryRemarkIsMadeOfItsScene(void** state)
     remove("fine.asc");
 }
 
+#define GROUND "views: [{name: a}]\nwaves: [{beaufort: 4}]\ninputs: [{field: floor, shape: circle, "
+#define CHART                                                                                                          \
+    FINE "rasters:\n  - {name: a, file: baked.exr, made_from: ground.yaml}\ninputs: [{field: floor, shape: raster, "   \
+         "raster: a}]\n"
+
+static int CountStale(void)
+{
+    swHost host = MakeHost();
+    swScene* scene = NULL;
+    swSceneRemark remarks[4];
+    assert_int_equal(swReadSceneText(&host, CHART, strlen(CHART), "a.yaml", ".", &scene), SW_SUCCESS);
+    int count = swScene_Check(scene, NULL, 4, remarks);
+    int stale = 0;
+    for (int i = 0; i < count && i < 4; ++i)
+    {
+        stale += strcmp(remarks[i].code, "stale_raster") == 0 ? 1 : 0;
+    }
+    assert_int_equal(count, stale); // and no other
+    swDestroyScene(scene);
+    return stale;
+}
+
+// Bakes ground.yaml on a lattice that is no round number.
+static swResult Bake(void)
+{
+    swHost host = MakeHost();
+    swScene* scene = NULL;
+    swWorld* world = NULL;
+    swRaster* raster = NULL;
+    assert_int_equal(swReadScene(&host, "ground.yaml", &scene), SW_SUCCESS);
+    assert_int_equal(swCreateSceneWorld(&host, scene, &world), SW_SUCCESS);
+    swRasterDef lattice = swDefaultRasterDef();
+    lattice.width = 9;
+    lattice.height = 7;
+    lattice.x = -10.1;
+    lattice.z = 1.0 / 3.0;
+    lattice.spacingX = 3.3;
+    lattice.spacingZ = 1.7;
+    assert_int_equal(swBakeFloor(world, &lattice, &raster), SW_SUCCESS);
+    swResult result = swWriteRaster(&host, "baked.exr", raster, "ground.yaml", swWorld_HashFloor(world, &lattice));
+    swDestroyRaster(raster);
+    swDestroyWorld(world);
+    swDestroyScene(scene);
+    return result;
+}
+
+static void ABakedRasterIsStaleOnceItsSceneHasAnotherFloor(void** state)
+{
+    (void)state;
+    WriteText("ground.yaml", GROUND "value: -9}]\n");
+    if (Bake() == SW_ERROR_UNSUPPORTED)
+    {
+        print_message("built without OpenEXR\n");
+        remove("ground.yaml");
+        skip();
+    }
+    assert_int_equal(CountStale(), 0);
+    WriteText("ground.yaml", "time_s: 5\n" GROUND "value: -9}, {field: foam, value: 1}]\n"); // not its floor
+    assert_int_equal(CountStale(), 0);
+    WriteText("ground.yaml", GROUND "value: -8}]\n");
+    assert_int_equal(CountStale(), 1);
+    assert_int_equal(Bake(), SW_SUCCESS);
+    assert_int_equal(CountStale(), 0);
+    remove("ground.yaml");
+    assert_int_equal(CountStale(), 1); // nothing is known
+    remove("baked.exr");
+}
+
 static void NoRemarkIsWithoutAScene(void** state)
 {
     (void)state;
@@ -141,6 +219,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(EveryRemarkIsMadeOfItsScene),
+        cmocka_unit_test(ABakedRasterIsStaleOnceItsSceneHasAnotherFloor),
         cmocka_unit_test(NoRemarkIsWithoutAScene),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -128,6 +128,15 @@ static void AWaveSystemIsNamedByItsNumber(void** state)
     swDestroyScene(scene);
 }
 
+static void CheckPrinted(const swScene* scene, const char* wanted)
+{
+    char written[2048] = "";
+    size_t size = sizeof(written) - 1;
+    assert_int_equal(swPrintScene(scene, written, &size), SW_SUCCESS);
+    written[size] = '\0';
+    assert_string_equal(written, wanted);
+}
+
 // ---- keys ----
 
 // Members of a def that a scene file tells by a key of its own, or not at all because a file cannot have them.
@@ -415,28 +424,74 @@ static void WritingLeavesInputsAsTheyStand(void** state)
     swDestroyScene(scene);
 }
 
-// Numbers of waves in the file cannot follow; what the scene has in memory does.
+// Numbers of waves follow, and what weighed the removed waves goes with them.
 static void RemovedWavesAreNotWrittenUnderAnothersNumber(void** state)
 {
     (void)state;
     static const char text[] = "waves: [{beaufort: 2}, {beaufort: 4, seed: 2}, {beaufort: 5, seed: 3}]\n"
+                               "water_bodies: [{waves: 1, points: [[0, 0], [1, 0], [0, 1]]}]\n"
                                "inputs: [{field: waves, waves: 3, value: 0.5}, {field: waves, waves: 1, value: 0.5}]\n";
     swScene* scene = NULL;
-    char written[1024];
-    size_t size = sizeof(written);
     assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
     swScene_RemoveWaves(scene, 0);
     assert_int_equal(scene->inputs[0].waves, 1);
     assert_false(scene->inputs[0].isLeftOut);
     assert_true(scene->inputs[1].isLeftOut);
-    assert_int_equal(swPrintScene(scene, written, &size), SW_ERROR_FORMAT);
-    assert_non_null(strstr(s_messages, "its numbers would be wrong"));
+    CheckPrinted(scene, "waves: [{beaufort: 4, seed: 2}, {beaufort: 5, seed: 3}]\n"
+                        "water_bodies: [{points: [[0, 0], [1, 0], [0, 1]]}]\n"
+                        "inputs: [{field: waves, waves: 2, value: 0.5}]\n");
     swDestroyScene(scene);
-    size = sizeof(written);
-    static const char other[] = "waves: [{beaufort: 2}, {beaufort: 4, seed: 2}]\ninputs: [{field: waves, waves: 1}]\n";
-    assert_int_equal(ReadText(other, &scene), SW_SUCCESS);
-    swScene_RemoveWaves(scene, 1); // nobody names it
-    assert_int_equal(swPrintScene(scene, written, &size), SW_SUCCESS);
+}
+
+// Every line but those of what was changed keeps its bytes, also keys that the tables do not tell of.
+static void ChangedInputsAreWritten(void** state)
+{
+    (void)state;
+    static const char text[] = "splines:\n"
+                               "  - {name: s, points: [{x_m: 0, z_m: 0}, {x_m: 9, z_m: 0}]}\n"
+                               "inputs: # all of them\n"
+                               "  - field: level # a lake\n"
+                               "    value: 1.50 # a metre and a half\n"
+                               "    shape: polygon\n"
+                               "    points: [[0, 0], [9, 0], {x_m: 0, z_m: 9}] # its shore\n"
+                               "  - {field: flow, value: [1, 2.0], shape: spline, spline: s}\n"
+                               "  - field: foam\n"
+                               "    is_enabled: false\n"
+                               "\n"
+                               "water_bodies:\n"
+                               "  - {name: 'pond', points: [[0, 0], [1, 0], [0, 1]]}\n";
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    CheckPrinted(scene, text);
+    scene->inputs[0].def.value[0] = 2.25f;
+    scene->inputs[0].def.position.y = 3.0;
+    scene->inputs[1].def.value[0] = 0.0f;
+    scene->inputs[1].def.weight = 0.5f;
+    scene->inputs[2].def.isEnabled = true;
+    scene->inputs[2].def.value[0] = 0.75f;
+    scene->inputs[2].def.blend = SW_BLEND_MAX;
+    scene->waterBodies[0].def.position.y = -1.0;
+    scene->waterBodies[0].def.isCalm = true;
+    CheckPrinted(scene,
+                 "splines:\n"
+                 "  - {name: s, points: [{x_m: 0, z_m: 0}, {x_m: 9, z_m: 0}]}\n"
+                 "inputs: # all of them\n"
+                 "  - field: level # a lake\n"
+                 "    value: 2.25 # a metre and a half\n"
+                 "    shape: polygon\n"
+                 "    points: [[0, 0], [9, 0], {x_m: 0, z_m: 9}] # its shore\n"
+                 "    position_m: [0, 3, 0]\n"
+                 "  - {field: flow, value: [0, 2.0], shape: spline, spline: s, weight: 0.5}\n"
+                 "  - field: foam\n"
+                 "    is_enabled: true\n"
+                 "    blend: max\n"
+                 "    value: 0.75\n"
+                 "\n"
+                 "water_bodies:\n"
+                 "  - {name: 'pond', points: [[0, 0], [1, 0], [0, 1]], position_m: [0, -1, 0], is_calm: true}\n");
+    scene->inputs[0].def.weight = -1.0f;
+    size_t size = 0;
+    assert_int_equal(swPrintScene(scene, NULL, &size), SW_ERROR_INVALID);
     swDestroyScene(scene);
 }
 
@@ -530,6 +585,7 @@ int main(void)
 #endif
         cmocka_unit_test(WritingLeavesInputsAsTheyStand),
         cmocka_unit_test(RemovedWavesAreNotWrittenUnderAnothersNumber),
+        cmocka_unit_test(ChangedInputsAreWritten),
         cmocka_unit_test(EveryMistakeHasItsLineAndCode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

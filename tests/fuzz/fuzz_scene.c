@@ -74,6 +74,34 @@ static void CheckWriting(const swHost* host, swScene* scene, const uint8_t* data
     free(text);
 }
 
+// A scene with inputs is opened: it answers numbers, and remarks are sentences, or it is refused with one.
+static void CheckWorld(const swHost* host, const swScene* scene, const int* messages)
+{
+    swWorld* world = NULL;
+    int before = *messages;
+    swResult result = swCreateSceneWorld(host, scene, &world);
+    FUZZ_CHECK((result == SW_SUCCESS) == (world != NULL));
+    FUZZ_CHECK(result == SW_SUCCESS || *messages > before);
+    swSceneRemark remarks[8];
+    int count = swScene_Check(scene, world, 8, remarks);
+    for (int i = 0; i < count && i < 8; ++i)
+    {
+        FUZZ_CHECK(remarks[i].code != NULL && strlen(remarks[i].text) > 0 && remarks[i].line >= 0);
+    }
+    if (world != NULL)
+    {
+        const swPosXZ points[3] = {{0.0, 0.0}, {20.0, 3.0}, {1e6, -1e6}};
+        float depth[3], level[3], clip[3];
+        const swFieldSamples samples = {.depth = depth, .level = level, .clip = clip};
+        FUZZ_CHECK(swMoment_QueryFields(swWorld_GetMoment(world), 3, points, &samples) == 0);
+        for (int i = 0; i < 3; ++i)
+        {
+            FUZZ_CHECK(!isnan(depth[i]) && isfinite(level[i]) && isfinite(clip[i]));
+        }
+    }
+    swDestroyWorld(world);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
 {
     swHost host = swDefaultHost();
@@ -102,6 +130,10 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
                 FUZZ_CHECK(isfinite(seaState.significantHeight) && isfinite(seaState.periodTm02));
             }
         }
+    }
+    if (scene != NULL && scene->inputCount > 0)
+    {
+        CheckWorld(&host, scene, &messages);
     }
     if (scene != NULL)
     {

@@ -17,6 +17,7 @@
 #if MISUSE_GPU
 #include "gpu/record/record.h"
 #include "seaway/layers.h"
+#include "seaway/sheet.h"
 #include "seaway/stage.h"
 #endif
 #if MISUSE_SCENE
@@ -70,6 +71,8 @@ typedef struct Fixture
     swStageFrame frame;
     swStageTerrain* stageTerrain;
     swStageTerrainDef terrainDef;
+    swSheet* sheet;
+    swSheetDef sheetDef;
     swGpu* gpu;
     swGpuWorld* gpuWorld;
     swGpuQuery* gpuQuery;
@@ -125,6 +128,7 @@ typedef struct Fixture
 #define FIX_swStageFrame (&f->frame)
 #define FIX_swStageTargets (&f->targets)
 #define FIX_swStageTerrainDef (&f->terrainDef)
+#define FIX_swSheetDef (&f->sheetDef)
 #define FIX_swScene (f->scene)
 #define FIX_swSceneSea (&f->sceneSea)
 #define FIX_swSceneView (&f->sceneView)
@@ -300,6 +304,8 @@ static inline void MakeGpu(Fixture* f)
     f->terrainDef = swDefaultStageTerrainDef();
     f->terrainDef.floor = GiveFloor;
     Need(swStage_CreateTerrain(f->stage, &f->terrainDef, &f->stageTerrain), "land");
+    f->sheetDef = swDefaultSheetDef();
+    Need(swCreateSheet(&f->host, &f->sheet), "sheet");
     f->VkImageView = f->targets.hdr.view;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();
     swPictureDef pictureDef = swDefaultPictureDef();

@@ -85,6 +85,32 @@ else
     echo "ok: a debug view and a larger panel"
 fi
 
+# Land that the scene's inputs say, and the layer that holds its depth.
+cat >"$folder/sea.yaml" <<'SCENE'
+view: {slice_count: 3, resolution: 64}
+views: [{name: a, position_m: [0, 8, 40]}]
+SCENE
+cat "$folder/sea.yaml" - >"$folder/land.yaml" <<'SCENE'
+inputs:
+  - {field: floor, value: -20}
+  - {field: floor, shape: circle, size_m: [60, 0, 60], feather_m: 25, value: 6}
+SCENE
+for name in sea land layer; do
+    more=$([ $name = layer ] && echo --debug layer:places.depth)
+    scene_file=$folder/$([ $name = sea ] && echo sea || echo land).yaml
+    # shellcheck disable=SC2086 # an option and its value
+    in_window 500 "$scene_file" --device software --size 320x200 --frames 3 --no-panel --validate $more \
+        --screenshot "$folder/$name.png"
+    if [ "$code" -ne 0 ] || [ -s "$folder/stderr" ] || [ ! -s "$folder/$name.png" ]; then
+        fail "a picture of $name: exit code $code, or messages"
+    fi
+done
+if cmp -s "$folder/sea.png" "$folder/land.png" || cmp -s "$folder/land.png" "$folder/layer.png"; then
+    fail "land, or a layer, is not in the picture"
+else
+    echo "ok: land and a layer"
+fi
+
 in_window 60 "$folder/none.yaml" --device software --frames 1
 expect_refusal "no such scene" "none.yaml"
 

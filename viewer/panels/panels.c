@@ -58,8 +58,10 @@ void DrawPanels(App* app)
     DrawMessagePanel(app);
     DrawTimePanel(app);
     DrawSeaPanel(app);
+    DrawInputPanel(app);
     DrawSkyPanel(app);
     DrawViewPanel(app);
+    DrawLayerPanel(app);
     DrawTimingPanel(app);
     DrawKeyPanel();
     EndUiPanel();

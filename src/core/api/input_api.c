@@ -9,10 +9,11 @@
 
 // ---- defs ----
 
-// A def as the world keeps it: its place in the sea.
+// A def as the world keeps it: what its shape looks at, at its place in the sea.
 static swInputDef placeInSea(const swWorld* world, const swInputDef* def)
 {
     swInputDef placed = *def;
+    swForgetUnused(&placed);
     placed.position.x += world->origin.x;
     placed.position.z += world->origin.z;
     placed.name[SW_MAX_INPUT_NAME - 1] = '\0';

@@ -80,6 +80,31 @@ swSliceInfo swView_GetSlice(const swView* view, int slice)
     };
 }
 
+static bool isLayer(swLayer layer)
+{
+    return (int)layer >= 0 && layer < SW_LAYER_COUNT;
+}
+
+const char* swLayer_GetName(swLayer layer)
+{
+    return isLayer(layer) ? swGetLayerInfo(layer)->name : NULL;
+}
+
+int swLayer_GetTexelSize(swLayer layer)
+{
+    return isLayer(layer) ? swCountChannels(swGetLayerInfo(layer)->format) : 0;
+}
+
+const char* swLayer_GetChannelName(swLayer layer, int channel)
+{
+    if (!isLayer(layer) || channel < 0 || channel >= swLayer_GetTexelSize(layer))
+    {
+        return NULL;
+    }
+    const swLayerInfo* info = swGetLayerInfo(layer);
+    return info->channels[0] == NULL && channel == 0 ? "amount" : info->channels[channel];
+}
+
 static const float* findLayer(const swView* view, int slice, swLayer layer)
 {
     SW_REQUIRE(isSlice(view, slice), NULL, findViewHost(view),

@@ -142,7 +142,7 @@ swWaterBodyId swWorld_FindWaterBody(const swWorld* world, double x, double z)
     }
     swInputValue value;
     swFindInputValues(&world->inputs.arrays.set, SW_INPUT_BODY, -1, 1, &point, &value);
-    return swWorld_GetNumberedWaterBody(world, (int)value.value.x);
+    return swWorld_GetNumberedWaterBody(world, swGetBodyNumber(value.value.x));
 }
 
 int swWorld_GetWaterBodyCount(const swWorld* world)

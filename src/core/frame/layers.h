@@ -50,8 +50,9 @@ typedef struct swLayerInfo
                        // once unless water carries the layer, and looks up the past by itself
     bool isSaved;
     bool isOnDemand; // held only while its swPlan function says that there is something in it; authored fields all are
-    float least, most; // what a saved texel may hold
-    float rest[4];     // of a layer on demand: what it is where it is not held
+    float least, most;       // what a saved texel may hold
+    float rest[4];           // of a layer on demand: what it is where it is not held
+    const char* channels[4]; // what each number is called, the first NULL ends them; none: a single amount
 } swLayerInfo;
 
 static inline bool swIsOnDemand(const swLayerInfo* info)

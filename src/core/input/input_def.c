@@ -5,10 +5,12 @@
 #include <stdio.h>
 
 #include "core/input/input_record.h"
+#include "core/input/mesh.h"
 #include "core/input/polygon.h"
 #include "core/input/raster.h"
 #include "core/input/spline.h"
 #include "core/input/tide.h"
+#include "seaway/water_body.h"
 #include "shared/input.h"
 
 static const char* const fieldWords[] = {"floor", "level",  "flow", "waves",  "displacement", "clip",
@@ -126,6 +128,11 @@ const swFields* swGetInputFields(void)
     return &swInputFields;
 }
 
+int swInputField_CountNumbers(swInputField field)
+{
+    return (int)swCountInputNumbers((sw_uint)field);
+}
+
 swInputDef swDefaultInputDef(void)
 {
     swInputDef def;
@@ -187,6 +194,13 @@ static swResult checkKinds(const swHost* host, const swInputDef* def)
         return refuse(host, SW_ERROR_UNSUPPORTED, def,
                       "mixes numbers of bodies, which mean nothing in between; its blend must be SW_BLEND_REPLACE");
     }
+    bool isMixed = SW_KIND(def->shape) & (SW_KIND(SW_SHAPE_RASTER) | SW_KIND(SW_SHAPE_MESH));
+    if (def->field == SW_INPUT_BODY && isMixed)
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "would mix numbers of bodies between its corners; give each body a polygon or another shape with "
+                      "one value");
+    }
     bool canFollow =
         def->field == SW_INPUT_ALBEDO || def->field == SW_INPUT_FOAM || def->field == SW_INPUT_DISPLACEMENT;
     if (def->followsWaves && !canFollow)
@@ -201,11 +215,6 @@ static swResult checkKinds(const swHost* host, const swInputDef* def)
     if (def->isBump && def->shape != SW_SHAPE_CIRCLE && def->shape != SW_SHAPE_PARTICLES)
     {
         return refuse(host, SW_ERROR_UNSUPPORTED, def, "is a bump, which only circles and particles can be");
-    }
-    if (isDisplacing && !def->followsWaves && (def->value[0] != 0.0f || def->value[2] != 0.0f))
-    {
-        return refuse(host, SW_ERROR_UNSUPPORTED, def,
-                      "moves water sideways from where it stays put; set followsWaves, or let value x and z be 0");
     }
     bool isOfWaves = def->field == SW_INPUT_WAVES;
     if ((def->removesWaves && !isOfWaves) || (def->windWeight.isUsed && !(isOfWaves && def->shape == SW_SHAPE_RASTER)))
@@ -222,15 +231,64 @@ static bool isSpeed(const swInputDef* def)
     return def->field == SW_INPUT_FLOW || def->field == SW_INPUT_WIND || def->windWeight.isUsed;
 }
 
+// What the shape brings of its own, at most, m/s either way.
+static float findBroughtSpeed(const swInputDef* def)
+{
+    float most = 0.0f;
+    if (def->shape == SW_SHAPE_RASTER && def->raster != NULL && def->raster->least <= def->raster->most)
+    {
+        most = fmaxf(fabsf(def->raster->least), fabsf(def->raster->most));
+    }
+    else if (def->shape == SW_SHAPE_MESH && def->mesh != NULL)
+    {
+        most = def->mesh->largest;
+    }
+    else if (def->shape == SW_SHAPE_SPLINE && def->spline != NULL && def->field == SW_INPUT_FLOW)
+    {
+        most = swGetFastestSplineFlow(def->spline);
+    }
+    return most * fabsf(def->gain);
+}
+
+// A weight above 1 makes it faster; that of waves by the wind does not.
+static swResult checkSpeed(const swHost* host, const swInputDef* def)
+{
+    float given = fmaxf(fabsf(def->value[0]), fabsf(def->value[1]));
+    float factor = def->windWeight.isUsed ? 1.0f : fmaxf(def->weight, 1.0f);
+    float most = (given + findBroughtSpeed(def)) * factor;
+    if (!(given <= SW_MAX_INPUT_SPEED))
+    {
+        return refuse(host, SW_ERROR_INVALID, def,
+                      "has a speed beyond 100 m/s, which no water and no wind has; give swInputDef::value in m/s");
+    }
+    if (!(most <= SW_MAX_INPUT_SPEED))
+    {
+        return swFail(host, SW_ERROR_INVALID,
+                      "the input '%s' says %s of up to %g m/s, by what its shape brings, its value, gain and weight "
+                      "together; at most %g is taken",
+                      def->name, swGetInputFieldWord((int)def->field), (double)most, (double)SW_MAX_INPUT_SPEED);
+    }
+    return SW_SUCCESS;
+}
+
 static swResult checkValues(const swHost* host, const swInputDef* def)
 {
-    for (int i = 0; i < 2 && isSpeed(def); ++i)
+    swResult result = isSpeed(def) ? checkSpeed(host, def) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
     {
-        if (!(fabsf(def->value[i]) <= SW_MAX_INPUT_SPEED))
-        {
-            return refuse(host, SW_ERROR_INVALID, def,
-                          "has a speed beyond 100 m/s, which no water and no wind has; give swInputDef::value in m/s");
-        }
+        return result;
+    }
+    float number = def->value[0];
+    if (def->field == SW_INPUT_BODY && !(number == floorf(number) && number >= -1.0f && number < SW_MAX_WATER_BODIES))
+    {
+        return refuse(host, SW_ERROR_INVALID, def,
+                      "has a number that no body of water has; they are whole, from 0 on, and -1 is none");
+    }
+    bool staysPut = def->field == SW_INPUT_DISPLACEMENT && !def->followsWaves;
+    if (staysPut && (def->value[0] != 0.0f || def->value[2] != 0.0f))
+    {
+        return refuse(host, SW_ERROR_UNSUPPORTED, def,
+                      "moves water sideways from where it stays put; set followsWaves, or let value x and z be 0");
     }
     if (def->weight > 1.0f && def->blend != SW_BLEND_ADD)
     {
@@ -275,13 +333,6 @@ static swResult checkRaster(const swHost* host, const swInputDef* def)
                       def->windWeight.isUsed ? "wind" : swGetInputFieldWord((int)def->field), numbers, raster->name,
                       raster->channels);
     }
-    float most = fmaxf(fabsf(raster->least), fabsf(raster->most)) * fabsf(def->gain);
-    if (isSpeed(def) && !(most <= SW_MAX_INPUT_SPEED) && raster->least == raster->least)
-    {
-        return swFail(host, SW_ERROR_INVALID,
-                      "the input '%s' says %s of up to %g m/s by its raster '%s'; at most %g is taken", def->name,
-                      swGetInputFieldWord((int)def->field), (double)most, raster->name, (double)SW_MAX_INPUT_SPEED);
-    }
     return SW_SUCCESS;
 }
 
@@ -290,16 +341,6 @@ static swResult checkSpline(const swHost* host, const swInputDef* def)
     if (def->spline == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no spline");
-    }
-    if (def->field == SW_INPUT_FLOW)
-    {
-        float most = swGetFastestSplineFlow(def->spline) * fabsf(def->gain);
-        if (!(most <= SW_MAX_INPUT_SPEED))
-        {
-            return swFail(host, SW_ERROR_INVALID,
-                          "the input '%s' says flow of up to %g m/s by its spline '%s'; at most %g is taken", def->name,
-                          (double)most, def->spline->name, (double)SW_MAX_INPUT_SPEED);
-        }
     }
     bool turns = def->alongSpline && def->field == SW_INPUT_WAVES;
     if (def->alongSpline && !turns)
@@ -366,7 +407,8 @@ swResult swCheckInputPoints(const swHost* host, const swInputDef* def, int count
         return SW_SUCCESS;
     }
     char name[SW_MAX_INPUT_NAME + 32];
-    snprintf(name, sizeof name, "the input '%s'", def->name);
+    bool isNamed = def->name[0] != '\0';
+    snprintf(name, sizeof name, "the input%s%s%s", isNamed ? " '" : "", def->name, isNamed ? "'" : "");
     if (points == NULL)
     {
         return refuse(host, SW_ERROR_INVALID, def, "has no points");
@@ -404,4 +446,32 @@ swResult swCheckInputDef(const swHost* host, const swInputDef* def)
         result = checkSpline(host, def);
     }
     return result == SW_SUCCESS ? swCheckInputPoints(host, def, def->pointCount, def->points) : result;
+}
+
+static bool hasPoints(swInputShape shape)
+{
+    return shape == SW_SHAPE_POLYGON || shape == SW_SHAPE_POLYLINE || shape == SW_SHAPE_PARTICLES;
+}
+
+void swForgetUnused(swInputDef* def)
+{
+    def->raster = def->shape == SW_SHAPE_RASTER ? def->raster : NULL;
+    def->mesh = def->shape == SW_SHAPE_MESH ? def->mesh : NULL;
+    def->spline = def->shape == SW_SHAPE_SPLINE ? def->spline : NULL;
+    def->hull = def->shape == SW_SHAPE_HULL ? def->hull : NULL;
+    if (!hasPoints(def->shape))
+    {
+        def->points = NULL;
+        def->pointCount = def->pointCapacity = 0;
+    }
+    if (def->shape == SW_SHAPE_EVERYWHERE)
+    {
+        def->position = (swPos){0.0, 0.0, 0.0};
+    }
+    if (def->shape != SW_SHAPE_FUNCTION)
+    {
+        def->function = NULL;
+        def->functionContext = NULL;
+        def->functionFingerprint = 0;
+    }
 }

@@ -85,75 +85,73 @@ static void streamPoint(swStream* stream, swInputPoint* point)
 
 // ---- reading into a new world ----
 
-static swResult refuseMissing(const swHost* host, const char* what, const Saved* saved, uint64_t hash)
+static swResult refuseMissing(const swHost* host, const char* what, const Saved* saved, uint64_t hash, uint64_t given)
 {
-    return swFail(host, SW_ERROR_UNSUPPORTED,
-                  "the saved input '%s' uses a %s with the hash %016llx, which swRestoreDef::findResource did not give",
-                  saved->def.name, what, (unsigned long long)hash);
+    const unsigned long long wanted = hash, other = given;
+    return given == 0 ? swFail(host, SW_ERROR_UNSUPPORTED,
+                               "the saved input '%s' uses a %s with the hash %016llx, which "
+                               "swRestoreDef::findResource did not give",
+                               saved->def.name, what, wanted)
+                      : swFail(host, SW_ERROR_UNSUPPORTED,
+                               "the saved input '%s' uses a %s with the hash %016llx, but swRestoreDef::findResource "
+                               "gave another one, with the hash %016llx; give the one that it was saved with",
+                               saved->def.name, what, wanted, other);
+}
+
+// Asks for what has a hash; 0 is nothing. What is given must have it.
+static swResult findResource(const swHost* host, const swRestoreDef* find, const Saved* saved, swResourceKind kind,
+                             uint64_t hash, swResource* resource)
+{
+    static const char* const words[] = {"raster", "hull", "mesh", "spline"};
+    bool isGiven = hash == 0 || (find->findResource != NULL &&
+                                 find->findResource(find->resourceContext, kind, hash, saved->def.name, resource));
+    uint64_t given = 0;
+    if (hash != 0 && isGiven)
+    {
+        given = kind == SW_RESOURCE_RASTER && resource->raster != NULL   ? resource->raster->hash
+                : kind == SW_RESOURCE_HULL && resource->hull != NULL     ? resource->hull->hash
+                : kind == SW_RESOURCE_MESH && resource->mesh != NULL     ? resource->mesh->hash
+                : kind == SW_RESOURCE_SPLINE && resource->spline != NULL ? resource->spline->hash
+                                                                         : 0;
+    }
+    return given == hash ? SW_SUCCESS : refuseMissing(host, words[kind], saved, hash, given);
 }
 
 static swResult findResources(const swHost* host, const swRestoreDef* find, Saved* saved)
 {
-    swResource resource = {0};
-    const char* name = saved->def.name;
-    if (saved->raster != 0)
+    const uint64_t hashes[] = {[SW_RESOURCE_RASTER] = saved->raster,
+                               [SW_RESOURCE_HULL] = saved->hull,
+                               [SW_RESOURCE_MESH] = saved->mesh,
+                               [SW_RESOURCE_SPLINE] = saved->spline};
+    swResource found[4] = {{0}};
+    for (int kind = SW_RESOURCE_RASTER; kind <= SW_RESOURCE_SPLINE; ++kind)
     {
-        bool isGiven = find->findResource != NULL &&
-                       find->findResource(find->resourceContext, SW_RESOURCE_RASTER, saved->raster, name, &resource) &&
-                       resource.raster != NULL && resource.raster->hash == saved->raster;
-        if (!isGiven)
+        swResult result = findResource(host, find, saved, (swResourceKind)kind, hashes[kind], &found[kind]);
+        if (result != SW_SUCCESS)
         {
-            return refuseMissing(host, "raster", saved, saved->raster);
+            return result;
         }
-        saved->def.raster = resource.raster;
     }
-    if (saved->hull != 0)
+    swInputDef* def = &saved->def;
+    def->raster = saved->raster != 0 ? found[SW_RESOURCE_RASTER].raster : NULL;
+    def->hull = saved->hull != 0 ? found[SW_RESOURCE_HULL].hull : NULL;
+    def->mesh = saved->mesh != 0 ? found[SW_RESOURCE_MESH].mesh : NULL;
+    def->spline = saved->spline != 0 ? found[SW_RESOURCE_SPLINE].spline : NULL;
+    if (def->shape == SW_SHAPE_FUNCTION)
     {
-        bool isGiven = find->findResource != NULL &&
-                       find->findResource(find->resourceContext, SW_RESOURCE_HULL, saved->hull, name, &resource) &&
-                       resource.hull != NULL && resource.hull->hash == saved->hull;
-        if (!isGiven)
-        {
-            return refuseMissing(host, "hull", saved, saved->hull);
-        }
-        saved->def.hull = resource.hull;
-    }
-    if (saved->mesh != 0)
-    {
-        bool isGiven = find->findResource != NULL &&
-                       find->findResource(find->resourceContext, SW_RESOURCE_MESH, saved->mesh, name, &resource) &&
-                       resource.mesh != NULL && resource.mesh->hash == saved->mesh;
-        if (!isGiven)
-        {
-            return refuseMissing(host, "mesh", saved, saved->mesh);
-        }
-        saved->def.mesh = resource.mesh;
-    }
-    if (saved->spline != 0)
-    {
-        bool isGiven = find->findResource != NULL &&
-                       find->findResource(find->resourceContext, SW_RESOURCE_SPLINE, saved->spline, name, &resource) &&
-                       resource.spline != NULL && resource.spline->hash == saved->spline;
-        if (!isGiven)
-        {
-            return refuseMissing(host, "spline", saved, saved->spline);
-        }
-        saved->def.spline = resource.spline;
-    }
-    if (saved->def.shape == SW_SHAPE_FUNCTION)
-    {
+        swResource resource = {0};
         bool isGiven =
             find->findResource != NULL &&
-            find->findResource(find->resourceContext, SW_RESOURCE_FUNCTION, saved->function, name, &resource) &&
+            find->findResource(find->resourceContext, SW_RESOURCE_FUNCTION, saved->function, def->name, &resource) &&
             resource.function != NULL;
         if (!isGiven)
         {
-            return refuseMissing(host, "function", saved, saved->function);
+            return refuseMissing(host, "function", saved, saved->function, 0);
         }
-        saved->def.function = resource.function;
-        saved->def.functionContext = resource.functionContext;
+        def->function = resource.function;
+        def->functionContext = resource.functionContext;
     }
-    saved->def.functionFingerprint = saved->function;
+    def->functionFingerprint = saved->function;
     return SW_SUCCESS;
 }
 

@@ -167,6 +167,17 @@ static void hashMesh(swMesh* mesh)
     mesh->hash = swEndHash(&hash);
 }
 
+static float findLargest(const swMeshDef* def)
+{
+    size_t count = (size_t)def->vertexCount * (size_t)def->channelCount;
+    float largest = count > 0 ? 0.0f : 1.0f;
+    for (size_t i = 0; i < count; ++i)
+    {
+        largest = fmaxf(largest, fabsf(def->values[i]));
+    }
+    return largest;
+}
+
 static void fillMesh(swMesh* mesh, const swMeshDef* def, const swMeshGrid* grid, const Layout* layout)
 {
     char* block = (char*)mesh;
@@ -220,6 +231,7 @@ swResult swCreateMesh(const swHost* host, const swMeshDef* def, swMesh** mesh)
                    .low = low,
                    .high = high,
                    .highest = def->highest,
+                   .largest = findLargest(def),
                    .vertexCount = def->vertexCount,
                    .triangleCount = def->triangleCount,
                    .channelCount = def->channelCount,

@@ -25,6 +25,7 @@ struct swMesh
     const swVec3* vertices;
     const uint32_t* indices;
     const float* values; // NULL: none
+    float largest;       // of its values, either way; without any it says 1
     int countX, countZ;  // cells of the grid
     uint32_t firstEntry, firstTriangle;
     uint32_t wordCount;

@@ -27,7 +27,23 @@ static Place findPlace(swPosXZ point)
     return place;
 }
 
-// What a function of the host's says. An answer that is no number covers nothing.
+// Numbers and derivatives within what any input may say; no flow or wind faster than one may be.
+static bool isAnswerFine(const swInputRecord* record, const swInputAnswer* answer)
+{
+    bool isSpeed = record->field == SW_INPUT_FLOW || record->field == SW_INPUT_WIND;
+    float most = isSpeed ? SW_MAX_INPUT_SPEED : 1e6f;
+    float factor = isSpeed ? fabsf(record->gain) : 1.0f;
+    bool isFine = answer->share > 0.0f && answer->share <= 1.0f && fabsf(answer->shareAlongX) <= 1e9f &&
+                  fabsf(answer->shareAlongZ) <= 1e9f;
+    for (int i = 0; i < 4; ++i)
+    {
+        isFine = isFine && factor * fabsf(answer->value[i]) <= most && fabsf(answer->valueAlongX[i]) <= 1e9f &&
+                 fabsf(answer->valueAlongZ[i]) <= 1e9f;
+    }
+    return isFine;
+}
+
+// What a function of the host's says. An answer out of range covers nothing.
 static swInputSample askFunction(const swInputSet* set, uint32_t at, const Place* place)
 {
     const swInputRecord* record = &set->records[at];
@@ -49,13 +65,7 @@ static swInputSample askFunction(const swInputSet* set, uint32_t at, const Place
     sample.share = answer.share;
     sample.shareX = answer.shareAlongX;
     sample.shareZ = answer.shareAlongZ;
-    float sum = answer.share + answer.shareAlongX + answer.shareAlongZ;
-    for (int i = 0; i < 4; ++i)
-    {
-        sum += v[i] + x[i] + z[i];
-    }
-    bool isFine = fabsf(sum) <= 1e9f && answer.share > 0.0f && answer.share <= 1.0f;
-    sample.share = isFine ? sample.share : 0.0f;
+    sample.share = isAnswerFine(record, &answer) ? sample.share : 0.0f;
     if (sample.share > 0.0f)
     {
         sample = swCoverRectangle(sample, (float)own.x, (float)own.z, record->halfX, record->halfZ, record->feather);

@@ -4,6 +4,7 @@
 // The fields that inputs make, at points in the sea. The GPU's twin is shaders/lib/inputs.glsl.
 
 #include "core/input/input_index.h"
+#include "seaway/water_body.h"
 #include "shared/displace.h"
 #include "shared/ribbon_looks.h"
 
@@ -23,6 +24,12 @@ void swJoinInputValues(const swInputSet* set, int field, int system, int count, 
 // where it is.
 void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
                        float* values);
+
+// The value of SW_INPUT_BODY as a number: -1 for all that is none.
+static inline int swGetBodyNumber(float value)
+{
+    return value >= 0.0f && value < SW_MAX_WATER_BODIES ? (int)value : -1;
+}
 
 // A system's waves at points in the sea: the weight of those that lie as ever, and those along splines.
 void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ* points, swWaveLooks* looks);

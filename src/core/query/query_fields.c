@@ -201,7 +201,7 @@ static void findRest(const swInputSet* set, const Block* block, const swFieldSam
         find(set, SW_INPUT_BODY, -1, block, values);
         for (int i = 0; i < block->count; ++i)
         {
-            samples->body[block->at[i]] = (int)values[i].value.x;
+            samples->body[block->at[i]] = swGetBodyNumber(values[i].value.x);
         }
     }
 }

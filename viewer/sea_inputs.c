@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// What the scene puts into the sea: inputs and bodies of water, whose values the panel may change.
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sea.h"
+
+static int CountInputs(const Sea* sea)
+{
+    return sea->scene != NULL ? sea->scene->inputCount : 0;
+}
+
+static int CountBodies(const Sea* sea)
+{
+    return sea->scene != NULL ? sea->scene->waterBodyCount : 0;
+}
+
+static bool MakeRoom(Sea* sea)
+{
+    size_t inputs = (size_t)CountInputs(sea), bodies = (size_t)CountBodies(sea);
+    sea->inputs = inputs > 0 ? calloc(inputs, sizeof(SeaInput)) : NULL;
+    sea->bodies = bodies > 0 ? calloc(bodies, sizeof(SeaBody)) : NULL;
+    return (inputs == 0 || sea->inputs != NULL) && (bodies == 0 || sea->bodies != NULL);
+}
+
+swResult OpenInputs(Sea* sea)
+{
+    const swScene* scene = sea->scene;
+    if (scene == NULL)
+    {
+        return SW_SUCCESS;
+    }
+    if (!MakeRoom(sea))
+    {
+        SayInSea(sea, "there is no memory for the scene's inputs");
+        return SW_ERROR_NO_MEMORY;
+    }
+    for (int i = 0; i < scene->inputCount; i++)
+    {
+        SeaInput* input = &sea->inputs[i];
+        input->def = input->filedDef = input->takenDef = scene->inputs[i].def;
+    }
+    for (int i = 0; i < scene->waterBodyCount; i++)
+    {
+        SeaBody* body = &sea->bodies[i];
+        body->def = body->filedDef = body->takenDef = scene->waterBodies[i].def;
+    }
+    swWaveSystemId systems[SW_MAX_WAVE_SYSTEMS] = {0};
+    for (int i = 0; i < scene->wavesCount; i++)
+    {
+        systems[i] = sea->waves[i].id;
+    }
+    return swCreateSceneInputs(sea->world, scene, systems, &sea->authored);
+}
+
+void CloseInputs(Sea* sea)
+{
+    swDestroySceneSea(&sea->authored);
+    free(sea->inputs);
+    free(sea->bodies);
+    sea->inputs = NULL;
+    sea->bodies = NULL;
+}
+
+// Defs of the panel count in the file's coordinates.
+static swPos PlaceInWorld(const Sea* sea, swPos position)
+{
+    swPosXZ origin = swWorld_GetOrigin(sea->world);
+    return (swPos){position.x - origin.x, position.y, position.z - origin.z};
+}
+
+// Waves that are there now; null, and false, of those that were removed.
+static bool FindWaves(const Sea* sea, int waves, swWaveSystemId* system)
+{
+    bool isThere = waves < 0 || !sea->waves[waves].isRemoved;
+    *system = waves >= 0 && isThere ? sea->waves[waves].id : (swWaveSystemId){0};
+    return isThere;
+}
+
+// Of a nest the world has an input for each raster; what they share follows.
+static void FollowNest(Sea* sea, const swSceneInput* input, int first, const swInputDef* def)
+{
+    for (int i = 0; i < input->nestCount - 1; i++)
+    {
+        swInputId id = sea->authored.nested[first + i];
+        swInputDef other = swInput_Get(sea->world, id);
+        other.isEnabled = def->isEnabled;
+        other.weight = def->weight;
+        other.gain = def->gain;
+        other.position = def->position;
+        memcpy(other.value, def->value, sizeof(other.value));
+        swInput_Set(sea->world, id, &other);
+    }
+}
+
+static void ApplyInput(Sea* sea, int index, int firstNested)
+{
+    SeaInput* input = &sea->inputs[index];
+    const swSceneInput* filed = &sea->scene->inputs[index];
+    swInputId id = sea->authored.inputs[index];
+    swInputDef def = input->def;
+    input->hasChanged = false;
+    if (!swInput_IsValid(sea->world, id))
+    {
+        return; // left out
+    }
+    def.isEnabled = FindWaves(sea, filed->waves, &def.system) && def.isEnabled;
+    def.position = PlaceInWorld(sea, def.position);
+    if (filed->nest != NULL)
+    {
+        swInputDef now = swInput_Get(sea->world, id); // its raster, and a feather that suits the nest
+        def.raster = now.raster;
+        def.feather = now.feather;
+        def.order = now.order;
+    }
+    if (swInput_Set(sea->world, id, &def) != SW_SUCCESS)
+    {
+        input->def = input->takenDef; // the log says why
+        return;
+    }
+    input->takenDef = input->def;
+    FollowNest(sea, filed, firstNested, &def);
+    sea->floorVersion += def.field == SW_INPUT_FLOOR;
+}
+
+static void ApplyBody(Sea* sea, int index)
+{
+    SeaBody* body = &sea->bodies[index];
+    swWaterBodyDef def = body->def;
+    body->hasChanged = false;
+    FindWaves(sea, sea->scene->waterBodies[index].waves, &def.waves);
+    def.position = PlaceInWorld(sea, def.position);
+    if (swWaterBody_Set(sea->world, sea->authored.waterBodies[index], &def) != SW_SUCCESS)
+    {
+        body->def = body->takenDef;
+    }
+    body->takenDef = body->def;
+}
+
+void ApplyInputs(Sea* sea)
+{
+    for (int i = 0, nested = 0; i < CountInputs(sea); i++)
+    {
+        if (sea->inputs[i].hasChanged)
+        {
+            ApplyInput(sea, i, nested);
+        }
+        nested += sea->scene->inputs[i].nestCount > 1 ? sea->scene->inputs[i].nestCount - 1 : 0;
+    }
+    for (int i = 0; i < CountBodies(sea); i++)
+    {
+        if (sea->bodies[i].hasChanged)
+        {
+            ApplyBody(sea, i);
+        }
+    }
+}
+
+// Inputs and bodies that have to do with waves that went or came back.
+void FollowWaves(Sea* sea, int waves)
+{
+    for (int i = 0; i < CountInputs(sea); i++)
+    {
+        sea->inputs[i].hasChanged = sea->inputs[i].hasChanged || sea->scene->inputs[i].waves == waves;
+    }
+    for (int i = 0; i < CountBodies(sea); i++)
+    {
+        sea->bodies[i].hasChanged = sea->bodies[i].hasChanged || sea->scene->waterBodies[i].waves == waves;
+    }
+    ApplyInputs(sea);
+}
+
+void ResetInputs(Sea* sea)
+{
+    for (int i = 0; i < CountInputs(sea); i++)
+    {
+        sea->inputs[i].def = sea->inputs[i].filedDef;
+        sea->inputs[i].hasChanged = true;
+    }
+    for (int i = 0; i < CountBodies(sea); i++)
+    {
+        sea->bodies[i].def = sea->bodies[i].filedDef;
+        sea->bodies[i].hasChanged = true;
+    }
+}
