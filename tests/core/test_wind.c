@@ -295,6 +295,49 @@ static void WhatIsNoWindIsRefused(void** state)
     swDestroyWorld(world);
 }
 
+static swVec2 QueryWind(const swMoment* moment, double x, double z)
+{
+    swVec2 wind;
+    const swFieldSamples samples = {.wind = &wind};
+    swMoment_QueryFields(moment, 1, &(swPosXZ){x, z}, &samples);
+    return wind;
+}
+
+// A lee of half the wind around the origin.
+static void InputsOfWindChangeTheWorldsWind(void** state)
+{
+    (void)state;
+    swWindDef def = MakeWind(10.0f, 0.3f);
+    def.gustStrength = 0.1f;
+    swWorld* world = MakeWorld(&def);
+    assert_int_equal(swWorld_StepTo(world, 5.0), SW_SUCCESS);
+    swVec2 open = FindWind(world, SW_QUERY_NOW, 10.0, 20.0), asked = QueryWind(swWorld_GetMoment(world), 10.0, 20.0);
+    assert_memory_equal(&open, &asked, sizeof open);
+    swInputDef lee = swDefaultInputDef();
+    lee.field = SW_INPUT_WIND;
+    lee.shape = SW_SHAPE_CIRCLE;
+    lee.blend = SW_BLEND_MULTIPLY;
+    lee.value[0] = lee.value[1] = 0.5f;
+    swInputId id;
+    assert_int_equal(swCreateInput(world, &lee, &id), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(world, 6.0), SW_SUCCESS);
+    open = FindWind(world, SW_QUERY_NOW, 10.0, 20.0);
+    asked = QueryWind(swWorld_GetMoment(world), 10.0, 20.0);
+    assert_true(open.x > 4.0f && asked.x == 0.5f * open.x && asked.y == 0.5f * open.y);
+    open = FindWind(world, SW_QUERY_NOW, 900.0, 20.0);
+    asked = QueryWind(swWorld_GetMoment(world), 900.0, 20.0);
+    assert_memory_equal(&open, &asked, sizeof open);
+    swMomentDef momentDef = swDefaultMomentDef();
+    swMoment* moment = NULL;
+    momentDef.time = 9.0;
+    assert_int_equal(swCreateMoment(world, &momentDef, &moment), SW_SUCCESS);
+    open = FindWind(world, 9.0, 10.0, 20.0);
+    asked = QueryWind(moment, 10.0, 20.0);
+    assert_true(asked.x == 0.5f * open.x && asked.y == 0.5f * open.y);
+    swDestroyMoment(moment);
+    swDestroyWorld(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -306,6 +349,7 @@ int main(void)
         cmocka_unit_test(SystemsThatTakeTheWindAreMadeOfIt),
         cmocka_unit_test(WhitecapsTakeTheWorldsWindUnlessTheyNameOne),
         cmocka_unit_test(AWindIsSavedAndComesBackInTheMiddleOfAChange),
+        cmocka_unit_test(InputsOfWindChangeTheWorldsWind),
         cmocka_unit_test(WhatIsNoWindIsRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
