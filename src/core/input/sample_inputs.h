@@ -16,6 +16,10 @@
 void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
                        swInputValue* values);
 
+// The same, joined to values that lie below all inputs, such as the world's wind.
+void swJoinInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
+                       swInputValue* values);
+
 // The first number of a field of the water's own: inputs that follow the waves count where the water rests, the others
 // where it is.
 void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,
