@@ -62,6 +62,7 @@ typedef struct App
     InputQueue input;
     bool isLooking; // the mouse turns the camera
 
+    int chosenInput, chosenBody; // of the panel
     swDebugMode debug;
     SheetView sheetView;
     double pointerX, pointerY; // of the mouse, pixels of the window

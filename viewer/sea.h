@@ -64,12 +64,13 @@ typedef struct SeaLook
 typedef struct SeaInput
 {
     swInputDef def, filedDef;
-    bool hasChanged; // since the world had it
+    swInputDef takenDef; // that the world has, in the file's coordinates
+    bool hasChanged;     // since the world had it
 } SeaInput;
 
 typedef struct SeaBody
 {
-    swWaterBodyDef def, filedDef;
+    swWaterBodyDef def, filedDef, takenDef;
     bool hasChanged;
 } SeaBody;
 

@@ -38,11 +38,13 @@ swResult OpenInputs(Sea* sea)
     }
     for (int i = 0; i < scene->inputCount; i++)
     {
-        sea->inputs[i].def = sea->inputs[i].filedDef = scene->inputs[i].def;
+        SeaInput* input = &sea->inputs[i];
+        input->def = input->filedDef = input->takenDef = scene->inputs[i].def;
     }
     for (int i = 0; i < scene->waterBodyCount; i++)
     {
-        sea->bodies[i].def = sea->bodies[i].filedDef = scene->waterBodies[i].def;
+        SeaBody* body = &sea->bodies[i];
+        body->def = body->filedDef = body->takenDef = scene->waterBodies[i].def;
     }
     swWaveSystemId systems[SW_MAX_WAVE_SYSTEMS] = {0};
     for (int i = 0; i < scene->wavesCount; i++)
@@ -114,9 +116,10 @@ static void ApplyInput(Sea* sea, int index, int firstNested)
     }
     if (swInput_Set(sea->world, id, &def) != SW_SUCCESS)
     {
-        input->def = input->filedDef; // the log says why
+        input->def = input->takenDef; // the log says why
         return;
     }
+    input->takenDef = input->def;
     FollowNest(sea, filed, firstNested, &def);
     sea->floorVersion += def.field == SW_INPUT_FLOOR;
 }
@@ -130,8 +133,9 @@ static void ApplyBody(Sea* sea, int index)
     def.position = PlaceInWorld(sea, def.position);
     if (swWaterBody_Set(sea->world, sea->authored.waterBodies[index], &def) != SW_SUCCESS)
     {
-        body->def = body->filedDef;
+        body->def = body->takenDef;
     }
+    body->takenDef = body->def;
 }
 
 void ApplyInputs(Sea* sea)

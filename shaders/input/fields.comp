@@ -47,7 +47,7 @@ layout(push_constant) uniform Push
 
 shared uint leastDepth; // as bits: no depth is below 0
 shared uint systems;
-shared uint flowsAnywhere;
+shared uint flags;
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
@@ -130,7 +130,8 @@ void main()
     {
         leastDepth = floatBitsToUint(SW_NO_DEPTH);
         systems = findSystems(low, high);
-        flowsAnywhere = 0;
+        // Those that stay put are read where waves have brought the water, from the next cell perhaps.
+        flags = touchesInputs(SW_FIELD_OF_DISPLACEMENT, low - 1, high + 1) ? SW_BLOCK_DISPLACED : 0u;
     }
     barrier();
     float least = SW_NO_DEPTH;
@@ -151,13 +152,13 @@ void main()
     }
     if (flows)
     {
-        atomicOr(flowsAnywhere, 1);
+        atomicOr(flags, SW_BLOCK_FLOWS);
     }
     atomicMin(leastDepth, floatBitsToUint(max(least, 0.0)));
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
         uint block = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flowsAnywhere);
+        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flags);
     }
 }

@@ -16,6 +16,12 @@ float omegaOf(uint low, uint high)
     return fma(float(low), 1.0 / 4294967296.0, float(high)) * (6.28318530718 / 256.0);
 }
 
+// A fraction of 2^32. The nearest whole turn is taken off first, so that the integer cannot overflow.
+uint toTurns(float turns)
+{
+    return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
+}
+
 // (cosine, sine), good to about 2^-24: the nearest quarter turn is taken off in integers and Taylor's series does the
 // rest. sin() and cos() of GLSL need not be better than 2^-11.
 vec2 unitOf(uint phase)

@@ -38,12 +38,6 @@ Place placeOfBits(uvec2 metres)
     return place;
 }
 
-// The nearest whole turn is taken off first, so that the integer cannot overflow.
-uint toTurns(float turns)
-{
-    return uint(int((turns - round(turns)) * 2147483648.0)) << 1;
-}
-
 // Cosine and sine, times the amplitude.
 vec2 swingOf(swQueryWave wave, ivec2 cell, vec2 rest)
 {

@@ -26,6 +26,7 @@ layout(local_size_x = THREADS) in;
 layout(constant_id = 0) const bool WITH_INPUTS = false;
 layout(constant_id = 1) const bool WITH_FLOW = false;
 layout(constant_id = 2) const bool WITH_DISPLACEMENT = false;
+layout(constant_id = 3) const bool WITH_RIBBONS = false;
 const bool WITH_PLACE_FLOW = false;
 
 layout(std140, binding = 0) uniform Tiles
@@ -85,6 +86,9 @@ shared float shares[8][THREADS];
 // What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
 const uint ASKED = WITH_INPUTS ? 6 + SW_LIMIT_SYSTEMS : 1;
 shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
+// Looks at waves along splines, see keepLook().
+const uint KEPT_LOOKS = WITH_RIBBONS ? 8 * SW_QUERY_RIBBON_SYSTEMS : 1;
+shared vec4 keptLooks[KEPT_LOOKS][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"

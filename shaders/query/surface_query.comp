@@ -22,6 +22,7 @@ layout(constant_id = 0) const bool WITH_MOTION = false;
 layout(constant_id = 1) const bool WITH_INPUTS = false;
 layout(constant_id = 2) const bool WITH_FLOW = false;
 layout(constant_id = 3) const bool WITH_DISPLACEMENT = false;
+layout(constant_id = 4) const bool WITH_RIBBONS = false;
 const bool WITH_PLACE_FLOW = WITH_MOTION && WITH_FLOW;
 
 layout(std140, binding = 0) uniform Tiles
@@ -93,6 +94,9 @@ shared float shares[8][THREADS];
 // What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
 const uint ASKED = WITH_INPUTS ? 6 + SW_LIMIT_SYSTEMS : 1;
 shared vec3 placeValues[ASKED][SW_QUERY_POINTS];
+// Looks at waves along splines, see keepLook().
+const uint KEPT_LOOKS = WITH_RIBBONS ? 8 * SW_QUERY_RIBBON_SYSTEMS : 1;
+shared vec4 keptLooks[KEPT_LOOKS][SW_QUERY_POINTS];
 shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be read while the other is cleared
 
 #include "lib/turns.glsl"
@@ -202,6 +206,71 @@ void addCarriedWavesMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane, inou
     }
 }
 
+// The rates of a tile's waves as a look sees them, a lane's share.
+void addLookedTileMotion(Look look, Flow flow, Ground ground, swQueryTile tile, uint lane, vec4 cubic,
+                         inout Motion motion)
+{
+    Shape shape = attenuated(look.shape, ground, tile.waveNumber, attenuationOf(tile));
+    Carry carry = carriedCopies(tile, flow, shape);
+    for (uint c = 0; c < copyCount(carry); ++c)
+    {
+        Motion own = NO_MOTION;
+        addTileMotion(tile, queryCellOf(look.at), queryRestOf(look.at) - carry.seconds[c] * flow.velocity, lane, cubic,
+                      own);
+        addMotionCopy(shape.weight * carry.weights[c],
+                      Motion(turnByLook(look, own.velocity), turnByLook(look, own.acceleration)), motion);
+    }
+}
+
+void addLookedWavesMotion(Look look, Flow flow, Ground ground, uint first, uint end, inout Motion motion)
+{
+    Shape shape = attenuated(look.shape, ground, waves[first].waveNumber, waves[first].attenuation);
+    Carry carry = carriedCopies(first, end, flow, shape);
+    for (uint c = 0; c < copyCount(carry); ++c)
+    {
+        Motion own = NO_MOTION;
+        for (uint i = first; i < end; ++i)
+        {
+            addWaveMotion(waves[i], queryCellOf(look.at), queryRestOf(look.at) - carry.seconds[c] * flow.velocity, own);
+        }
+        addMotionCopy(shape.weight * carry.weights[c],
+                      Motion(turnByLook(look, own.velocity), turnByLook(look, own.acceleration)), motion);
+    }
+}
+
+// Adds the motion by waves along splines, see addRibbonWater().
+void addRibbonMotion(Shaper shaper, uint lane, vec4 cubic, inout Motion motion)
+{
+    uint tileCount = params.water.tileCount, waveCount = params.water.waveCount;
+    uint systems = ribbonSystemsOf(shaper, tileCount, waveCount);
+    for (; systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        for (uint l = 0; l < 2; ++l)
+        {
+            Look look = askedLook(system, l);
+            Flow flow = turnFlowByLook(look, shaper.flow);
+            for (uint i = 0; i < tileCount && isLookThere(look); ++i)
+            {
+                if (tiles[i].system == system)
+                {
+                    addLookedTileMotion(look, flow, shaper.ground, tiles[i], lane, cubic, motion);
+                }
+            }
+            uint turn = 0;
+            for (uint first = 0; first < waveCount && isLookThere(look); ++turn)
+            {
+                uint end = min(waves[first].groupEnd, waveCount);
+                if (waves[first].system == system && turn % SW_QUERY_LANES == lane)
+                {
+                    addLookedWavesMotion(look, flow, shaper.ground, first, end, motion);
+                }
+                first = end;
+            }
+        }
+    }
+}
+
 // The same where inputs shape waves, which they do as at the rest place that was tried last. How a particle's place
 // changes makes no part of how it moves.
 Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
@@ -221,6 +290,10 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
             addTileMotion(tiles[i], cell, rest, lane, cubic, own);
         }
         addMotionCopy(shape.weight, own, motion);
+    }
+    if (WITH_RIBBONS && shaper.ribbonSystems != 0)
+    {
+        addRibbonMotion(shaper, lane, cubic, motion);
     }
     if (doesCarry(shaper))
     {

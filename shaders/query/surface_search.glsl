@@ -25,12 +25,15 @@
 // `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
 // `shared vec3 placeValues[6 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constants `bool
 // WITH_INPUTS`, WITH_FLOW (inputs make the water flow; the buffer `likeness` is there), WITH_PLACE_FLOW (the flow is
-// wanted at the place that is asked for) and WITH_DISPLACEMENT.
+// wanted at the place that is asked for), WITH_DISPLACEMENT, and WITH_RIBBONS (some waves run along splines, and
+// `shared vec4 keptLooks[8 * SW_QUERY_RIBBON_SYSTEMS][]` is there, with an element for each point).
 
 #include "lib/inputs.glsl"
 
 #include "lib/displaced.glsl"
+#include "lib/likeness.glsl"
 #include "lib/places.glsl"
+#include "lib/ribbons.glsl"
 #include "shared/spline.h"
 #include "shared/surface_normal.h"
 
@@ -210,6 +213,56 @@ bool areSystemsWeighted(SeaPlace place)
     return inputHead.localSystems != 0 || touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell);
 }
 
+// Bits of the systems of which some waves run along splines near a place.
+uint ribbonSystemsNear(SeaPlace place)
+{
+    return WITH_RIBBONS ? ribbonSystemsAt(place) : 0u;
+}
+
+// Where a system's looks are kept.
+uint slotOf(uint system)
+{
+    return bitCount(inputHead.ribbonSystems & ((1u << system) - 1u));
+}
+
+void keepLook(uint at, swRibbonLook look)
+{
+    uint point = gl_LocalInvocationIndex / SW_QUERY_LANES;
+    swRibbonSource source = look.source;
+    keptLooks[at][point] = vec4(look.weight.value, look.weight.alongX, look.weight.alongZ, 0.0);
+    keptLooks[at + 1][point] =
+        vec4(intBitsToFloat(source.cellX), intBitsToFloat(source.cellZ), source.restX, source.restZ);
+    keptLooks[at + 2][point] = source.way;
+    keptLooks[at + 3][point] = vec4(source.cosine, source.sine, source.turnX, source.turnZ);
+}
+
+// The first or the second look at a system's waves along splines, of what was asked last.
+Look askedLook(uint system, uint l)
+{
+    uint point = gl_LocalInvocationIndex / SW_QUERY_LANES, at = (slotOf(system) * 2 + l) * 4;
+    vec4 weight = keptLooks[at][point], place = keptLooks[at + 1][point], turn = keptLooks[at + 3][point];
+    swRibbonSource source = swRibbonSource(floatBitsToInt(place.x), floatBitsToInt(place.y), place.z, place.w,
+                                           keptLooks[at + 2][point], turn.x, turn.y, turn.z, turn.w);
+    return lookOf(swRibbonLook(swInputChannel(weight.x, weight.y, weight.z), source));
+}
+
+// A field at a place; the looks at a system's waves are kept.
+swInputValue askField(uint field, uint system, SeaPlace place)
+{
+    if (!WITH_RIBBONS)
+    {
+        return fieldAt(field, system, place);
+    }
+    swWaveLooks looks = looksAt(field, system, place);
+    bool isKept = field == SW_FIELD_OF_WAVES && (inputHead.ribbonSystems >> system & 1u) != 0;
+    if (isKept && slotOf(system) < SW_QUERY_RIBBON_SYSTEMS)
+    {
+        keepLook(slotOf(system) * 8, looks.ribbons.first);
+        keepLook(slotOf(system) * 8 + 4, looks.ribbons.second);
+    }
+    return looks.plain;
+}
+
 // A lane's part of what is asked for a point of a cell, at a place in it and a rest place. Lanes meet before they read.
 void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
 {
@@ -226,7 +279,12 @@ void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
             continue;
         }
         bool isAtPlace = i == ASKED_PLACE_LEVEL || i == ASKED_PLACE_FLOW;
-        swInputValue value = fieldAt(field, i - ASKED_SYSTEMS, isAtPlace ? seaPlaceAt(cell, place) : atRest);
+        SeaPlace asked = atRest;
+        if (isAtPlace)
+        {
+            asked = seaPlaceAt(cell, place);
+        }
+        swInputValue value = askField(field, i - ASKED_SYSTEMS, asked);
         placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = i == ASKED_FLOW_Z       ? secondOf(value)
                                                                    : i == ASKED_PLACE_FLOW ? value.value.xyz
                                                                                            : firstOf(value);
@@ -244,6 +302,7 @@ struct Shaper
     Ground ground;
     Flow flow;
     bool isWeighted; // inputs weigh systems
+    uint ribbonSystems;
 };
 
 Flow askedFlow()
@@ -255,7 +314,7 @@ Flow askedFlow()
 Shaper shaperAt(SeaPlace place)
 {
     Ground ground = groundBetween(askedOf(ASKED_LEVEL), askedOf(ASKED_FLOOR));
-    return Shaper(ground, WITH_FLOW ? askedFlow() : STILL, areSystemsWeighted(place));
+    return Shaper(ground, WITH_FLOW ? askedFlow() : STILL, areSystemsWeighted(place), ribbonSystemsNear(place));
 }
 
 bool doesCarry(Shaper shaper)
@@ -291,24 +350,7 @@ void addShaped(Shape shape, Sum own, inout Sum sum)
 // How alike a tile's heights are a way apart, and the slopes of that by the way. All lanes know all of it.
 vec3 likenessOf(swQueryTile tile, vec2 way)
 {
-    vec2 turns = way * tile.turnsPerMetre;
-    uint turnsX = toTurns(turns.x), turnsZ = toTurns(turns.y);
-    uint mask = (1u << tile.resolutionBits) - 1u;
-    uint first = tile.firstTexel + (turnsX >> (32 - tile.resolutionBits));
-    uint row = turnsZ >> (32 - tile.resolutionBits);
-    float x = float((turnsX << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    float z = float((turnsZ << tile.resolutionBits) >> 8) * (1.0 / 16777216.0);
-    vec4 valueX = swSplineWeights(x), slopeX = swSplineSlopes(x) * tile.texelsPerMetre;
-    vec4 valueZ = swSplineWeights(z), slopeZ = swSplineSlopes(z) * tile.texelsPerMetre;
-    vec3 found = vec3(0.0);
-    for (uint i = 0; i < 4; ++i)
-    {
-        uint at = first + ((row + i) & mask) * (mask + 4u);
-        vec4 texel = vec4(likeness[at], likeness[at + 1], likeness[at + 2], likeness[at + 3]);
-        float value = dot(valueX, texel);
-        found += vec3(valueZ[i] * value, valueZ[i] * dot(slopeX, texel), slopeZ[i] * value);
-    }
-    return found;
+    return likenessOf(tile.firstTexel, 1u << tile.resolutionBits, tile.texelsPerMetre, way);
 }
 
 // The same of free waves [first, end): the mean of cos(k . way), by energy.
@@ -387,6 +429,140 @@ void addCarriedWaves(Shaper shaper, uint waveCount, ivec2 cell, vec2 rest, uint 
     }
 }
 
+// A place of the sea as a cell and a rest of the query's.
+ivec2 queryCellOf(SeaPlace place)
+{
+    return place.cell - ivec2(params.sea.cellX, params.sea.cellZ);
+}
+
+vec2 queryRestOf(SeaPlace place)
+{
+    return place.rest - vec2(params.sea.restX, params.sea.restZ);
+}
+
+// Bits of the systems of the first tiles and free waves.
+uint systemsOf(uint tileCount, uint waveCount)
+{
+    uint systems = 0;
+    for (uint i = 0; i < tileCount; ++i)
+    {
+        systems |= 1u << tiles[i].system;
+    }
+    for (uint i = 0; i < waveCount; i = waves[i].groupEnd)
+    {
+        systems |= 1u << waves[i].system;
+    }
+    return systems;
+}
+
+// The copies of a tile that a flow carries, and their part of the shape: a single one where it does not.
+Carry carriedCopies(swQueryTile tile, Flow flow, inout Shape shape)
+{
+    if (!WITH_FLOW || !isMoved(flow) || tile.carryPeriod <= 0.0)
+    {
+        return Carry(vec2(1.0, 0.0), vec2(0.0));
+    }
+    Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
+    float between = 0.5 * tile.carryPeriod;
+    shape = carried(shape, carry, between, flow, likenessOf(tile, between * flow.velocity));
+    return carry;
+}
+
+// Likewise of free waves [first, end).
+Carry carriedCopies(uint first, uint end, Flow flow, inout Shape shape)
+{
+    if (!WITH_FLOW || !isMoved(flow))
+    {
+        return Carry(vec2(1.0, 0.0), vec2(0.0));
+    }
+    Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+    float between = 0.5 * waves[first].carryPeriod;
+    shape = carried(shape, carry, between, flow, likenessOf(first, end, between * flow.velocity));
+    return carry;
+}
+
+uint copyCount(Carry carry)
+{
+    return carry.weights.y != 0.0 ? 2 : 1;
+}
+
+// Adds a copy of waves as a look sees them. `flow` is in the look's axes.
+void addLooked(Look look, Flow flow, Shape shape, float weight, float seconds, Sum own, inout Sum sum)
+{
+    turnWaterByLook(look, look.source.way - seconds * flow.slopes, own.value, own.alongX, own.alongZ);
+    addShaped(Shape(weight * shape.weight, weight * shape.slope), own, sum);
+}
+
+void addLookedTile(Look look, Flow flow, Ground ground, swQueryTile tile, uint lane, vec4 cubic, inout Sum sum)
+{
+    Shape shape = attenuated(look.shape, ground, tile.waveNumber, attenuationOf(tile));
+    Carry carry = carriedCopies(tile, flow, shape);
+    for (uint c = 0; c < copyCount(carry); ++c)
+    {
+        Sum own = NO_WATER;
+        addTile(tile, queryCellOf(look.at), queryRestOf(look.at) - carry.seconds[c] * flow.velocity, lane, cubic, own);
+        addLooked(look, flow, shape, carry.weights[c], carry.seconds[c], own, sum);
+    }
+}
+
+void addLookedWaves(Look look, Flow flow, Ground ground, uint first, uint end, inout Sum sum)
+{
+    Shape shape = attenuated(look.shape, ground, waves[first].waveNumber, waves[first].attenuation);
+    Carry carry = carriedCopies(first, end, flow, shape);
+    for (uint c = 0; c < copyCount(carry); ++c)
+    {
+        Sum own = NO_WATER;
+        for (uint i = first; i < end; ++i)
+        {
+            addWave(waves[i], queryCellOf(look.at), queryRestOf(look.at) - carry.seconds[c] * flow.velocity, own);
+        }
+        addLooked(look, flow, shape, carry.weights[c], carry.seconds[c], own, sum);
+    }
+}
+
+// Bits of the systems among the first tiles and free waves some of whose waves run along splines here.
+uint ribbonSystemsOf(Shaper shaper, uint tileCount, uint waveCount)
+{
+    uint systems = shaper.ribbonSystems & systemsOf(tileCount, waveCount);
+    for (uint bits = systems; bits != 0; bits &= bits - 1)
+    {
+        systems &= slotOf(findLSB(bits)) < SW_QUERY_RIBBON_SYSTEMS ? ~0u : ~(1u << findLSB(bits));
+    }
+    return systems;
+}
+
+// Adds waves along splines. Groups of free waves go round the lanes.
+void addRibbonWater(Shaper shaper, uint tileCount, uint waveCount, uint lane, vec4 cubic, inout Sum sum)
+{
+    uint systems = ribbonSystemsOf(shaper, tileCount, waveCount);
+    for (; systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        for (uint l = 0; l < 2; ++l)
+        {
+            Look look = askedLook(system, l);
+            Flow flow = turnFlowByLook(look, shaper.flow);
+            for (uint i = 0; i < tileCount && isLookThere(look); ++i)
+            {
+                if (tiles[i].system == system)
+                {
+                    addLookedTile(look, flow, shaper.ground, tiles[i], lane, cubic, sum);
+                }
+            }
+            uint turn = 0;
+            for (uint first = 0; first < waveCount && isLookThere(look); ++turn)
+            {
+                uint end = min(waves[first].groupEnd, waveCount);
+                if (waves[first].system == system && turn % SW_QUERY_LANES == lane)
+                {
+                    addLookedWaves(look, flow, shaper.ground, first, end, sum);
+                }
+                first = end;
+            }
+        }
+    }
+}
+
 // addWater() of the first tiles and waves, shaped.
 void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, vec2 rest, uint lane, inout Sum sum)
 {
@@ -404,6 +580,10 @@ void addShapedWater(Shaper shaper, uint tileCount, uint waveCount, ivec2 cell, v
             addTile(tiles[i], cell, rest, lane, cubic, own);
         }
         addShaped(shape, own, sum);
+    }
+    if (WITH_RIBBONS && shaper.ribbonSystems != 0)
+    {
+        addRibbonWater(shaper, tileCount, waveCount, lane, cubic, sum);
     }
     if (doesCarry(shaper))
     {

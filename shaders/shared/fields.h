@@ -14,8 +14,8 @@
 SW_PARAMS(swInputHead)
 {
     swInputRange ranges[SW_FIELD_OF_COUNT];
-    sw_uint localSystems; // see swInputSet
-    sw_uint unused0, unused1, unused2;
+    sw_uint localSystems, ribbonSystems; // see swInputSet
+    sw_uint unused0, unused1;
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 
@@ -30,12 +30,15 @@ SW_PARAMS(swFieldSlice)
 };
 SW_PARAMS_SIZE(swFieldSlice, 32);
 
+#define SW_BLOCK_FLOWS 1u     // the water flows somewhere in it
+#define SW_BLOCK_DISPLACED 2u // inputs may displace the water there
+
 // A block of SW_SLICE_WIDTH x SW_SLICE_HEIGHT texels: what shapes waves there.
 SW_PARAMS(swFieldBlock)
 {
     float leastDepth; // m, at least 0
     sw_uint systems;  // bit of each wave system, modulo 32, that has a weight of its own there
-    sw_uint isMoved;  // 1: the water flows somewhere in it
+    sw_uint flags;    // SW_BLOCK_...
 };
 SW_PARAMS_SIZE(swFieldBlock, 12);
 #endif

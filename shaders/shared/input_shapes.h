@@ -12,7 +12,7 @@
 #include "shape_raster.h"
 #include "shape_spline.h"
 
-// At a place in own coordinates, before the record's weight.
+// At a place in own coordinates, before the record's weight; but for waves along splines.
 SW_FORMULA swInputSample swSampleShape(SW_WORDS words, swInputRecord record, sw_vec3 own)
 {
     if (record.shape == SW_FORM_CIRCLE)
@@ -115,6 +115,13 @@ SW_FORMULA swInputSample swFinishInputSample(swInputRecord record, swInputSample
     return s;
 }
 
+// Whether a record makes waves run along its spline. Those are found by swFindRibbonWaves(), which swSampleShape()
+// leaves out so that shaders hold it no more often than they need.
+SW_FORMULA bool swRunsAlong(swInputRecord record)
+{
+    return record.shape == SW_FORM_SPLINE && (record.flags & SW_INPUT_ALONG_SPLINE) != 0u;
+}
+
 // What a record says at a place in cells, `height` m above sea level.
 SW_FORMULA swInputSample swSampleInput(SW_WORDS words, swInputRecord record, sw_int cellX, sw_int cellZ, float restX,
                                        float restZ, float height)
@@ -124,6 +131,10 @@ SW_FORMULA swInputSample swSampleInput(SW_WORDS words, swInputRecord record, sw_
     own.x = across.x;
     own.y = height - record.size.w;
     own.z = across.y;
+    if (swRunsAlong(record))
+    {
+        return swFinishInputSample(record, swSayRibbonWaves(record, swFindRibbonWaves(words, record, own.x, own.z)));
+    }
     return swFinishInputSample(record, swSampleShape(words, record, own));
 }
 #endif

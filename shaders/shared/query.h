@@ -16,6 +16,8 @@
 #define SW_QUERY_LANES 4
 // Points of a workgroup.
 #define SW_QUERY_POINTS 8
+// Systems whose waves may run along splines: those of the lowest slots.
+#define SW_QUERY_RIBBON_SYSTEMS 8
 
 // Bits of swQueryParams::outputs, the same as swGpuQueryOutput.
 #define SW_QUERY_WANTS_SIDEWAYS 1

@@ -126,7 +126,8 @@ SW_PARAMS(swWaveLooks)
 SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint system, swWaveLooks looks,
                                    sw_int cellX, sw_int cellZ, float restX, float restZ)
 {
-    bool isAlong = (record.flags & SW_INPUT_ALONG_SPLINE) != 0u;
+    bool isAlong = swRunsAlong(record);
+    sw_vec2 across = swPlaceInInput(record, cellX, cellZ, restX, restZ);
     swRibbonWaves waves;
     waves.foot = swBeginFoot();
     waves.share = swKeepChannel(0.0f);
@@ -134,13 +135,16 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint
     if (isAlong)
     {
         // Found once, for what is taken from below and for what is added.
-        sw_vec2 own = swPlaceInInput(record, cellX, cellZ, restX, restZ);
-        waves = swFindRibbonWaves(words, record, own.x, own.y);
+        waves = swFindRibbonWaves(words, record, across.x, across.y);
         s = swFinishInputSample(record, swSayRibbonWaves(record, waves));
     }
     else
     {
-        s = swSampleInput(words, record, cellX, cellZ, restX, restZ, 0.0f);
+        sw_vec3 own;
+        own.x = across.x;
+        own.y = -record.size.w;
+        own.z = across.y;
+        s = swFinishInputSample(record, swSampleShape(words, record, own));
     }
     if (s.share <= 0.0f)
     {

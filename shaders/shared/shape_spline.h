@@ -686,7 +686,7 @@ SW_FORMULA swInputSample swSayRibbonWaves(swInputRecord record, swRibbonWaves wa
 
 // ---- what an input says ----
 
-SW_FORMULA swInputSample swSampleRibbon(SW_WORDS words, swInputRecord record, float x, float z)
+SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, float x, float z)
 {
     swSegmentList list = swListSegments(words, x, z);
     swRibbonMix mix = swBeginRibbonMix();
@@ -722,14 +722,5 @@ SW_FORMULA swInputSample swSampleRibbon(SW_WORDS words, swInputRecord record, fl
         mix = swMixEnd(words, mix, first + SW_UINT(SW_WORD(words, SW_RIBBON_SEGMENTS)) * SW_KNOT_WORDS, x, z);
     }
     return swFinishRibbon(record, mix);
-}
-
-SW_FORMULA swInputSample swSampleSpline(SW_WORDS words, swInputRecord record, float x, float z)
-{
-    if ((record.flags & SW_INPUT_ALONG_SPLINE) != 0u)
-    {
-        return swSayRibbonWaves(record, swFindRibbonWaves(words, record, x, z));
-    }
-    return swSampleRibbon(words, record, x, z);
 }
 #endif

@@ -61,8 +61,11 @@ SW_PARAMS(swSliceTile)
     float waveNumber;    // in the middle of the tile's waves, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint cellTurns;  // how far a cell of SW_QUERY_CELL takes one through the tile, a fraction of 2^32 of a turn
+    sw_uint carryTurns; // of copies that a flow carries, see swQueryTile
+    float carryPeriod;
 };
-SW_PARAMS_SIZE(swSliceTile, 68);
+SW_PARAMS_SIZE(swSliceTile, 80);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.
@@ -77,8 +80,12 @@ SW_PARAMS(swSliceWave)
     float waveNumber; // of its octave, rad/m
     sw_uint system;
     swAttenuation attenuation;
+    sw_uint cellTurnsX, cellTurnsZ; // likewise
+    sw_uint groupEnd; // of those that are carried together, counted from the slice's first wave: one past the last
+    sw_uint carryTurns;
+    float carryPeriod;
 };
-SW_PARAMS_SIZE(swSliceWave, 56);
+SW_PARAMS_SIZE(swSliceWave, 76);
 
 // The waves of a slice: tiles[first .. first + count) as cubics, windowCount tiles behind them texel by texel, and
 // waves[firstWave .. firstWave + waveCount).
@@ -90,8 +97,8 @@ SW_PARAMS(swSliceList)
     sw_uint firstWave;
     sw_uint waveCount;
     float texelsPerMetre;
-    sw_uint groupRows; // rows of texels whose knots are laid out together
-    sw_uint unused;
+    sw_uint groupRows;   // rows of texels whose knots are laid out together
+    float minWavelength; // m: shorter waves do not count
 };
 SW_PARAMS_SIZE(swSliceList, 32);
 #endif

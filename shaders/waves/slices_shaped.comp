@@ -17,8 +17,11 @@
 #include "shared/waves.h"
 
 layout(local_size_x = SW_SLICE_WIDTH) in;
-layout(constant_id = 0) const bool WITH_WAVES = true;   // free waves
-layout(constant_id = 1) const bool WITH_WEIGHTS = true; // systems may have weights of their own there
+layout(constant_id = 0) const bool WITH_WAVES = true;        // free waves
+layout(constant_id = 1) const bool WITH_WEIGHTS = true;      // systems may have weights of their own there
+layout(constant_id = 2) const bool WITH_FLOW = true;         // a flow may carry waves
+layout(constant_id = 3) const bool WITH_DISPLACEMENT = true; // inputs may displace the water
+layout(constant_id = 4) const bool WITH_RIBBONS = true;      // some waves run along splines
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -67,13 +70,23 @@ layout(std430, binding = 11) writeonly buffer Shaped
 {
     vec4 shaped[];
 };
+layout(binding = 12, rgba32f) uniform readonly image2DArray flow;       // velocity along x and z
+layout(binding = 13, rgba16f) uniform readonly image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(std430, binding = 14) readonly buffer Likeness
+{
+    float likeness[]; // see lib/likeness.glsl
+};
 layout(push_constant) uniform Push
 {
     uint resolution;
 };
 
 #include "lib/inputs.glsl"
+
+#include "lib/displaced.glsl"
+#include "lib/likeness.glsl"
 #include "lib/places.glsl"
+#include "lib/ribbons.glsl"
 #include "lib/slice_waves.glsl"
 
 swFieldBlock fieldBlock;
@@ -105,8 +118,29 @@ Shape weightOf(uint system, uint column, uint row)
     {
         return Shape(1.0, vec2(0.0));
     }
-    vec3 weight = firstOf(fieldAt(SW_FIELD_OF_WAVES, system, placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row)));
+    SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row);
+    swInputValue value;
+    if (WITH_RIBBONS)
+    {
+        value = looksAt(SW_FIELD_OF_WAVES, system, place).plain;
+    }
+    else
+    {
+        value = fieldAt(SW_FIELD_OF_WAVES, system, place);
+    }
+    vec3 weight = firstOf(value);
     return Shape(weight.x, weight.yz);
+}
+
+bool doesCarry()
+{
+    return WITH_FLOW && (fieldBlock.flags & SW_BLOCK_FLOWS) != 0;
+}
+
+Flow flowAt(uint column, uint row)
+{
+    ivec3 texel = ivec3(column, row, gl_WorkGroupID.z);
+    return Flow(imageLoad(flow, texel).xy, imageLoad(flowSlopes, texel));
 }
 
 // Adds waves of one shape.
@@ -205,17 +239,226 @@ void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, Sh
     }
 }
 
+// ---- waves that a flow carries ----
+
+// Adds a copy of waves: what it counts, and the slopes of where it is looked up less where that is.
+void addCopy(inout Texel texel, float weight, vec4 way, Texel own)
+{
+    vec3 alongZ = vec3(own.alongX.z, own.alongZ);
+    texel.sum += weight * own.sum;
+    texel.alongX += weight * (own.alongX * (1.0 + way.x) + alongZ * way.z);
+    texel.alongZ += weight * (own.alongX.yz * way.y + own.alongZ * (1.0 + way.w));
+}
+
+// Adds both copies of a tile to a texel of the run, from all sixteen coefficients around each.
+void addCarriedTile(inout Run run, swSliceTile tile, uint column, uint row, uint i, Flow moved, Shape shape)
+{
+    Texel sum = CALM;
+    if (!isMoved(moved)) // of the block's other texels
+    {
+        addWindow(sum, tile, column, row);
+        addToRun(run, i, sum, shape);
+        return;
+    }
+    Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
+    float between = 0.5 * tile.carryPeriod;
+    vec3 rho = likenessOf(tile.firstTexel, tile.resolution, tile.perMetre, between * moved.velocity);
+    for (uint c = 0; c < 2; ++c)
+    {
+        vec2 way = -carry.seconds[c] * moved.velocity * tile.perMetre;
+        Texel own = CALM;
+        addWindowAt(own, tile, splineX(tile, column) + way.x, splineZ(tile, row) + way.y);
+        addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
+    }
+    addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
+}
+
+float turnsOf(swSliceWave wave, vec2 way)
+{
+    return (wave.kx * way.x + wave.kz * way.y) * (1.0 / 6.28318530718);
+}
+
+// How alike the heights of free waves [first, end) are a way apart: the mean of cos(k . way), by energy.
+vec3 likenessOf(uint first, uint end, vec2 way)
+{
+    float energy = 0.0;
+    vec3 found = vec3(0.0);
+    for (uint i = first; i < end; ++i)
+    {
+        swSliceWave wave = waves[i];
+        float square = wave.amplitude * wave.amplitude;
+        vec2 unit = square * unitOf(toTurns(turnsOf(wave, way)));
+        energy += square;
+        found += vec3(unit.x, -unit.y * vec2(wave.kx, wave.kz));
+    }
+    return energy > 0.0 ? found / energy : vec3(1.0, 0.0, 0.0);
+}
+
+// Both copies of free waves [first, end), which are of one octave and one system.
+void addCarriedWaves(inout Run run, uint first, uint end, uint column, uint row, uint i, Flow moved, Shape shape)
+{
+    Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+    float between = 0.5 * waves[first].carryPeriod;
+    vec3 rho = likenessOf(first, end, between * moved.velocity);
+    Texel sum = CALM;
+    for (uint c = 0; c < 2; ++c)
+    {
+        vec2 way = -carry.seconds[c] * moved.velocity;
+        Texel own = CALM;
+        for (uint k = first; k < end; ++k)
+        {
+            swSliceWave wave = waves[k];
+            addWave(own, wave, wave.amplitude * unitOf(phaseOfTexel(wave, column, row) + toTurns(turnsOf(wave, way))));
+        }
+        addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
+    }
+    addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
+}
+
+// ---- waves along splines ----
+
+// Bits of the systems of which some waves run along splines in the block.
+uint ribbonSystemsOfBlock()
+{
+    return WITH_RIBBONS ? fieldBlock.systems & inputHead.ribbonSystems : 0u;
+}
+
+// The way from the slice's first texel to so many seconds against a flow from a place.
+Way wayTo(SeaPlace place, float seconds, Flow moved)
+{
+    swFieldSlice slice = fieldSlices[gl_WorkGroupID.z];
+    return Way(place.cell - ivec2(slice.cellX, slice.cellZ),
+               place.rest - vec2(slice.restX, slice.restZ) - seconds * moved.velocity);
+}
+
+// Adds one of the copies of waves as a look sees them. `moved` is in the look's axes.
+void addLooked(inout Run run, uint i, Look look, Flow moved, Shape shape, float weight, float seconds, Texel own)
+{
+    turnWaterByLook(look, look.source.way - seconds * moved.slopes, own.sum, own.alongX, own.alongZ);
+    addToRun(run, i, own, Shape(weight * shape.weight, weight * shape.slope));
+}
+
+void addLookedTile(inout Run run, uint i, swSliceTile tile, Look look, Flow moved, Shape shape)
+{
+    Carry carry = Carry(vec2(1.0, 0.0), vec2(0.0));
+    if (isMoved(moved) && tile.carryPeriod > 0.0)
+    {
+        float between = 0.5 * tile.carryPeriod;
+        carry = carryOf(tile.carryTurns, tile.carryPeriod);
+        shape = carried(shape, carry, between, moved,
+                        likenessOf(tile.firstTexel, tile.resolution, tile.perMetre, between * moved.velocity));
+    }
+    for (uint c = 0; c < (carry.weights.y != 0.0 ? 2 : 1); ++c)
+    {
+        Texel own = CALM;
+        addTileAt(own, tile, wayTo(look.at, carry.seconds[c], moved));
+        addLooked(run, i, look, moved, shape, carry.weights[c], carry.seconds[c], own);
+    }
+}
+
+// Free waves [first, end), which are of one octave and one system.
+void addLookedWaves(inout Run run, uint i, uint first, uint end, Look look, Flow moved, Shape shape)
+{
+    Carry carry = Carry(vec2(1.0, 0.0), vec2(0.0));
+    if (isMoved(moved))
+    {
+        float between = 0.5 * waves[first].carryPeriod;
+        carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
+        shape = carried(shape, carry, between, moved, likenessOf(first, end, between * moved.velocity));
+    }
+    for (uint c = 0; c < (carry.weights.y != 0.0 ? 2 : 1); ++c)
+    {
+        Texel own = CALM;
+        for (uint k = first; k < end; ++k)
+        {
+            addWaveAt(own, waves[k], wayTo(look.at, carry.seconds[c], moved));
+        }
+        addLooked(run, i, look, moved, shape, carry.weights[c], carry.seconds[c], own);
+    }
+}
+
+// Adds a system's tiles and free waves as they are seen by a look to a texel of the run.
+void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, uint column, uint row)
+{
+    if (!isLookThere(look))
+    {
+        return;
+    }
+    Ground ground = groundOf(column, row);
+    Flow moved = STILL;
+    if (doesCarry())
+    {
+        moved = turnFlowByLook(look, flowAt(column, row));
+    }
+    for (uint k = 0; k < list.count + list.windowCount; ++k)
+    {
+        swSliceTile tile = tiles[list.first + k];
+        if (tile.system == system)
+        {
+            addLookedTile(run, i, tile, look, moved, attenuated(look.shape, ground, tile.waveNumber, tile.attenuation));
+        }
+    }
+    uint end = 0;
+    for (uint k = 0; k < (WITH_WAVES ? list.waveCount : 0); k = end)
+    {
+        swSliceWave wave = waves[list.firstWave + k];
+        end = wave.groupEnd;
+        if (wave.system == system)
+        {
+            addLookedWaves(run, i, list.firstWave + k, list.firstWave + end, look, moved,
+                           attenuated(look.shape, ground, wave.waveNumber, wave.attenuation));
+        }
+    }
+}
+
+// Bits of the systems of a slice.
+uint systemsOf(swSliceList list)
+{
+    uint systems = 0;
+    for (uint k = 0; k < list.count + list.windowCount; ++k)
+    {
+        systems |= 1u << tiles[list.first + k].system;
+    }
+    for (uint k = 0; k < (WITH_WAVES ? list.waveCount : 0); k = waves[list.firstWave + k].groupEnd)
+    {
+        systems |= 1u << waves[list.firstWave + k].system;
+    }
+    return systems;
+}
+
+// Adds waves along splines.
+void addRibbons(inout Run run, swSliceList list, uint column, uint lowest)
+{
+    for (uint systems = ribbonSystemsOfBlock() & systemsOf(list); systems != 0; systems &= systems - 1)
+    {
+        uint system = findLSB(systems);
+        for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+        {
+            SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, lowest + i);
+            swRibbonLooks looks = looksAt(SW_FIELD_OF_WAVES, system, place).ribbons;
+            addLook(run, i, list, system, lookOf(looks.first), column, lowest + i);
+            addLook(run, i, list, system, lookOf(looks.second), column, lowest + i);
+        }
+    }
+}
+
 // ---- all of a run ----
 
 // Adds the tiles and free waves that are shaped in this block.
 void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
 {
     Ground grounds[SW_SHAPED_RUN];
+    Flow flows[SW_SHAPED_RUN];
     Shape weights[SW_SHAPED_RUN], shapes[SW_SHAPED_RUN];
     for (uint i = 0; i < SW_SHAPED_RUN; ++i)
     {
         grounds[i] = groundOf(column, lowest + i);
         weights[i] = Shape(1.0, vec2(0.0));
+        flows[i] = STILL;
+        if (doesCarry())
+        {
+            flows[i] = flowAt(column, lowest + i);
+        }
     }
     uint system = ~0u; // that `weights` are of
     uint tileCount = list.count + list.windowCount;
@@ -240,7 +483,24 @@ void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
             shapes[i] = attenuated(weights[i], grounds[i], number, attenuation);
         }
         system = its;
-        if (isTile)
+        if (doesCarry() && isTile && tile.carryPeriod > 0.0)
+        {
+            for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+            {
+                addCarriedTile(run, tile, column, lowest + i, i, flows[i], shapes[i]);
+            }
+        }
+        else if (doesCarry() && !isTile)
+        {
+            uint first = k - tileCount;
+            for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+            {
+                addCarriedWaves(run, list.firstWave + first, list.firstWave + wave.groupEnd, column, lowest + i, i,
+                                flows[i], shapes[i]);
+            }
+            k += wave.groupEnd - first - 1;
+        }
+        else if (isTile)
         {
             addShapedTile(run, tile, column, lowest, shapes);
         }
@@ -258,6 +518,25 @@ void storeShaped(uint column, uint row, Texel texel)
     shaped[at + gl_NumWorkGroups.z * resolution * resolution] = vec4(texel.alongX.yz, texel.alongZ);
 }
 
+Texel texelOfRun(Run run, uint i)
+{
+    if (i < 2)
+    {
+        return i == 0 ? run.a : run.b;
+    }
+    return i == 2 ? run.c : run.d;
+}
+
+// Once inputs have joined that displace the water.
+Texel displacedTexel(Texel texel, float least, uint column, uint row)
+{
+    swInputValue waves =
+        swInputValue(vec4(texel.sum, 0.0), vec4(texel.alongX, 0.0), vec4(texel.alongX.z, texel.alongZ, 0.0));
+    waves = displacedWater(placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row), swDisplaceRange(least, 0.0, 0.0),
+                           waves);
+    return Texel(waves.value.xyz, waves.alongX.xyz, waves.alongZ.yz);
+}
+
 void main()
 {
     uint column = gl_GlobalInvocationID.x;
@@ -271,8 +550,17 @@ void main()
     }
     Run run = Run(CALM, CALM, CALM, CALM);
     addAllShaped(run, lists[gl_WorkGroupID.z], column, lowest);
-    storeShaped(column, lowest, run.a);
-    storeShaped(column, lowest + 1, run.b);
-    storeShaped(column, lowest + 2, run.c);
-    storeShaped(column, lowest + 3, run.d);
+    if (ribbonSystemsOfBlock() != 0)
+    {
+        addRibbons(run, lists[gl_WorkGroupID.z], column, lowest);
+    }
+    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    {
+        Texel texel = texelOfRun(run, i);
+        if (WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0)
+        {
+            texel = displacedTexel(texel, lists[gl_WorkGroupID.z].minWavelength, column, lowest + i);
+        }
+        storeShaped(column, lowest + i, texel);
+    }
 }

@@ -478,6 +478,105 @@ static void RemovedSystemsLeaveTheFile(void** state)
     remove(path);
 }
 
+// What the panel changes of inputs and bodies is in the sea with the next step, and goes into the file.
+#define LAKES                                                                                                          \
+    SMALL "inputs: # two\n"                                                                                            \
+          "  - {field: level, value: 1.5} # everywhere\n"                                                              \
+          "  - {field: waves, waves: 1, value: 0.5}\n"                                                                 \
+          "  - {field: flow, shape: circle, value: [1, 0]}\n"                                                          \
+          "water_bodies:\n"                                                                                            \
+          "  - {name: pond, order: 1, waves: 1, position_m: [500, 3, 0], points: [[-9, -9], [9, -9], [0, 9]]}\n"       \
+          "waves:\n"                                                                                                   \
+          "  - {beaufort: 3, resolution: 64, tile_waves: 16}\n"                                                        \
+          "  - {beaufort: 2, resolution: 64, tile_waves: 16, seed: 2}\n"
+
+static float FindLevel(const Sea* sea, double x, float* weight)
+{
+    const swPosXZ origin = swWorld_GetOrigin(sea->world), point = {x - origin.x, -origin.z};
+    float level = 0.0f;
+    const swFieldSamples samples = {.level = &level, .weight = weight, .system = sea->waves[0].id};
+    assert_int_equal(swMoment_QueryFields(swWorld_GetMoment(sea->world), 1, &point, &samples), 0);
+    return level;
+}
+
+static void InputsFollowThePanel(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(LAKES);
+    float weight = 0.0f;
+    StepTo(&sea, 0.0);
+    assert_float_equal(FindLevel(&sea, 0.0, &weight), 1.5f, 0.0f);
+    assert_float_equal(weight, 0.5f, 1e-6f);
+    assert_float_equal(FindLevel(&sea, 500.0, &weight), 3.0f, 1e-6f);
+    assert_int_equal(CountChanges(&sea), 0);
+    swWorld_SetOrigin(sea.world, (swPosXZ){4096.0, 512.0}); // the panel's coordinates are the file's
+    sea.inputs[0].def.value[0] = 2.5f;
+    sea.inputs[1].def.value[0] = 0.25f;
+    sea.bodies[0].def.position.y = 4.0;
+    sea.inputs[0].hasChanged = sea.inputs[1].hasChanged = sea.bodies[0].hasChanged = true;
+    ApplyChanges(&sea, false);
+    StepTo(&sea, 0.1);
+    assert_float_equal(FindLevel(&sea, 0.0, &weight), 2.5f, 0.0f);
+    assert_float_equal(weight, 0.25f, 1e-6f);
+    assert_float_equal(FindLevel(&sea, 500.0, &weight), 4.0f, 1e-6f);
+    assert_int_equal(CountChanges(&sea), 3);
+    sea.inputs[0].def.weight = 2.0f; // which only sums may have: what was taken before stays
+    sea.inputs[0].hasChanged = true;
+    ApplyChanges(&sea, false);
+    assert_true(sea.inputs[0].def.weight == 1.0f && sea.inputs[0].def.value[0] == 2.5f);
+    assert_non_null(strstr(s_message, "weight above 1"));
+    assert_true(ResetChanges(&sea));
+    ApplyChanges(&sea, false);
+    StepTo(&sea, 0.2);
+    assert_float_equal(FindLevel(&sea, 0.0, &weight), 1.5f, 0.0f);
+    CloseSea(&sea);
+}
+
+static void InputsOfRemovedWavesAreNotThere(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(LAKES);
+    float weight = 0.0f;
+    StepTo(&sea, 0.0);
+    RemoveWaves(&sea, 0);
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 1.0);
+    const swPosXZ point = {0.0, 0.0};
+    const swFieldSamples samples = {.weight = &weight, .system = sea.waves[1].id};
+    swMoment_QueryFields(swWorld_GetMoment(sea.world), 1, &point, &samples);
+    assert_float_equal(weight, 1.0f, 0.0f); // not those of all systems
+    assert_true(BringBackWaves(&sea, 0));
+    ApplyChanges(&sea, true);
+    StepTo(&sea, 2.0);
+    FindLevel(&sea, 0.0, &weight);
+    assert_float_equal(weight, 0.5f, 1e-6f);
+    CloseSea(&sea);
+}
+
+static void ChangedInputsAreSaved(void** state)
+{
+    (void)state;
+    char path[] = "/tmp/seaway_view_XXXXXX", text[2048] = "";
+    int file = mkstemp(path);
+    assert_true(write(file, LAKES, strlen(LAKES)) == (ssize_t)strlen(LAKES));
+    close(file);
+    Sea sea;
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, path));
+    sea.inputs[0].def.value[0] = -0.5f;
+    sea.inputs[2].def.isEnabled = false;
+    sea.bodies[0].def.isCalm = true;
+    assert_int_equal(SaveSea(&sea, path, path), SW_SUCCESS);
+    CloseSea(&sea);
+    FILE* read = fopen(path, "rb");
+    assert_true(fread(text, 1, sizeof(text) - 1, read) > 0);
+    fclose(read);
+    remove(path);
+    assert_non_null(strstr(text, "  - {field: level, value: -0.5} # everywhere\n"));
+    assert_non_null(strstr(text, "  - {field: flow, shape: circle, value: [1, 0], is_enabled: false}\n"));
+    assert_non_null(strstr(text, "points: [[-9, -9], [9, -9], [0, 9]], is_calm: true}\n"));
+    assert_non_null(strstr(text, "inputs: # two\n"));
+}
+
 static void AnOpenSeaWithoutAFileIsSavedAsANewScene(void** state)
 {
     (void)state;
@@ -521,6 +620,9 @@ int main(void)
         cmocka_unit_test(WhatIsSavedReadsBackAsThePanelHadIt),
         cmocka_unit_test(RemovedSystemsLeaveTheFile),
         cmocka_unit_test(AnOpenSeaWithoutAFileIsSavedAsANewScene),
+        cmocka_unit_test(InputsFollowThePanel),
+        cmocka_unit_test(InputsOfRemovedWavesAreNotThere),
+        cmocka_unit_test(ChangedInputsAreSaved),
         cmocka_unit_test(WhatCannotBeSavedLeavesTheFile),
         cmocka_unit_test(ASoftwareDeviceDrawsFewerPixelsThanTheWindowHas),
         cmocka_unit_test(ChangesRunOverTheTransition),

@@ -58,6 +58,7 @@ void DrawPanels(App* app)
     DrawMessagePanel(app);
     DrawTimePanel(app);
     DrawSeaPanel(app);
+    DrawInputPanel(app);
     DrawSkyPanel(app);
     DrawViewPanel(app);
     DrawLayerPanel(app);

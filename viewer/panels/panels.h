@@ -12,6 +12,7 @@ void DrawTimePanel(App* app);
 void DrawSeaPanel(App* app);
 void DrawSkyPanel(App* app);
 void DrawViewPanel(App* app);
+void DrawInputPanel(App* app);
 void DrawLayerPanel(App* app);
 void DrawTimingPanel(App* app);
 void DrawMessagePanel(App* app);

@@ -157,22 +157,45 @@ static bool TurnFieldChoice(const swField* field, const char* label, int* value,
     return hasChanged;
 }
 
-// Three knobs for what has a unit, a colour for what has none.
-static bool TurnThree(const swField* field, const char* label, swVec3* value, const swVec3* filed)
+// What three numbers are called behind the field's label.
+static const char* NamePart(const swField* field, int index)
 {
-    static const char* const parts[3] = {"red", "green", "blue"};
+    static const char* const colors[3] = {"red", "green", "blue"};
+    static const char* const angles[3] = {"yaw", "pitch", "roll"};
+    static const char* const axes[3] = {"x", "y", "z"};
+    return field->form == SW_FORM_COLOR ? colors[index] : field->form == SW_FORM_DEGREES ? angles[index] : axes[index];
+}
+
+// A knob for each of three, but a colour for one that has no unit.
+static bool TurnThree(const swField* field, const char* label, float* values, const float* filed)
+{
     if (field->form == SW_FORM_COLOR && field->unit[0] == '\0')
     {
-        return TurnColor(label, value, filed);
+        return TurnColor(label, (swVec3*)values, (const swVec3*)filed);
     }
-    float* values[3] = {&value->x, &value->y, &value->z};
     bool hasChanged = false;
     for (int i = 0; i < 3; i++)
     {
-        const float* others[3] = {&filed->x, &filed->y, &filed->z};
         char text[64];
-        snprintf(text, sizeof(text), "%s %s", label, parts[i]);
-        hasChanged |= TurnNumber(field, text, values[i], filed != NULL ? others[i] : NULL);
+        snprintf(text, sizeof(text), "%s %s", label, NamePart(field, i));
+        hasChanged |= TurnNumber(field, text, &values[i], filed != NULL ? &filed[i] : NULL);
+    }
+    return hasChanged;
+}
+
+// A position, which may be anywhere: its knobs turn about where the file has it.
+static bool TurnPosition(const swField* field, const char* label, double* values, const double* filed)
+{
+    bool hasChanged = false;
+    for (int i = 0; i < 3; i++)
+    {
+        char text[64];
+        swField knob = *field;
+        double middle = filed != NULL ? filed[i] : 0.0;
+        knob.knobLow = fmin(middle + field->knobLow, values[i]);
+        knob.knobHigh = fmax(middle + field->knobHigh, values[i]);
+        snprintf(text, sizeof(text), "%s %s", label, NamePart(field, i));
+        hasChanged |= TurnDouble(&knob, text, &values[i], filed != NULL ? &filed[i] : NULL);
     }
     return hasChanged;
 }
@@ -202,6 +225,8 @@ bool TurnValue(const swField* field, const char* label, void* value, const void*
         return TurnDouble(field, text, value, filed);
     case SW_FIELD_FLOATS:
         return field->count == 3 && TurnThree(field, text, value, filed);
+    case SW_FIELD_DOUBLES:
+        return field->count == 3 && TurnPosition(field, text, value, filed);
     default:
         return false;
     }

@@ -68,3 +68,14 @@ uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* perio
     rest += rest < 0 ? periodTicks : 0;
     return begin + (uint32_t)(((uint64_t)rest << 32) / (uint64_t)periodTicks);
 }
+
+int swFindCarriedEnd(const swFreeWave* waves, int first, int count)
+{
+    float k = swGetOctaveWaveNumber(waves[first].wavelength);
+    int end = first + 1;
+    while (end < count && waves[end].system == waves[first].system && swGetOctaveWaveNumber(waves[end].wavelength) == k)
+    {
+        end += 1;
+    }
+    return end;
+}

@@ -288,6 +288,10 @@ static inline swPosXZ swGetTileShift(const swTile* tile, int64_t ticks)
 // second is half a turn ahead. `k` is swGetTileWaveNumber() or swGetOctaveWaveNumber(); `period` is in seconds.
 uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* period);
 
+// One past the last of the free waves of a frame that a flow carries together with wave `first`, of the first `count`:
+// those that follow it, of its system and its octave.
+int swFindCarriedEnd(const swFreeWave* waves, int first, int count);
+
 // Variance of one free wave's slope.
 static inline float swGetFreeWaveSlope(const swFreeWave* wave)
 {

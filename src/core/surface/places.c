@@ -164,12 +164,8 @@ swWaveGroup swGroupTile(const swTile* tile)
 swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves)
 {
     float k = swGetOctaveWaveNumber(waves[0].wavelength);
-    int some = 1;
-    while (some < count && waves[some].system == waves[0].system && swGetOctaveWaveNumber(waves[some].wavelength) == k)
-    {
-        some += 1;
-    }
-    return (swWaveGroup){.system = waves[0].system, .k = k, .waveCount = some, .waves = waves};
+    return (swWaveGroup){
+        .system = waves[0].system, .k = k, .waveCount = swFindCarriedEnd(waves, 0, count), .waves = waves};
 }
 
 // ---- shapes ----

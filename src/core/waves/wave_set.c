@@ -124,9 +124,33 @@ static bool copyDef(const swHost* host, const swWaveSystemDef* def, swWaveSet* s
     return true;
 }
 
+// One part of the scratch for each worker, large enough for tiles of that resolution.
+static bool growScratch(swWaves* waves, int resolution)
+{
+    size_t needed = (swGetTileScratchSize(resolution) + 63) & ~(size_t)63;
+    if (needed <= waves->scratchSize || !swHasAnyTexels(waves))
+    {
+        return true;
+    }
+    size_t workers = (size_t)waves->memory->host.workerCount;
+    void* scratch = swAllocate(&waves->memory->host, needed * workers);
+    if (scratch == NULL)
+    {
+        return false;
+    }
+    swFree(&waves->memory->host, waves->scratch, waves->scratchSize * workers);
+    waves->scratch = scratch;
+    waves->scratchSize = needed;
+    return true;
+}
+
 bool swAllocateTexels(swWaves* waves, swWaveSet* set)
 {
     size_t size = getTexelBytes(set->def.resolution);
+    if (!growScratch(waves, set->def.resolution))
+    {
+        return false;
+    }
     for (int i = 0; i < SW_TEXELS_COUNT * SW_SET_TILES; ++i)
     {
         int field = i % SW_TEXELS_COUNT, band = i / SW_TEXELS_COUNT;
@@ -152,26 +176,6 @@ static bool allocateTexels(swWaves* waves, swWaveSet* set)
     return swAllocateTexels(waves, set);
 }
 
-// One part of the scratch for each worker, large enough for tiles of that resolution.
-static bool growScratch(swWaves* waves, int resolution)
-{
-    size_t needed = (swGetTileScratchSize(resolution) + 63) & ~(size_t)63;
-    if (needed <= waves->scratchSize || !waves->hasTexels[SW_TEXELS_DISPLACEMENT])
-    {
-        return true;
-    }
-    size_t workers = (size_t)waves->memory->host.workerCount;
-    void* scratch = swAllocate(&waves->memory->host, needed * workers);
-    if (scratch == NULL)
-    {
-        return false;
-    }
-    swFree(&waves->memory->host, waves->scratch, waves->scratchSize * workers);
-    waves->scratch = scratch;
-    waves->scratchSize = needed;
-    return true;
-}
-
 static swResult failSet(swWaves* waves, swWaveSet* set, swResult result)
 {
     if (set != NULL)
@@ -195,9 +199,7 @@ static swResult makeWaves(swWaves* waves, swWaveSet* set)
                                 set->bands);
     }
     swFillSplineResponse(set->def.resolution, set->response);
-    swResult result = growScratch(waves, set->def.resolution) ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
-    result =
-        result == SW_SUCCESS ? swBuildModes(&waves->memory->host, &set->def, gravity, tension, set->bands) : result;
+    swResult result = swBuildModes(&waves->memory->host, &set->def, gravity, tension, set->bands);
     if (result == SW_SUCCESS && !allocateTexels(waves, set))
     {
         result = SW_ERROR_NO_MEMORY;

@@ -87,7 +87,7 @@ void swDeriveWaves(swWaves* waves, swFrame* frame)
 
 swResult swCarryWaves(swWaves* waves)
 {
-    if (waves->hasTexels[SW_TEXELS_LIKENESS] || !waves->hasTexels[SW_TEXELS_DISPLACEMENT])
+    if (waves->hasTexels[SW_TEXELS_LIKENESS])
     {
         return SW_SUCCESS;
     }
@@ -117,7 +117,7 @@ static void transform(void* context, int begin, int end, int worker)
 
 void swTransformWaves(swWaves* waves)
 {
-    if (!waves->hasTexels[SW_TEXELS_DISPLACEMENT])
+    if (!swHasAnyTexels(waves))
     {
         return;
     }

@@ -113,11 +113,17 @@ void swTransformWaves(swWaves* waves);
 // What is seen at any time, past or future, by the changes that are under way.
 void swFindShown(const swWaves* waves, double time, int64_t ticks, swShown* shown);
 
+// Whether the core makes texels at all: without queries of its own only the likeness that the GPU wants.
+static inline bool swHasAnyTexels(const swWaves* waves)
+{
+    return waves->hasTexels[SW_TEXELS_DISPLACEMENT] || waves->hasTexels[SW_TEXELS_LIKENESS];
+}
+
 // From now on tiles have their likeness: a flow that varies may carry the waves.
 swResult swCarryWaves(swWaves* waves);
 
 // wave_set.c
-bool swAllocateTexels(swWaves* waves, swWaveSet* set); // those that it lacks
+bool swAllocateTexels(swWaves* waves, swWaveSet* set); // those that it lacks, and scratch to make them
 // One that is there, or a new one. A local system shares its waves with no other, since places weigh them apart: of
 // such only those of the system at `slot` itself are taken; -1: a new one.
 swResult swAcquireSet(swWaves* waves, int slot, const swWaveSystemDef* def, const swDrift* drift, swWaveSet** set);

@@ -141,8 +141,8 @@ enum
 {
     LACKS_FUNCTIONS,
     LACKS_FLOW,
-    LACKS_RIBBONS,
     LACKS_DISPLACEMENT,
+    LACKS_RIBBONS,
     LACKS_FLOORS_BELOW, // of queries of the water below, like the next
     LACKS_WEIGHTS_BELOW,
     LACKS_COUNT
@@ -158,11 +158,36 @@ static uint32_t findLacks(const swInputSet* set)
         lacks |= (set->records[i].shape == SW_FORM_FUNCTION ? 1u : 0u) << LACKS_FUNCTIONS;
     }
     lacks |= (swHasInputs(set, SW_INPUT_FLOW) ? 1u : 0u) << LACKS_FLOW;
-    lacks |= (set->ribbonSystems != 0 ? 1u : 0u) << LACKS_RIBBONS;
     lacks |= (swHasInputs(set, SW_INPUT_DISPLACEMENT) ? 1u : 0u) << LACKS_DISPLACEMENT;
     lacks |= (swHasInputs(set, SW_INPUT_FLOOR) ? 1u : 0u) << LACKS_FLOORS_BELOW;
     lacks |= (swHasInputs(set, SW_INPUT_WAVES) || set->localSystems != 0 ? 1u : 0u) << LACKS_WEIGHTS_BELOW;
     return lacks;
+}
+
+// Whether waves of a system run along splines that queries have no room for, see keepLook() in surface_search.glsl.
+static bool isRibbonLeftOut(const swInputSet* set, int system)
+{
+    uint32_t below = set->ribbonSystems & ((1u << system) - 1u);
+    int slot = 0;
+    for (; below != 0; below &= below - 1)
+    {
+        slot += 1;
+    }
+    return (set->ribbonSystems >> system & 1u) != 0 && slot >= SW_QUERY_RIBBON_SYSTEMS;
+}
+
+static uint32_t findLackedRibbons(const swFrame* frame)
+{
+    bool isLeftOut = false;
+    for (int i = 0; i < frame->tileCount; ++i)
+    {
+        isLeftOut = isLeftOut || isRibbonLeftOut(frame->inputs, frame->tiles[i].system);
+    }
+    for (int i = 0; i < frame->waveCount; ++i)
+    {
+        isLeftOut = isLeftOut || isRibbonLeftOut(frame->inputs, frame->waves[i].system);
+    }
+    return (isLeftOut ? 1u : 0u) << LACKS_RIBBONS;
 }
 
 static void tellLacks(swGpuWorld* gpuWorld)
@@ -170,11 +195,10 @@ static void tellLacks(swGpuWorld* gpuWorld)
     static const char* const told[LACKS_COUNT] = {
         [LACKS_FUNCTIONS] = "layers, queries and rays of the GPU leave out functions of the host",
         [LACKS_FLOW] = "layers, queries and rays of the GPU leave out flow",
-        [LACKS_RIBBONS] =
-            "layers, queries and rays of the GPU leave out how waves along splines turn with the line: they "
-            "have the ribbon's weight only",
         [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs, which a view "
                                "with CPU layers on a software device has",
+        [LACKS_RIBBONS] = "queries and rays of the GPU leave out waves along splines of all but the first 8 systems "
+                          "that have such waves",
         [LACKS_FLOORS_BELOW] = "queries of the water below on the GPU leave out what a floor does to the motion there",
         [LACKS_WEIGHTS_BELOW] = "queries of the water below on the GPU leave out what weights of wave systems do to "
                                 "the motion there",
@@ -202,7 +226,7 @@ static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inpu
     result = result == SW_SUCCESS ? uploadRecords(gpu, set, inputs) : result;
     VkDeviceSize nodes = (VkDeviceSize)set->nodeCount * sizeof(swInputNode);
     result = result == SW_SUCCESS ? swUploadData(gpu, set->nodes, nodes, &inputs->nodesUpload) : result;
-    swInputHead head = {.localSystems = set->localSystems};
+    swInputHead head = {.localSystems = set->localSystems, .ribbonSystems = set->ribbonSystems};
     memcpy(head.ranges, set->ranges, sizeof(head.ranges));
     return result == SW_SUCCESS ? swUploadData(gpu, &head, sizeof(head), &inputs->headUpload) : result;
 }
@@ -214,10 +238,12 @@ swResult swPrepareGpuInputs(swGpuWorld* gpuWorld, const swFrame* frame)
     inputs->isAuthored = set != NULL && (set->recordCount > 0 || set->localSystems != 0);
     inputs->hasFlow = inputs->isAuthored && swHasInputs(set, SW_INPUT_FLOW);
     inputs->hasDisplacement = inputs->isAuthored && swHasInputs(set, SW_INPUT_DISPLACEMENT);
+    inputs->hasRibbons = set != NULL && set->ribbonSystems != 0;
     inputs->isBrought = inputs->isAuthored && (!inputs->isHeld || inputs->version != set->version ||
                                                inputs->wordsVersion != set->wordsVersion);
     swRetireBuffer(gpuWorld->gpu, &inputs->staging); // of a frame that was not recorded
     inputs->lacks = inputs->isBrought ? findLacks(set) : inputs->isAuthored ? inputs->lacks : 0;
+    inputs->lacks |= inputs->hasRibbons ? findLackedRibbons(frame) : 0;
     tellLacks(gpuWorld);
     return inputs->isBrought ? bringInputs(gpuWorld->gpu, set, inputs) : SW_SUCCESS;
 }

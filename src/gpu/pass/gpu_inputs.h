@@ -33,6 +33,7 @@ typedef struct swGpuInputs
     // Set by each swGpuWorld_Record(), valid for this frame.
     bool isAuthored; // there are inputs: otherwise nothing is held
     bool hasFlow, hasDisplacement;
+    bool hasRibbons; // waves of some systems run along splines
     bool isBrought;
     uint32_t lacks; // what is left out of answers, see gpu_inputs.c
     swUpload headUpload, recordsUpload, nodesUpload;

@@ -7,14 +7,15 @@
 
 typedef struct State
 {
-    swVariants pipelines; // without and with inputs
+    swVariants pipelines; // without and with inputs, and waves along splines
 } State;
 
 static swRayQueryConstants constantsOf(const swGpuWorld* gpuWorld)
 {
     return (swRayQueryConstants){.withInputs = gpuWorld->inputs.isAuthored ? 1 : 0,
                                  .withFlow = gpuWorld->inputs.hasFlow ? 1 : 0,
-                                 .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0};
+                                 .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0,
+                                 .withRibbons = gpuWorld->inputs.hasRibbons ? 1 : 0};
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)

@@ -24,6 +24,12 @@ typedef struct State
     ViewState views[SW_MAX_VIEWS];
 } State;
 
+// Turns as a fraction of 2^32.
+static uint32_t toPhase(double turns)
+{
+    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
+}
+
 // Spline coordinate of the slice's first texel along one axis, as a texel column and a fraction.
 static void reduceOffset(int64_t first, double texel, double shift, const swTile* tile, float* fraction, uint32_t* base)
 {
@@ -45,6 +51,7 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .waveNumber = swGetTileWaveNumber(tile),
         .system = (uint32_t)tile->system,
         .attenuation = tile->attenuation,
+        .cellTurns = toPhase((double)SW_QUERY_CELL / tile->side + 0x1p-33),
     };
     uint32_t baseX, baseZ;
     reduceOffset(slice->firstX, slice->texel, tile->shiftX, tile, &out.fractionX, &baseX);
@@ -119,6 +126,11 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
             continue;
         }
         swSliceTile tile = makeSliceTile(slice, &frame->tiles[i], gpuWorld->tiles.params[i].firstTexel);
+        if (gpuWorld->tiles.isCarried)
+        {
+            tile.carryTurns =
+                swGetCarryPhase(tile.waveNumber, frame->tiles[i].loopTicks, frame->ticks, &tile.carryPeriod);
+        }
         tile.columnCount = countColumns(&tile);
         if (tile.step <= SW_SLICE_STEP && count < SW_SLICE_TILES)
         {
@@ -141,12 +153,6 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
     list->windowCount += count - list->count;
 }
 
-// Turns as a fraction of 2^32.
-static uint32_t toPhase(double turns)
-{
-    return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
-}
-
 static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)
 {
     double place =
@@ -163,6 +169,8 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
         .waveNumber = swGetOctaveWaveNumber(wave->wavelength),
         .system = (uint32_t)wave->system,
         .attenuation = wave->attenuation,
+        .cellTurnsX = toPhase(wave->turnsX * (double)SW_QUERY_CELL + 0x1p-33),
+        .cellTurnsZ = toPhase(wave->turnsZ * (double)SW_QUERY_CELL + 0x1p-33),
     };
     swSinCosTurns(out.stepZ, &out.sinZ, &out.cosZ);
     return out;
@@ -171,10 +179,21 @@ static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, i
 // Longest first, as the frame has them.
 static void fillSliceWaves(const swFrame* frame, const swSlice* slice, swSliceWave* waves, swSliceList* list)
 {
-    for (int i = 0; i < frame->waveCount && frame->waves[i].wavelength >= slice->minWavelength; ++i)
+    int count = 0, groupEnd = 0;
+    while (count < frame->waveCount && frame->waves[count].wavelength >= slice->minWavelength)
     {
-        waves[list->waveCount++] = makeSliceWave(slice, &frame->waves[i], frame->ticks);
+        count += 1;
     }
+    for (int i = 0; i < count; ++i)
+    {
+        const swFreeWave* wave = &frame->waves[i];
+        swSliceWave seen = makeSliceWave(slice, wave, frame->ticks);
+        groupEnd = i == groupEnd ? swFindCarriedEnd(frame->waves, i, count) : groupEnd;
+        seen.groupEnd = (uint32_t)groupEnd;
+        seen.carryTurns = swGetCarryPhase(seen.waveNumber, wave->loopTicks, frame->ticks, &seen.carryPeriod);
+        waves[i] = seen;
+    }
+    list->waveCount = (uint32_t)count;
 }
 
 static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swStackFrame* stack, ViewState* view)
@@ -203,6 +222,7 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swFrame* frame, const swS
         list->first = tileCount;
         list->firstWave = waveCount;
         list->texelsPerMetre = (float)(1.0 / slice->texel);
+        list->minWavelength = slice->minWavelength;
         makeSliceTiles(gpuWorld, frame, slice, tiles, list);
         uint32_t all = list->count + list->windowCount;
         memcpy((swSliceTile*)view->tiles.data + tileCount, tiles, all * sizeof(swSliceTile));

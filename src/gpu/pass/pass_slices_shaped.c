@@ -23,7 +23,10 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
     swResult result = SW_SUCCESS;
     s->constants = (swSlicesShapedConstants){
         .withWaves = frame->waveCount > 0 ? 1 : 0,
+        .withFlow = gpuWorld->inputs.hasFlow ? 1 : 0,
+        .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0,
         .withWeights = swHasInputs(frame->inputs, SW_INPUT_WAVES) || frame->inputs->localSystems != 0 ? 1 : 0,
+        .withRibbons = gpuWorld->inputs.hasRibbons ? 1 : 0,
     };
     for (int i = 0; i < SW_MAX_VIEWS && result == SW_SUCCESS; ++i)
     {
@@ -72,6 +75,9 @@ static void recordView(const swGpuWorld* gpuWorld, int index, const State* s, Vk
         .inputNodes = inputs[2],
         .inputWords = inputs[3],
         .shaped = swBindBuffer(&s->shaped[index]),
+        .flow = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
+        .flowSlopes = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW_SLOPES), SW_SAMPLER_NEAREST_CLAMP),
+        .likeness = swBindLikeness(gpuWorld),
     };
     swBindSlicesShaped(gpu, commands, swFindVariant(&s->pipelines, &swSlicesShapedShader, &s->constants), &bindings,
                        &resolution);
@@ -120,7 +126,8 @@ const swBuffer* swGetShapedWaves(const swGpuWorld* gpuWorld, int view)
 const swPass swPass_slices_shaped = {
     .name = "slices_shaped",
     .stateSize = sizeof(State),
-    .reads = SW_TEXELS_BIT | SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
+    .reads = SW_TEXELS_BIT | SW_MODES_BIT | SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) |
+             SW_LAYER_BIT(SW_LAYER_FLOW) | SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
     .writes = SW_OUTPUT_BIT(SW_PASS_SLICES_SHAPED),
     .upload = upload,
     .create = create,

@@ -18,7 +18,8 @@ static swSurfaceQueryConstants constantsOf(const swGpuWorld* gpuWorld, const swG
     return (swSurfaceQueryConstants){.withMotion = isSurface && hasMotion ? 1 : 0,
                                      .withInputs = gpuWorld->inputs.isAuthored ? 1 : 0,
                                      .withFlow = gpuWorld->inputs.hasFlow ? 1 : 0,
-                                     .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0};
+                                     .withDisplacement = gpuWorld->inputs.hasDisplacement ? 1 : 0,
+                                     .withRibbons = gpuWorld->inputs.hasRibbons ? 1 : 0};
 }
 
 static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, bool* isNeeded)

@@ -61,7 +61,7 @@ void swOrderStep(swGpu* gpu, VkCommandBuffer commands, swHazards* hazards, swSte
                  swResources writes);
 
 // Pipelines of one shader that differ in their constants, made as they are asked for.
-#define SW_MAX_VARIANTS 8
+#define SW_MAX_VARIANTS 64
 typedef struct swVariants
 {
     int count;

@@ -163,20 +163,6 @@ static swResult uploadQueryTiles(swGpuQuery* query, const swFrame* frame, float 
     return result;
 }
 
-// One past the last of the waves that are carried together with wave `first`, as swGroupFreeWaves() has them in
-// core/surface/places.c.
-static uint32_t findGroupEnd(const swFrame* frame, int first, int count)
-{
-    float k = swGetOctaveWaveNumber(frame->waves[first].wavelength);
-    int end = first + 1;
-    while (end < count && frame->waves[end].system == frame->waves[first].system &&
-           swGetOctaveWaveNumber(frame->waves[end].wavelength) == k)
-    {
-        end += 1;
-    }
-    return (uint32_t)end;
-}
-
 static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float shortest)
 {
     swPosXZ origin = originInSea(query);
@@ -188,13 +174,13 @@ static swResult uploadQueryWaves(swGpuQuery* query, const swFrame* frame, float 
     swResult result = swReserveUpload(query->gpuWorld->gpu, (VkDeviceSize)(count > 0 ? count : 1) * sizeof(swQueryWave),
                                       &query->waves);
     swQueryWater* water = &query->params.water;
-    uint32_t groupEnd = 0;
+    int groupEnd = 0;
     for (int i = 0; i < count && result == SW_SUCCESS; ++i)
     {
         const swFreeWave* wave = &frame->waves[i];
         swQueryWave seen = makeQueryWave(wave, frame->ticks, origin);
-        groupEnd = (uint32_t)i == groupEnd ? findGroupEnd(frame, i, count) : groupEnd;
-        seen.groupEnd = groupEnd;
+        groupEnd = i == groupEnd ? swFindCarriedEnd(frame->waves, i, count) : groupEnd;
+        seen.groupEnd = (uint32_t)groupEnd;
         seen.carryTurns = swGetCarryPhase(seen.waveNumber, wave->loopTicks, frame->ticks, &seen.carryPeriod);
         ((swQueryWave*)query->waves.data)[i] = seen;
         water->longWaveCount += wave->wavelength >= shortest ? 1 : 0;
