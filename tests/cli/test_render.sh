@@ -39,7 +39,7 @@ run 2 render "$sea" --out a.png --exposure 1 --debug height
 err 'no effect with --debug'
 # Layers: names, slices and ranges.
 run 2 render "$sea" --out a.png --debug layer:depth
-err 'there is no layer "depth"; the layers are places, displacement'
+err 'there is no layer "depth"; the layers are places, '
 run 2 render "$sea" --out a.png --debug layer
 err 'did you mean layer:NAME'
 run 2 render "$sea" --out a.png --debug layer:
