@@ -16,6 +16,8 @@
 swMeshSlice meshSlice(uint index);
 swDetailParams detailBand(uint index);
 swDetailWave detailWave(uint index);
+// How much of a wave system there is where the pixel's water rests.
+float shareOf(uint system);
 
 // Of the buffers and layers: members of swPictureParams.
 struct SurfaceGrid
@@ -114,12 +116,12 @@ void addBands(inout Slopes slopes, SurfaceGrid grid, SlicePair pair, vec2 rest, 
     for (uint i = 0; i < grid.bandCount; ++i)
     {
         swDetailParams band = detailBand(i);
-        float missing = 1.0 - carriedBy(grid, pair, band.minWavelength);
-        if (missing <= 0.0)
+        float missing = 1.0 - carriedBy(grid, pair, band.minWavelength), share = shareOf(band.system);
+        if (missing <= 0.0 || share <= 0.0)
         {
             continue;
         }
-        vec2 moments = vec2(band.slopeVarianceX, band.slopeVarianceZ);
+        vec2 moments = share * share * vec2(band.slopeVarianceX, band.slopeVarianceZ);
         // Of waves hardly longer than a pixel only the mean counts: a tile is 16 of its longest waves wide, and what is
         // left of its pattern would show how it repeats.
         float merged = smoothstep(0.2, 0.7, footprint.shortest / band.maxWavelength);
@@ -130,6 +132,7 @@ void addBands(inout Slopes slopes, SurfaceGrid grid, SlicePair pair, vec2 rest, 
         }
         vec2 uv = vec2(band.offsetX, band.offsetZ) + rest * band.perMetre;
         vec4 m = meanOverFootprint(detail, float(i), uv, footprint, band.perMetre, side, isFast ? 2.0 : 8.0, isFast);
+        m *= vec4(share, share, share * share, share * share);
         vec2 mean = (1.0 - merged) * m.xy;
         slopes.mean += missing * mean;
         slopes.variance += missing * max(mix(m.zw, moments, merged) - mean * mean, vec2(0.0));
@@ -169,15 +172,16 @@ void addFreeWaves(inout Slopes slopes, SurfaceGrid grid, SlicePair pair, vec2 re
     for (uint i = isWhole ? firstShorter(grid, longest) : 0; i < grid.waveCount; ++i)
     {
         swDetailWave wave = detailWave(i);
+        float share = shareOf(wave.system);
         if (wave.wavelength < shortest)
         {
-            slopes.variance += vec2(wave.restX, wave.restZ);
+            slopes.variance += share * share * vec2(wave.restX, wave.restZ);
             return;
         }
         vec2 k = vec2(wave.kx, wave.kz);
         float missing = 1.0 - carriedBy(grid, pair, wave.wavelength);
         float left = leftOverFootprint(k, footprint);
-        vec2 steepness = wave.amplitude * k;
+        vec2 steepness = share * wave.amplitude * k;
         slopes.mean -= (missing * left * sin(dot(k, rest) + wave.phase)) * steepness;
         slopes.variance += (0.5 * missing * (1.0 - left * left)) * steepness * steepness;
     }

@@ -93,8 +93,8 @@ SW_PARAMS(swPictureParams)
 
     float lowestLevel; // of still water above sea level, m
     float highestLevel;
-    sw_uint isDry; // 1: there is no water but where inputs from firstHole on leave some
-    sw_uint unused0;
+    sw_uint isDry;   // 1: there is no water but where inputs from firstHole on leave some
+    sw_uint systems; // bit k: bands or free waves are of wave system k
 };
 SW_PARAMS_SIZE(swPictureParams, 352);
 SW_PARAMS_VEC3(swPictureParams, rayX);
@@ -140,7 +140,7 @@ SW_PARAMS(swDetailParams)
     float minWavelength;    // m
     float maxWavelength;    // m
     float slopeVarianceX, slopeVarianceZ;
-    float weight;
+    sw_uint system; // that its waves are of
 };
 SW_PARAMS_SIZE(swDetailParams, 32);
 
@@ -153,7 +153,7 @@ SW_PARAMS(swDetailWave)
     float amplitude;    // m
     float wavelength;   // m
     float restX, restZ; // slope variance of this wave and all that are shorter
-    float unused;
+    sw_uint system;     // that it is of
 };
 SW_PARAMS_SIZE(swDetailWave, 32);
 

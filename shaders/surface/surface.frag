@@ -99,6 +99,9 @@ layout(location = 5) flat in int body;
 
 layout(location = 0) out vec4 color;
 
+// 1 where inputs say how much of which waves there is.
+layout(constant_id = 8) const uint hasWeights = 0;
+
 // m of water along the line of sight over which its edge begins.
 const float softEdge = 0.12;
 
@@ -115,6 +118,25 @@ swDetailParams detailBand(uint index)
 swDetailWave detailWave(uint index)
 {
     return waves[index];
+}
+
+// By system; those of `picture.systems` are set by findShares().
+float shares[SW_LIMIT_SYSTEMS];
+
+float shareOf(uint system)
+{
+    return hasWeights != 0 ? shares[min(system, uint(SW_LIMIT_SYSTEMS - 1))] : 1.0;
+}
+
+void findShares(vec2 rest)
+{
+    SeaPlace at = seaPlaceOf(ivec2(picture.anchorCellX, picture.anchorCellZ),
+                             vec2(picture.anchorRestX, picture.anchorRestZ) + rest);
+    for (uint left = picture.systems; left != 0u; left &= left - 1u)
+    {
+        uint system = uint(findLSB(left));
+        shares[system] = max(fieldAt(SW_FIELD_OF_WAVES, system, at).value.x, 0.0);
+    }
 }
 
 // What a pixel of clear water shows of the bottom.
@@ -243,6 +265,10 @@ void main()
     float facing = facingArea(view, vec2(0.0), vec2(picture.slopeVariance));
     Footprint footprint = footprintAt(view, range, picture.pixel, facing);
     SlicePair pair = slicePairAt(grid, sliceLevelAt(grid, float(ring) + blend, footprint));
+    if (hasWeights != 0)
+    {
+        findShares(rest);
+    }
     Slopes slopes = slopesAt(grid, pair, place, rest, footprint, derivatives, detail, isSoftware != 0);
     float depth = SW_NO_DEPTH;
     if (hasPlaces != 0)

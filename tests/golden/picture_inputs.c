@@ -210,6 +210,52 @@ static void ShadeTakesTheSunAway(void** state)
     assert_float_equal(dark[MIDDLE + 2], bare[MIDDLE + 2], 1e-3f * bare[MIDDLE + 2]);
 }
 
+// The share of pixels that differ by a hundredth and more from the mean of those beside them: waves, and no gradient.
+static double MeasureRoughness(const float* picture)
+{
+    int count = 0;
+    for (int i = 1; i < PIXELS - 1; ++i)
+    {
+        const float* pixel = &picture[4 * i + 2];
+        bool isWithin = i % SIDE > 0 && i % SIDE < SIDE - 1;
+        count += isWithin && fabsf(pixel[0] - 0.5f * (pixel[-4] + pixel[4])) > 0.01f * pixel[0] ? 1 : 0;
+    }
+    return (double)count / PIXELS;
+}
+
+// Waves that live somewhere else are not seen here: neither those that slices hold nor those that are too short for it.
+static void WavesAreSeenWhereTheyHaveWeight(void** state)
+{
+    (void)state;
+    static float with[4 * PIXELS], without[4 * PIXELS];
+    const struct
+    {
+        const char* name;
+        swWaveMethod method;
+    } methods[] = {{"Fourier transforms", SW_WAVES_FFT}, {"Gerstner waves", SW_WAVES_GERSTNER}};
+    for (int i = 0; i < 2; ++i)
+    {
+        swWaveSystemDef waves = swDefaultWaveSystemDef();
+        waves.isLocal = true;
+        waves.method = methods[i].method;
+        waves.maxWavelength = 16.0f;
+        swInputDef def = MakeCircle(SW_INPUT_WAVES, 4000.0f);
+        def.value[0] = 1.0f;
+        Shot shot = MakeShot(&def, 1);
+        shot.waves = &waves;
+        shot.height = 250.0f;
+        shot.pitchDeg = -20.0f;
+        shot.fovDeg = 20.0f;
+        Draw(&shot, with);
+        def.position.x = 9000.0;
+        Draw(&shot, without);
+        double there = MeasureRoughness(with), elsewhere = MeasureRoughness(without);
+        print_message("%s: %.3f of the pixels are rough where the waves live, %.3f elsewhere\n", methods[i].name, there,
+                      elsewhere);
+        assert_true(there > 0.3 && elsewhere < 0.03);
+    }
+}
+
 static int OpenCanvas(void** state)
 {
     (void)state;
@@ -230,9 +276,13 @@ static int CloseCanvas(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ARiverThatFallsLeans),       cmocka_unit_test(ALakeStandsAtItsLevel),
-        cmocka_unit_test(ColoursLieWhereTheyWerePut), cmocka_unit_test(HalfACoverIsHalfway),
-        cmocka_unit_test(ColoursArePresentFarAway),   cmocka_unit_test(ShadeTakesTheSunAway),
+        cmocka_unit_test(ARiverThatFallsLeans),
+        cmocka_unit_test(ALakeStandsAtItsLevel),
+        cmocka_unit_test(ColoursLieWhereTheyWerePut),
+        cmocka_unit_test(HalfACoverIsHalfway),
+        cmocka_unit_test(ColoursArePresentFarAway),
+        cmocka_unit_test(ShadeTakesTheSunAway),
+        cmocka_unit_test(WavesAreSeenWhereTheyHaveWeight),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the scene puts into the sea: its inputs and bodies of water with their values, and the rasters, meshes, hulls and
-// splines that they use.
+// What the scene puts into the sea: its inputs and bodies of water with their values, and the rasters, meshes, hulls
+// and splines that they use.
 
 #include <math.h>
 #include <stdio.h>
@@ -159,8 +159,7 @@ static void DrawBody(App* app, int index)
     int looks = app->sea.scene->lookCount;
     if (looks > 0)
     {
-        body->hasChanged =
-            TurnCount("look", &body->def.look, &body->filedDef.look, 0, looks, "%d") || body->hasChanged;
+        body->hasChanged = TurnCount("look", &body->def.look, &body->filedDef.look, 0, looks, "%d") || body->hasChanged;
     }
 }
 

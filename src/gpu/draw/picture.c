@@ -138,6 +138,7 @@ static void setMesh(const swShot* shot, const swFrame* frame, const swViewFrame*
 static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* built)
 {
     built->params.bandCount = (uint32_t)frame->tileCount;
+    built->params.systems = 0;
     for (int i = 0; i < frame->tileCount; ++i)
     {
         const swTile* tile = &frame->tiles[i];
@@ -151,8 +152,9 @@ static void setBands(const swFrame* frame, uint32_t detailSide, swPictureFrame* 
             .maxWavelength = tile->maxWavelength,
             .slopeVarianceX = tile->slopeVarianceX,
             .slopeVarianceZ = tile->slopeVarianceZ,
-            .weight = tile->weight,
+            .system = (uint32_t)tile->system,
         };
+        built->params.systems |= 1u << (unsigned)tile->system;
     }
 }
 
@@ -166,6 +168,7 @@ static swDetailWave makeDetailWave(const swFreeWave* wave, int64_t ticks, const 
         .phase = (float)(SW_TURN * (turns - floor(turns))),
         .amplitude = wave->amplitude,
         .wavelength = wave->wavelength,
+        .system = (uint32_t)wave->system,
     };
 }
 
@@ -180,6 +183,7 @@ static void setFreeWaves(const swFrame* frame, swPictureFrame* built)
         wave.restX = restX += 0.5f * steepX * steepX;
         wave.restZ = restZ += 0.5f * steepZ * steepZ;
         built->waves[i] = wave;
+        built->params.systems |= 1u << wave.system;
     }
 }
 

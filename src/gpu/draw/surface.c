@@ -17,6 +17,7 @@ swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int
         .hasColors = (kind & SW_SURFACE_HAS_COLORS) != 0 ? 1 : 0,
         .hasHoles = (kind & SW_SURFACE_HAS_HOLES) != 0 ? 1 : 0,
         .hasBodies = (kind & SW_SURFACE_HAS_BODIES) != 0 ? 1 : 0,
+        .hasWeights = (kind & SW_SURFACE_HAS_WEIGHTS) != 0 ? 1 : 0,
     };
     bool isWire = (kind & SW_SURFACE_IS_WIRE) != 0;
     const swGraphicsDef draw = {

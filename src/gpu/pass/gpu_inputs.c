@@ -140,15 +140,14 @@ static swResult uploadRecords(swGpu* gpu, const swInputSet* set, swGpuInputs* in
 enum
 {
     LACKS_FUNCTIONS,
-    LACKS_FLOW,
-    LACKS_DISPLACEMENT,
     LACKS_RIBBONS,
     LACKS_FLOORS_BELOW, // of queries of the water below, like the next
     LACKS_WEIGHTS_BELOW,
+    LACKS_FLOW_BELOW,
     LACKS_COUNT
 };
 
-#define OF_VOLUMES (1u << LACKS_FLOORS_BELOW | 1u << LACKS_WEIGHTS_BELOW)
+#define OF_VOLUMES (1u << LACKS_FLOORS_BELOW | 1u << LACKS_WEIGHTS_BELOW | 1u << LACKS_FLOW_BELOW)
 
 static uint32_t findLacks(const swInputSet* set)
 {
@@ -157,10 +156,9 @@ static uint32_t findLacks(const swInputSet* set)
     {
         lacks |= (set->records[i].shape == SW_FORM_FUNCTION ? 1u : 0u) << LACKS_FUNCTIONS;
     }
-    lacks |= (swHasInputs(set, SW_INPUT_FLOW) ? 1u : 0u) << LACKS_FLOW;
-    lacks |= (swHasInputs(set, SW_INPUT_DISPLACEMENT) ? 1u : 0u) << LACKS_DISPLACEMENT;
     lacks |= (swHasInputs(set, SW_INPUT_FLOOR) ? 1u : 0u) << LACKS_FLOORS_BELOW;
     lacks |= (swHasInputs(set, SW_INPUT_WAVES) || set->localSystems != 0 ? 1u : 0u) << LACKS_WEIGHTS_BELOW;
+    lacks |= (swHasInputs(set, SW_INPUT_FLOW) ? 1u : 0u) << LACKS_FLOW_BELOW;
     return lacks;
 }
 
@@ -194,14 +192,12 @@ static void tellLacks(swGpuWorld* gpuWorld)
 {
     static const char* const told[LACKS_COUNT] = {
         [LACKS_FUNCTIONS] = "layers, queries and rays of the GPU leave out functions of the host",
-        [LACKS_FLOW] = "layers, queries and rays of the GPU leave out flow",
-        [LACKS_DISPLACEMENT] = "layers, queries and rays of the GPU leave out displacement by inputs, which a view "
-                               "with CPU layers on a software device has",
         [LACKS_RIBBONS] = "queries and rays of the GPU leave out waves along splines of all but the first 8 systems "
                           "that have such waves",
         [LACKS_FLOORS_BELOW] = "queries of the water below on the GPU leave out what a floor does to the motion there",
         [LACKS_WEIGHTS_BELOW] = "queries of the water below on the GPU leave out what weights of wave systems do to "
                                 "the motion there",
+        [LACKS_FLOW_BELOW] = "queries of the water below on the GPU leave out the flow there",
     };
     swGpuInputs* inputs = &gpuWorld->inputs;
     uint32_t lacks = inputs->lacks & ~inputs->toldLacks;
