@@ -33,13 +33,21 @@ layout(std430, binding = 4) readonly buffer Slices
 {
     swFieldSlice slices[];
 };
-layout(std430, binding = 5) writeonly buffer Blocks
+layout(std430, binding = 5) buffer Blocks
 {
     swFieldBlock blocks[];
 };
-layout(binding = 6, rgba32f) uniform writeonly image2DArray places;     // depth, its slopes along x and z, level
-layout(binding = 7, rgba32f) uniform writeonly image2DArray flow;       // velocity along x and z
-layout(binding = 8, rgba16f) uniform writeonly image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(binding = 6, rgba32f) uniform image2DArray places;     // depth, its slopes along x and z, level
+layout(binding = 7, rgba32f) uniform image2DArray flow;       // velocity along x and z
+layout(binding = 8, rgba16f) uniform image2DArray flowSlopes; // of that along x by x and z, of that along z
+layout(std430, binding = 9) readonly buffer Redraws
+{
+    swFieldRedraw redraws[]; // of each slice
+};
+// The same of slices that have moved, as they were.
+layout(binding = 10, rgba32f) uniform readonly image2DArray placesBefore;
+layout(binding = 11, rgba32f) uniform readonly image2DArray flowBefore;
+layout(binding = 12, rgba16f) uniform readonly image2DArray flowSlopesBefore;
 layout(push_constant) uniform Push
 {
     uint resolution;
@@ -100,6 +108,12 @@ uint findSystems(ivec2 low, ivec2 high)
     return found;
 }
 
+// Inputs that stay put are read where waves have brought the water, from the next cell perhaps.
+uint findDisplaced(ivec2 low, ivec2 high)
+{
+    return touchesInputs(SW_FIELD_OF_DISPLACEMENT, low - 1, high + 1) ? SW_BLOCK_DISPLACED : 0u;
+}
+
 void store(ivec3 texel, Fields fields)
 {
     if (WITH_GROUND)
@@ -113,41 +127,111 @@ void store(ivec3 texel, Fields fields)
     }
 }
 
+// First column and row, column and row behind.
+ivec4 rectOf(uint slice, uint i)
+{
+    return ivec4(redraws[slice].rects[4 * i], redraws[slice].rects[4 * i + 1], redraws[slice].rects[4 * i + 2],
+                 redraws[slice].rects[4 * i + 3]);
+}
+
+// Whether a texel of the slice is to be made.
+bool isNew(uint slice, ivec2 texel)
+{
+    bool found = false;
+    for (uint i = 0; i < redraws[slice].count; ++i)
+    {
+        ivec4 rect = rectOf(slice, i);
+        found = found || (all(greaterThanEqual(texel, rect.xy)) && all(lessThan(texel, rect.zw)));
+    }
+    return found;
+}
+
+// Whether any of a block is.
+bool hasNew(uint slice, ivec2 low, ivec2 high)
+{
+    bool found = false;
+    for (uint i = 0; i < redraws[slice].count; ++i)
+    {
+        ivec4 rect = rectOf(slice, i);
+        found = found || (all(lessThanEqual(rect.xy, high)) && all(greaterThan(rect.zw, low)));
+    }
+    return found;
+}
+
+// What is kept of a texel: from where it is, or of a slice that has moved from where it was.
+Fields keptAt(ivec3 texel, ivec2 shift)
+{
+    bool isMoved = any(notEqual(shift, ivec2(0)));
+    ivec3 from = texel + ivec3(shift, 0);
+    Fields fields = NO_FIELDS;
+    if (WITH_GROUND)
+    {
+        vec4 place = isMoved ? imageLoad(placesBefore, from) : imageLoad(places, from);
+        fields.ground = Ground(place.x, place.yz, place.w);
+    }
+    if (WITH_FLOW)
+    {
+        fields.flow.velocity = isMoved ? imageLoad(flowBefore, from).xy : imageLoad(flow, from).xy;
+        fields.flow.slopes = isMoved ? imageLoad(flowSlopesBefore, from) : imageLoad(flowSlopes, from);
+    }
+    return fields;
+}
+
 void main()
 {
-    swFieldSlice slice = slices[gl_WorkGroupID.z];
-    if (slice.isKept != 0)
+    uint at = gl_WorkGroupID.z;
+    swFieldSlice slice = slices[at];
+    if (redraws[at].isStill != 0)
     {
         return;
     }
     uint column = gl_GlobalInvocationID.x;
     uvec2 first = gl_WorkGroupID.xy * uvec2(SW_SLICE_WIDTH, SW_SLICE_HEIGHT);
+    uint block = (at * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     ivec2 low = placeOfTexel(slice, first.x, first.y).cell;
     ivec2 high = placeOfTexel(slice, first.x + SW_SLICE_WIDTH - 1, first.y + SW_SLICE_HEIGHT - 1).cell;
+    ivec2 shift = ivec2(redraws[at].shiftX, redraws[at].shiftZ);
+    bool isKept =
+        shift == ivec2(0) && !hasNew(at, ivec2(first), ivec2(first) + ivec2(SW_SLICE_WIDTH, SW_SLICE_HEIGHT) - 1);
+    if (isKept)
+    {
+        if (gl_LocalInvocationIndex == 0)
+        {
+            // Inputs of waves and of displacement may have changed all the same.
+            blocks[block].systems = findSystems(low, high);
+            blocks[block].flags = (blocks[block].flags & SW_BLOCK_FLOWS) | findDisplaced(low, high);
+        }
+        return;
+    }
     bool hasGround = touchesInputs(SW_FIELD_OF_FLOOR, low, high) || touchesInputs(SW_FIELD_OF_LEVEL, low, high);
     bool hasFlow = WITH_FLOW && touchesInputs(SW_FIELD_OF_FLOW, low, high);
     if (gl_LocalInvocationIndex == 0)
     {
         leastDepth = floatBitsToUint(SW_NO_DEPTH);
         systems = findSystems(low, high);
-        // Those that stay put are read where waves have brought the water, from the next cell perhaps.
-        flags = touchesInputs(SW_FIELD_OF_DISPLACEMENT, low - 1, high + 1) ? SW_BLOCK_DISPLACED : 0u;
+        flags = findDisplaced(low, high);
     }
     barrier();
     float least = SW_NO_DEPTH;
     bool flows = false;
-    for (uint row = first.y; row < first.y + SW_SLICE_HEIGHT; ++row)
+    for (uint row = first.y; row < first.y + SW_SLICE_HEIGHT && column < resolution; ++row)
     {
+        ivec3 texel = ivec3(column, row, at);
+        bool isMade = isNew(at, texel.xy);
         Fields fields = NO_FIELDS;
-        if (hasGround || hasFlow)
+        if (isMade && (hasGround || hasFlow))
         {
             fields = fieldsAt(placeOfTexel(slice, column, row), hasGround, hasFlow);
         }
-        if (column < resolution)
+        if (!isMade)
         {
-            least = min(least, fields.ground.depth);
-            flows = flows || isMoved(fields.flow);
-            store(ivec3(column, row, gl_WorkGroupID.z), fields);
+            fields = keptAt(texel, shift);
+        }
+        least = min(least, fields.ground.depth);
+        flows = flows || isMoved(fields.flow);
+        if (isMade || shift != ivec2(0))
+        {
+            store(texel, fields);
         }
     }
     if (flows)
@@ -158,7 +242,6 @@ void main()
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
-        uint block = (gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y) * gl_NumWorkGroups.x + gl_WorkGroupID.x;
         blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flags);
     }
 }

@@ -19,16 +19,30 @@ SW_PARAMS(swInputHead)
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 
-// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m.
+// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m. Texels are powers of
+// two, so that a place is the same, to the bit, while its slice moves.
 SW_PARAMS(swFieldSlice)
 {
     sw_int cellX, cellZ;
     float restX, restZ;
-    float texel;    // m
-    sw_uint isKept; // 1: texels and blocks are as they were, and so are the inputs
-    float unused0, unused1;
+    float texel; // m
+    float unused0, unused1, unused2;
 };
 SW_PARAMS_SIZE(swFieldSlice, 32);
+
+// Most rectangles of texels of a slice that are made.
+#define SW_MAX_FIELD_RECTS 16
+
+// What a slice needs: core/lod/redraw.h. What is in none of the rectangles, each columns and rows [first, end), is kept: it
+// was (shiftX, shiftZ) columns and rows further on.
+SW_PARAMS(swFieldRedraw)
+{
+    sw_int shiftX, shiftZ;
+    sw_uint isStill; // 1: all of it is kept where it is, and no input has changed
+    sw_uint count;
+    sw_int rects[4 * SW_MAX_FIELD_RECTS]; // first column, first row, column behind, row behind
+};
+SW_PARAMS_SIZE(swFieldRedraw, 272);
 
 #define SW_BLOCK_FLOWS 1u     // the water flows somewhere in it
 #define SW_BLOCK_DISPLACED 2u // inputs may displace the water there

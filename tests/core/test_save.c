@@ -106,6 +106,16 @@ static swWorld* SaveAndRestore(const swWorld* world, swIsa isa)
     return restored;
 }
 
+// Of a layer that may not be held.
+static void CompareTexels(const float* a, const float* b, size_t count)
+{
+    assert_int_equal(a == NULL, b == NULL);
+    if (a != NULL)
+    {
+        assert_memory_equal(a, b, count * sizeof(float));
+    }
+}
+
 static void CompareWorlds(swWorld* a, swWorld* b)
 {
     assert_int_equal(swWorld_GetDigest(a), swWorld_GetDigest(b));
@@ -134,6 +144,8 @@ static void CompareWorlds(swWorld* a, swWorld* b)
             assert_memory_equal(swView_GetDisplacement(va, slice), swView_GetDisplacement(vb, slice),
                                 texels * 4 * sizeof(float));
             assert_memory_equal(swView_GetFoam(va, slice), swView_GetFoam(vb, slice), texels * sizeof(float));
+            CompareTexels(swView_GetWakeFoam(va, slice), swView_GetWakeFoam(vb, slice), texels);
+            CompareTexels(swView_GetShoreFoam(va, slice), swView_GetShoreFoam(vb, slice), texels);
         }
     }
 }
@@ -193,6 +205,94 @@ static void ChangesUnderWayGoOn(void** state)
     swWorld* restored = SaveAndRestore(world, SW_ISA_BEST);
     CompareWorlds(world, restored);
     GoOnTogether(world, restored);
+    swDestroyWorld(world);
+    swDestroyWorld(restored);
+}
+
+// A shoal, an input that makes foam, and a stream that carries both.
+static swInputId AddFoamMakers(swWorld* world)
+{
+    swInputDef shoal = swDefaultInputDef(), maker = swDefaultInputDef(), stream = swDefaultInputDef();
+    shoal.shape = maker.shape = stream.shape = SW_SHAPE_CIRCLE;
+    shoal.size = (swVec3){60.0f, 0.0f, 60.0f};
+    shoal.feather = 28.0f;
+    shoal.value[0] = 3.0f;
+    maker.field = SW_INPUT_FOAM;
+    maker.size = (swVec3){12.0f, 0.0f, 12.0f};
+    maker.value[0] = 1.5f;
+    stream.field = SW_INPUT_FLOW;
+    stream.size = (swVec3){40.0f, 0.0f, 40.0f};
+    stream.feather = 15.0f;
+    stream.value[0] = 1.2f;
+    swInputId id, makerId;
+    assert_int_equal(swCreateInput(world, &shoal, &id), SW_SUCCESS);
+    assert_int_equal(swCreateInput(world, &stream, &id), SW_SUCCESS);
+    assert_int_equal(swCreateInput(world, &maker, &makerId), SW_SUCCESS);
+    return makerId;
+}
+
+static float SumFoam(const float* texels)
+{
+    float sum = 0.0f;
+    for (int i = 0; i < 64 * 64; ++i)
+    {
+        sum += texels[i];
+    }
+    return sum;
+}
+
+// Foam of inputs and shores has a past as whitecaps have: also where the inputs are gone, and what they made is left.
+static void FoamOfInputsAndShoresGoesOnWhereItWas(void** state)
+{
+    (void)state;
+    for (int kind = 0; kind < 2; ++kind)
+    {
+        swHost host = swDefaultHost();
+        swWorld* world = MakeWorld(&host);
+        swInputId maker = AddFoamMakers(world);
+        for (int i = 0; i < 20; ++i)
+        {
+            swWorld_Step(world, 0.05);
+        }
+        if (kind == 1)
+        {
+            swDestroyInput(world, maker);
+            swWorld_Step(world, 0.05);
+        }
+        assert_true(SumFoam(swView_GetWakeFoam(swWorld_GetView(world, 0), 0)) > 1.0f);
+        assert_true(SumFoam(swView_GetShoreFoam(swWorld_GetView(world, 0), 0)) > 1.0f);
+        swWorld* restored = SaveAndRestore(world, SW_ISA_BEST);
+        CompareWorlds(world, restored);
+        GoOnTogether(world, restored);
+        swDestroyWorld(world);
+        swDestroyWorld(restored);
+    }
+}
+
+static void FoamOfInputsAndShoresGoesBack(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorld* world = MakeWorld(&host);
+    AddFoamMakers(world);
+    for (int i = 0; i < 20; ++i)
+    {
+        swWorld_Step(world, 0.05);
+    }
+    size_t size = 0;
+    assert_int_equal(swWorld_Save(world, NULL, &size), SW_SUCCESS);
+    void* data = malloc(size);
+    assert_non_null(data);
+    assert_int_equal(swWorld_Save(world, data, &size), SW_SUCCESS);
+    swWorld* restored = SaveAndRestore(world, SW_ISA_BEST);
+    for (int i = 0; i < 30; ++i)
+    {
+        swWorld_Step(world, 0.05);
+    }
+    assert_int_equal(swWorld_Rewind(world, data, size), SW_SUCCESS);
+    CompareWorlds(world, restored);
+    GoOnTogether(world, restored);
+    free(data);
     swDestroyWorld(world);
     swDestroyWorld(restored);
 }
@@ -484,6 +584,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ARestoredWorldGoesOnWithTheSameBits),
         cmocka_unit_test(ChangesUnderWayGoOn),
+        cmocka_unit_test(FoamOfInputsAndShoresGoesOnWhereItWas),
+        cmocka_unit_test(FoamOfInputsAndShoresGoesBack),
         cmocka_unit_test(AViewMadeSinceTheLastStepHasNoPast),
         cmocka_unit_test(DamagedBytesAreRefused),
         cmocka_unit_test(ARollBackGoesOnWithTheSameBits),

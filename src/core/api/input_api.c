@@ -138,7 +138,7 @@ void swInput_Move(swWorld* world, swInputId id, swPos position, swAngles rotatio
                     (double)rotation.roll);
     input->def.position = (swPos){position.x + world->origin.x, position.y, position.z + world->origin.z};
     input->def.rotation = rotation;
-    world->inputs.isChanged = true;
+    swTouchInput(&world->inputs, input);
 }
 
 void swInput_Enable(swWorld* world, swInputId id, bool isEnabled)
@@ -146,8 +146,11 @@ void swInput_Enable(swWorld* world, swInputId id, bool isEnabled)
     swInput* input = findInput(world, id, "swInput_Enable()");
     if (input != NULL)
     {
-        world->inputs.isChanged = world->inputs.isChanged || input->def.isEnabled != isEnabled;
-        input->def.isEnabled = isEnabled;
+        if (input->def.isEnabled != isEnabled)
+        {
+            input->def.isEnabled = isEnabled;
+            swTouchInput(&world->inputs, input);
+        }
     }
 }
 
@@ -164,7 +167,7 @@ void swInput_SetValue(swWorld* world, swInputId id, const float value[4])
     if (swCheckInputValues(&world->host, &def) == SW_SUCCESS)
     {
         memcpy(input->def.value, value, sizeof def.value);
-        world->inputs.isChanged = true;
+        swTouchInput(&world->inputs, input);
     }
 }
 
@@ -180,7 +183,7 @@ void swInput_SetWeight(swWorld* world, swInputId id, float weight)
     if (swCheckInputValues(&world->host, &def) == SW_SUCCESS)
     {
         input->def.weight = weight;
-        world->inputs.isChanged = true;
+        swTouchInput(&world->inputs, input);
     }
 }
 

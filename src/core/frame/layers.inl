@@ -16,7 +16,7 @@ SW_LAYER(FOAM, foam, Foam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .i
          .rate = SW_FOAM_RATE, .mostSteps = 4, .longestGap = 1, .isExact = true, .isSaved = true, .most = 1.0f)
 SW_LAYER(WAKE_FOAM, wake_foam, MadeFoam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true,
          .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = 4, .longestGap = 1, .isExact = true, .isOnDemand = true,
-         .most = 1.0f)
+         .isSaved = true, .most = 1.0f)
 SW_LAYER(SHORE_FOAM, shore_foam, MadeFoam, .kind = SW_LAYER_IS_LOOK, .format = SW_TEXEL_R32F, .isLinear = true,
          .hasPast = true, .rate = SW_FOAM_RATE, .mostSteps = 4, .longestGap = 1, .isExact = true, .isOnDemand = true,
-         .most = 1.0f)
+         .isSaved = true, .most = 1.0f)

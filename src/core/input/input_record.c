@@ -308,8 +308,8 @@ static void weighByWind(const swWindWeight* wind, swInputRecord* record)
     record->value.w = wind->heightAbove;
 }
 
-// The cells of a turned box. Own coordinates are rounded to floats: a little more is covered.
-static swCellBox findBox(const swInputRecord* record, swPosXZ origin)
+// The bounds of a turned box. Own coordinates are rounded to floats: a little more is covered.
+static void findBounds(const swInputRecord* record, swPosXZ origin, swPosXZ* low, swPosXZ* high)
 {
     double c = (double)record->cosine, s = (double)record->sine;
     double x = origin.x + c * (double)record->middleX - s * (double)record->middleZ;
@@ -318,10 +318,31 @@ static swCellBox findBox(const swInputRecord* record, swPosXZ origin)
     double halfZ = fabs(s) * (double)record->halfX + fabs(c) * (double)record->halfZ;
     halfX += 0.01 + 1e-6 * (halfX + fabs((double)record->middleX) + fabs((double)record->middleZ));
     halfZ += 0.01 + 1e-6 * (halfZ + fabs((double)record->middleX) + fabs((double)record->middleZ));
+    *low = (swPosXZ){x - halfX, z - halfZ};
+    *high = (swPosXZ){x + halfX, z + halfZ};
+}
+
+void swFindInputArea(const swInputRecord* record, swPosXZ* low, swPosXZ* high)
+{
+    const double cell = (double)SW_QUERY_CELL;
+    const swPosXZ origin = {(double)record->cellX * cell + (double)record->restX,
+                            (double)record->cellZ * cell + (double)record->restZ};
+    findBounds(record, origin, low, high);
+    if ((record->flags & SW_INPUT_IS_BOUNDLESS) != 0)
+    {
+        *low = (swPosXZ){-INFINITY, -INFINITY};
+        *high = (swPosXZ){INFINITY, INFINITY};
+    }
+}
+
+static swCellBox findBox(const swInputRecord* record, swPosXZ origin)
+{
+    swPosXZ low, high;
+    findBounds(record, origin, &low, &high);
     swCellBox box;
     float rest;
-    bool fits = swFindCell(x - halfX, &box.minX, &rest) && swFindCell(x + halfX, &box.maxX, &rest) &&
-                swFindCell(z - halfZ, &box.minZ, &rest) && swFindCell(z + halfZ, &box.maxZ, &rest);
+    bool fits = swFindCell(low.x, &box.minX, &rest) && swFindCell(high.x, &box.maxX, &rest) &&
+                swFindCell(low.z, &box.minZ, &rest) && swFindCell(high.z, &box.maxZ, &rest);
     return fits ? box : (swCellBox){INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
 }
 
@@ -424,7 +445,8 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words)
 {
     if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
         record->wordCount > SW_MAX_RASTER_VALUES ||
-        ((record->flags & SW_INPUT_ALONG_SPLINE) != 0 && record->shape != SW_SHAPE_SPLINE))
+        ((record->flags & SW_INPUT_ALONG_SPLINE) != 0 && record->shape != SW_SHAPE_SPLINE) ||
+        !(fabsf(record->cosine) <= 2.0f && fabsf(record->sine) <= 2.0f))
     {
         return false;
     }
@@ -444,7 +466,8 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words)
         return record->extra0 >= 2 && record->extra0 <= SW_MAX_INPUT_POINTS &&
                (sw_uint)swCountPolylineWords((int)record->extra0) <= record->wordCount;
     case SW_SHAPE_SPLINE:
-        return swAreSplineWordsGood(words, record->wordCount);
+        return swAreSplineWordsGood(words, record->wordCount) && fabsf(record->part0) <= 2.0f &&
+               fabsf(record->part1) <= 2.0f; // cosine and sine of its waves' heading
     case SW_SHAPE_PARTICLES:
         return (uint64_t)record->extra0 * SW_PARTICLE_WORDS <= record->wordCount;
     case SW_SHAPE_MESH:

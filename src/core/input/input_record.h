@@ -31,6 +31,9 @@ int swCountInputWords(const swInputDef* def);
 // The words of points. Returns how many there are.
 int swWriteInputWords(const swInputDef* def, int pointCount, const swInputPoint* points, float* words);
 
+// Where a record says anything, in the sea.
+void swFindInputArea(const swInputRecord* record, swPosXZ* low, swPosXZ* high);
+
 // The record of an input whose def has its place in the sea, and the cells that it covers.
 void swMakeInputRecord(const swInputDef* def, const swInputData* data, double seaLevel, double time,
                        swInputRecord* record, swCellBox* box);

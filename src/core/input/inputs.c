@@ -14,6 +14,13 @@ void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds
     *inputs = (swInputs){.memory = memory, .systemIds = systemIds, .seaLevel = seaLevel};
     inputs->arrays.set.version = inputs->arrays.set.wordsVersion = 1;
     inputs->arrays.set.weightReach = 1.0f;
+    inputs->changes.from = 1;
+}
+
+void swTouchInput(swInputs* inputs, swInput* input)
+{
+    input->isTouched = true;
+    inputs->isChanged = true;
 }
 
 // ---- data ----
@@ -249,7 +256,7 @@ swResult swAddInput(swInputs* inputs, const swInputDef* def, swId* id)
     adoptDef(input, def, data);
     *id = swGetInputId(inputs, input);
     insertInOrder(inputs, (uint32_t)id->index1 - 1);
-    inputs->isChanged = true;
+    swTouchInput(inputs, input);
     return SW_SUCCESS;
 }
 
@@ -266,7 +273,7 @@ swResult swChangeInput(swInputs* inputs, swInput* input, const swInputDef* def)
     buryData(inputs, input->data);
     adoptDef(input, def, data);
     insertInOrder(inputs, slot);
-    inputs->isChanged = true;
+    swTouchInput(inputs, input);
     return SW_SUCCESS;
 }
 
@@ -276,7 +283,7 @@ void swRemoveInput(swInputs* inputs, swInput* input)
     buryData(inputs, input->data);
     input->data = NULL;
     input->isUsed = false;
-    inputs->isChanged = true;
+    swTouchInput(inputs, input);
 }
 
 // Words of the points that are there.
@@ -288,7 +295,7 @@ static void writeWords(swInputs* inputs, swInput* input, int count)
     input->def.points = count > 0 ? data->points : NULL;
     data->wordCount[next] = swWriteInputWords(&input->def, count, data->points, data->words[next]);
     data->isNew = true;
-    inputs->isChanged = true;
+    swTouchInput(inputs, input);
 }
 
 void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInputPoint* points)
@@ -314,7 +321,7 @@ swResult swRestoreFreeSlot(swInputs* inputs, int slot, uint32_t generation)
     {
         return swFailMemory(inputs->memory, "an input");
     }
-    *input = (swInput){.generation = generation};
+    *input = (swInput){.generation = generation, .isTouched = input->isTouched};
     return SW_SUCCESS;
 }
 
@@ -332,7 +339,7 @@ swResult swRestoreInput(swInputs* inputs, const swInputDef* def, int slot, uint3
     input->serial = serial;
     adoptDef(input, def, data);
     insertInOrder(inputs, (uint32_t)slot);
-    inputs->isChanged = true;
+    swTouchInput(inputs, input);
     return SW_SUCCESS;
 }
 
@@ -360,7 +367,7 @@ void swRewindInput(swInputs* inputs, swInput* input, const swInputDef* def, uint
     {
         writeWords(inputs, input, def->pointCount);
     }
-    inputs->isChanged = true;
+    swTouchInput(inputs, input);
 }
 
 // ---- the set ----
@@ -428,6 +435,51 @@ void swFillInputArrays(const swInputs* inputs, double time, uint32_t localSystem
     swFindSetReaches(arrays);
 }
 
+// ---- where it has changed ----
+
+// Of too many, those of earlier versions are forgotten, and if that is not enough all.
+static void noteChange(swInputChanges* changes, uint32_t version, const swInputRecord* record)
+{
+    if (record->field != SW_INPUT_FLOOR && record->field != SW_INPUT_LEVEL && record->field != SW_INPUT_FLOW)
+    {
+        return;
+    }
+    if (changes->count == SW_MAX_CHANGES)
+    {
+        int kept = 0;
+        for (int i = 0; i < changes->count; ++i)
+        {
+            changes->changes[kept] = changes->changes[i];
+            kept += changes->changes[i].version == version ? 1 : 0;
+        }
+        changes->from = kept < SW_MAX_CHANGES ? version - 1 : version;
+        changes->count = kept < SW_MAX_CHANGES ? kept : 0;
+    }
+    swInputChange* change = &changes->changes[changes->count++];
+    change->version = version;
+    swFindInputArea(record, &change->low, &change->high);
+}
+
+// Records of inputs that were touched: as the last step made them, or as this one does.
+static void noteTouched(swInputs* inputs, uint32_t version)
+{
+    for (int i = 0; i < inputs->arrays.set.recordCount; ++i)
+    {
+        if (getSlot(inputs, inputs->arrays.sources[i])->isTouched)
+        {
+            noteChange(&inputs->changes, version, &inputs->arrays.records[i]);
+        }
+    }
+}
+
+static void forgetTouches(swInputs* inputs)
+{
+    for (size_t i = 0; i < inputs->slots.count; ++i)
+    {
+        getSlot(inputs, i)->isTouched = false;
+    }
+}
+
 // Records that change with time alone.
 static void moveTime(swInputs* inputs, double time)
 {
@@ -439,6 +491,7 @@ static void moveTime(swInputs* inputs, double time)
         if (swDoesInputChange(def))
         {
             swSetInputTime(def, time, &arrays->records[i]);
+            noteChange(&inputs->changes, arrays->set.version + 1, &arrays->records[i]);
             hasChanged = true;
         }
     }
@@ -450,12 +503,30 @@ static void moveTime(swInputs* inputs, double time)
     arrays->set.time = time;
 }
 
+// A set that is made anew is of another time, too.
+static void noteTimes(swInputs* inputs, uint32_t version)
+{
+    for (int i = 0; i < inputs->arrays.set.recordCount; ++i)
+    {
+        if (swDoesInputChange(&getSlot(inputs, inputs->arrays.sources[i])->def))
+        {
+            noteChange(&inputs->changes, version, &inputs->arrays.records[i]);
+        }
+    }
+}
+
 void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
 {
     if (inputs->isChanged || localSystems != inputs->arrays.set.localSystems)
     {
+        uint32_t version = inputs->arrays.set.version + 1;
+        noteTouched(inputs, version);
         showWords(inputs);
         swFillInputArrays(inputs, time, localSystems, &inputs->arrays);
+        inputs->arrays.set.changes = &inputs->changes;
+        noteTouched(inputs, version);
+        noteTimes(inputs, version);
+        forgetTouches(inputs);
         freeDead(inputs);
         inputs->isChanged = false;
     }

@@ -13,6 +13,7 @@
 typedef struct swInput
 {
     bool isUsed;
+    bool isTouched; // since the last step
     uint32_t generation;
     uint64_t serial;   // grows with every input made
     swInputDef def;    // its place is in the sea; its pointers are those of `data`
@@ -34,6 +35,7 @@ typedef struct swInputs
     uint32_t* order; // [orderCapacity] slots by field, order and serial
     int orderCapacity;
     swInputArrays arrays; // as the last step made them
+    swInputChanges changes;
 } swInputs;
 
 void swBeginInputs(swInputs* inputs, swMemory* memory, const swIdPool* systemIds, double seaLevel);
@@ -43,6 +45,9 @@ void swEndInputs(swInputs* inputs);
 swResult swAddInput(swInputs* inputs, const swInputDef* def, swId* id);
 swResult swChangeInput(swInputs* inputs, swInput* input, const swInputDef* def);
 void swRemoveInput(swInputs* inputs, swInput* input);
+
+// What it says is another thing from the next step on.
+void swTouchInput(swInputs* inputs, swInput* input);
 
 // NULL for a handle that is null or stale.
 swInput* swFindInput(const swInputs* inputs, swId id);

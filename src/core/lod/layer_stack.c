@@ -83,6 +83,18 @@ bool swMakeFieldTexels(const swHost* host, swLayerStack* layers)
     return isMade;
 }
 
+bool swHasFieldTexels(const swLayerStack* layers)
+{
+    for (int i = 0; i < SW_LAYERS; ++i)
+    {
+        if (swIsOnDemand(swGetLayerInfo(i)) && layers->states[i].texels[0] != NULL)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 const float* swGetLayerTexels(const swLayerStack* layers, int layer)
 {
     const swLayerState* state = &layers->states[layer];
@@ -218,6 +230,7 @@ void swStepLayers(swLayerStack* layers, int first, int count, swStepLayerFcn* st
 {
     const swLayerInfo* info = swGetLayerInfo(first);
     const swLayerFrame* now = &frame->layers[first];
+    step->note = &layers->states[first].note;
     if (!info->hasPast || info->isExact)
     {
         stepExactly(layers, first, count, stepFcn, step, frame);
@@ -258,6 +271,20 @@ static void streamClock(swStream* stream, const swLayerInfo* info, swLayerClock*
     stream->isBroken = stream->isBroken || (info->hasPast && !isClock);
 }
 
+// Whether a layer on demand is held. How many texels follow: none if it is not.
+static size_t streamHeld(swStream* stream, const swLayerStack* layers, int layer, bool* isHeld)
+{
+    size_t count = countFloats(layers, layer);
+    if (!swIsOnDemand(swGetLayerInfo(layer)))
+    {
+        return count;
+    }
+    swStreamBool(stream, isHeld);
+    bool hasRoom = count == 0 || layers->states[layer].texels[0] != NULL;
+    stream->isBroken = stream->isBroken || (*isHeld && !hasRoom);
+    return *isHeld ? count : 0;
+}
+
 // Into `texels`, or only looked at where that is NULL.
 static void streamTexels(swStream* stream, const swLayerInfo* info, size_t count, float* texels)
 {
@@ -277,11 +304,16 @@ void swStreamLayers(swStream* stream, swLayerStack* layers)
 {
     for (int i = 0; i < SW_LAYERS; ++i)
     {
+        if (swIsReading(stream) && !isSaved(layers, i))
+        {
+            layers->states[i].isAuthored = false; // texels are of what was before
+        }
         if (isSaved(layers, i))
         {
             swLayerState* state = &layers->states[i];
             streamClock(stream, swGetLayerInfo(i), &state->clock);
-            streamTexels(stream, swGetLayerInfo(i), countFloats(layers, i), state->texels[state->current]);
+            size_t count = streamHeld(stream, layers, i, &state->isAuthored);
+            streamTexels(stream, swGetLayerInfo(i), count, state->texels[state->current]);
         }
     }
 }
@@ -294,7 +326,9 @@ void swCheckLayers(swStream* stream, const swLayerStack* layers)
         {
             swLayerClock clock = {.isRunning = false};
             streamClock(stream, swGetLayerInfo(i), &clock);
-            streamTexels(stream, swGetLayerInfo(i), countFloats(layers, i), NULL);
+            bool isHeld;
+            size_t count = streamHeld(stream, layers, i, &isHeld);
+            streamTexels(stream, swGetLayerInfo(i), count, NULL);
         }
     }
 }
@@ -304,7 +338,7 @@ size_t swCountSavedFloats(const swLayerStack* layers)
     size_t count = 0;
     for (int i = 0; i < SW_LAYERS; ++i)
     {
-        count += isSaved(layers, i) ? countFloats(layers, i) : 0;
+        count += isSaved(layers, i) && !swIsOnDemand(swGetLayerInfo(i)) ? countFloats(layers, i) : 0;
     }
     return count;
 }

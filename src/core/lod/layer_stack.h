@@ -10,6 +10,13 @@
 #include "core/lod/layer_clock.h"
 #include "core/lod/stack.h"
 
+// What a maker leaves with the texels of the first of its layers, for its next call.
+typedef struct swLayerNote
+{
+    uint32_t version; // of the inputs that they are of
+    int made;         // texels that the call evaluated
+} swLayerNote;
+
 // A layer's texels, [slice][R][R][channels]; one that has no past uses the first only.
 typedef struct swLayerState
 {
@@ -17,6 +24,7 @@ typedef struct swLayerState
     int current;
     bool isAuthored; // of an authored field, in the last step
     swLayerClock clock;
+    swLayerNote note;
 } swLayerState;
 
 typedef struct swLayerStack
@@ -47,6 +55,7 @@ typedef struct swLayerStep
     float* next[SW_LAYERS];           // texels to fill
     // From where the texels of `previous` lie to the stack's slices, of layers that take the past themselves.
     swPastSource (*sources)[SW_PAST_SOURCES];
+    swLayerNote* note;
     int index;     // of the call in this frame
     int64_t clock; // of the one step to take, where the layer is not exact
     float dt;      // s: of this step, or of all together
@@ -64,6 +73,7 @@ void swFreeLayers(const swHost* host, swLayerStack* layers);
 // Texels of authored fields, which a view has no need of before there are inputs; nothing if it has them. False if
 // there is no memory, and then none is held that was not before.
 bool swMakeFieldTexels(const swHost* host, swLayerStack* layers);
+bool swHasFieldTexels(const swLayerStack* layers);
 const float* swGetLayerTexels(const swLayerStack* layers, int layer); // the current ones, or NULL
 
 // Move the window to a viewpoint or a zone's centre, find where texels were, and decide the steps of a frame.
@@ -73,11 +83,12 @@ void swPlaceLayers(swLayerStack* layers, swPos place, double seaLevel, int64_t e
 void swStepLayers(swLayerStack* layers, int first, int count, swStepLayerFcn* stepFcn, swLayerStep* step,
                   swStackFrame* frame);
 
-// Clocks and texels of the layers that are saved. While reading, into `layers`.
+// Clocks and texels of the layers that are saved. While reading, into `layers`, which must have texels of those on
+// demand where those were held.
 void swStreamLayers(swStream* stream, swLayerStack* layers);
 // Read past them and look whether they can be.
 void swCheckLayers(swStream* stream, const swLayerStack* layers);
-size_t swCountSavedFloats(const swLayerStack* layers);
+size_t swCountSavedFloats(const swLayerStack* layers); // at least so many
 
 // Windows, clocks and texels of simulated fields.
 void swHashLayers(swHash* hash, const swLayerStack* layers);

@@ -18,6 +18,7 @@ void swStreamViewState(swStream* stream, int maxScaleLevel, swViewState* state)
     streamPlace(stream, &state->viewpoint);
     streamPlace(stream, &state->last);
     swStreamBool(stream, &state->isPlaced);
+    swStreamBool(stream, &state->hasFields);
     swStreamRange(stream, &state->scaleLevel, 0, maxScaleLevel);
 }
 
@@ -28,6 +29,7 @@ static swViewState getViewState(const swView* view)
         .viewpoint = view->viewpoint,
         .last = frame != NULL ? frame->viewpoint : view->viewpoint,
         .isPlaced = view->layers.stack.isPlaced,
+        .hasFields = swHasFieldTexels(&view->layers),
         .scaleLevel = view->layers.stack.scaleLevel,
     };
 }
@@ -64,6 +66,11 @@ static swResult streamOneView(swWorld* world, swStream* stream, int index, swPos
         }
     }
     swStreamViewState(stream, def.maxScaleLevel, &state);
+    bool isMissing = swIsReading(stream) && state.hasFields && !stream->isBroken;
+    if (isMissing && !swMakeFieldTexels(&world->memory.host, &view->layers))
+    {
+        return swFailMemory(&world->memory, "the authored layers of a view's slices");
+    }
     swStreamLayers(stream, &view->layers);
     if (stream->isBroken)
     {

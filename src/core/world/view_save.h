@@ -11,6 +11,7 @@ typedef struct swViewState
 {
     swPos viewpoint, last; // of the next step, of the last one
     bool isPlaced;
+    bool hasFields; // there is room for layers on demand
     int scaleLevel;
 } swViewState;
 

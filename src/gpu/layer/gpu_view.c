@@ -95,7 +95,9 @@ static swResult fitBetween(swGpu* gpu, swGpuView* view, int layer)
 {
     swGpuLayer* of = &view->layers[layer];
     bool isHeld = of->images[0].width == (uint32_t)view->resolution;
-    bool isMissing = view->frame->stack.layers[layer].isCarried && isHeld && of->between.handle == VK_NULL_HANDLE;
+    bool isField = swGetLayerInfo(layer)->kind == SW_LAYER_IS_FIELD;
+    bool isWanted = isField || view->frame->stack.layers[layer].isCarried;
+    bool isMissing = isWanted && isHeld && of->between.handle == VK_NULL_HANDLE;
     return isMissing ? createImage(gpu, view, layer, view->resolution, &of->between) : SW_SUCCESS;
 }
 

@@ -22,7 +22,9 @@ typedef struct swGpuLayer
     // The second of layers with a past only, which are written in turns. Of a layer on demand that is not held: one
     // texel.
     swImage images[2];
-    swImage between;                        // that steps of one frame also write, of layers that water carries
+    // Of layers that water carries, where steps of one frame are in turns; of authored fields, where slices that move
+    // lie meanwhile.
+    swImage between;
     uint64_t firstFrame;                    // that begins the images
     swGpuLayerMark mark;                    // of the last recorded frame
     swGpuLayerMark earlier[SW_LAYER_MARKS]; // of those before, newest first
