@@ -541,32 +541,85 @@ typedef struct PlaceCase
 {
     const char* name;
     double wedge; // degrees; 0: the floor is far away, 360: everywhere
-    float depth;  // m
-    bool isFull;  // with a second wave system, and a lake at another level
+    float depth;  // m; 0: a beach, which rises from 8 m deep by one in fifty
+    bool isFull;  // with a second wave system, a lake at another level, foam that inputs make, and holes
 } PlaceCase;
 
+#define NO_FLOOR (-1.0)
 static const PlaceCase placeCases[] = {
     {"a floor, but far away", 0.0, 5.0f, false},
     {"5 m under a third of each slice", 120.0, 5.0f, false},
     {"5 m under all", 360.0, 5.0f, false},
     {"20 m under all", 360.0, 20.0f, false},
-    {"two systems, 5 m under a third, a level", 120.0, 5.0f, true},
-    {"two systems, 5 m under all, a level", 360.0, 5.0f, true},
+    {"two systems, nothing authored but a level", NO_FLOOR, 5.0f, true},
+    {"two systems, all fields, 5 m under a third", 120.0, 5.0f, true},
+    {"two systems, all fields, 5 m under all", 360.0, 5.0f, true},
+    {"two systems, all fields, a beach", 360.0, 0.0f, true},
 };
 #define PLACE_CASES (int)(sizeof(placeCases) / sizeof(placeCases[0]))
 
+// Passes that inputs lengthen, and the rest.
+static const char* const placePasses[] = {"fields", "slices_shaped", "slices", "foam", "made_foam"};
+#define PLACE_PASSES (int)(sizeof(placePasses) / sizeof(placePasses[0]))
+
 typedef struct PlaceTimes
 {
-    double fields, slices, frame; // us
+    double passes[PLACE_PASSES]; // us
+    double frame, moving;        // whole frames, the view standing still and scrolling
 } PlaceTimes;
+
+static void AddInput(Bench* bench, const swInputDef* def)
+{
+    swInputId id;
+    Check(swCreateInput(bench->world, def, &id), "no input");
+}
+
+static swInputDef InputHere(const Bench* bench, swInputField field, swInputShape shape, float size, float value)
+{
+    swInputDef def = swDefaultInputDef();
+    def.field = field;
+    def.shape = shape;
+    def.position = swView_GetViewpoint(bench->view);
+    def.position.y = 0.0;
+    def.size = (swVec3){size, 4.0f, size};
+    def.value[0] = value;
+    return def;
+}
+
+// Land on one side of the viewer, and a floor of 8 m from 300 m on at the other.
+static void AddBeach(Bench* bench)
+{
+    const float far = 3e4f;
+    const float across[] = {-far, -200.0f, 300.0f, far}, heights[] = {2.0f, 2.0f, -8.0f, -8.0f};
+    swVec3 vertices[8];
+    uint32_t faces[6][3];
+    for (uint32_t i = 0; i < 8; ++i)
+    {
+        vertices[i] = (swVec3){across[i / 2], heights[i / 2], i % 2 == 0 ? -far : far};
+    }
+    for (uint32_t i = 0; i < 6; ++i)
+    {
+        memcpy(faces[i], (uint32_t[3]){i, i + 1, i + 2}, sizeof(faces[i]));
+    }
+    swHost host = swDefaultHost();
+    swMeshDef meshDef = swDefaultMeshDef();
+    meshDef.vertices = vertices;
+    meshDef.vertexCount = 8;
+    meshDef.indices = faces[0];
+    meshDef.triangleCount = 6;
+    swMesh* mesh = NULL;
+    Check(swCreateMesh(&host, &meshDef, &mesh), "no mesh");
+    swInputDef def = InputHere(bench, SW_INPUT_FLOOR, SW_SHAPE_MESH, 1.0f, 0.0f);
+    def.mesh = mesh;
+    AddInput(bench, &def);
+    swDestroyMesh(mesh);
+}
 
 static void AddFloor(Bench* bench, const PlaceCase* what)
 {
     const double far = 3e4;
-    swInputDef def = swDefaultInputDef();
-    def.value[0] = -what->depth;
+    swInputDef def = InputHere(bench, SW_INPUT_FLOOR, SW_SHAPE_EVERYWHERE, 1.0f, -what->depth);
     def.feather = 5.0f;
-    def.position = swView_GetViewpoint(bench->view);
     const double half = what->wedge * SW_PI / 360.0;
     const swInputPoint corners[] = {{.x = 0.0, .z = 0.0},
                                     {.x = far * cos(half), .z = -far * sin(half)},
@@ -583,19 +636,19 @@ static void AddFloor(Bench* bench, const PlaceCase* what)
         def.points = corners;
         def.pointCount = 4;
     }
-    swInputId id;
-    Check(swCreateInput(bench->world, &def, &id), "no floor");
-    if (what->isFull)
-    {
-        def = swDefaultInputDef();
-        def.field = SW_INPUT_LEVEL;
-        def.shape = SW_SHAPE_CIRCLE;
-        def.position = swView_GetViewpoint(bench->view);
-        def.size = (swVec3){200.0f, 1.0f, 200.0f};
-        def.value[0] = 0.5f;
-        def.feather = 50.0f;
-        Check(swCreateInput(bench->world, &def, &id), "no level");
-    }
+    AddInput(bench, &def);
+}
+
+static void AddFields(Bench* bench)
+{
+    swInputDef def = InputHere(bench, SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 200.0f, 0.5f);
+    def.feather = 50.0f;
+    AddInput(bench, &def);
+    def = InputHere(bench, SW_INPUT_FOAM, SW_SHAPE_CIRCLE, 100.0f, 1.0f);
+    def.feather = 20.0f;
+    AddInput(bench, &def);
+    def = InputHere(bench, SW_INPUT_CLIP, SW_SHAPE_BOX, 20.0f, 1.0f);
+    AddInput(bench, &def);
 }
 
 static double MedianOf(Series* passes, const char* name)
@@ -608,39 +661,60 @@ static double MedianOf(Series* passes, const char* name)
     return median;
 }
 
+static PlaceTimes MeasurePlace(Bench* bench)
+{
+    Series passes[MAX_PASSES] = {0}, frame = {0}, moving = {0};
+    bench->isStill = true;
+    RunFrames(bench, NULL, &frame);
+    RunFrames(bench, passes, NULL);
+    bench->isStill = false;
+    RunFrames(bench, NULL, &moving);
+    PlaceTimes times = {.frame = Median(&frame), .moving = Median(&moving)};
+    for (int i = 0; i < PLACE_PASSES; ++i)
+    {
+        times.passes[i] = MedianOf(passes, placePasses[i]);
+    }
+    for (int i = 0; i < MAX_PASSES; ++i)
+    {
+        free(passes[i].values);
+    }
+    free(frame.values);
+    free(moving.values);
+    return times;
+}
+
 static void MeasurePlaces(Bench* bench, PlaceTimes* times)
 {
     swWaveSystemDef swell = swDefaultWaveSystemDef();
     swell.seed = 2;
     swell.spectrum.direction = 1.2f;
-    bench->isStill = true;
     for (int c = 0; c < PLACE_CASES; ++c)
     {
-        Series passes[MAX_PASSES] = {0}, frame = {0};
+        const PlaceCase* what = &placeCases[c];
         swWaveSystemId second = {0, 0};
-        if (placeCases[c].isFull)
+        if (what->depth == 0.0f)
+        {
+            AddBeach(bench);
+        }
+        else if (what->wedge != NO_FLOOR)
+        {
+            AddFloor(bench, what);
+        }
+        if (what->isFull)
         {
             Check(swCreateWaveSystem(bench->world, &swell, &second), "no second system");
+            AddFields(bench);
         }
-        AddFloor(bench, &placeCases[c]);
-        RunFrames(bench, NULL, &frame);
-        RunFrames(bench, passes, NULL);
-        times[c] = (PlaceTimes){MedianOf(passes, "fields"), MedianOf(passes, "slices"), Median(&frame)};
+        times[c] = MeasurePlace(bench);
         while (swWorld_GetInputCount(bench->world) > 0)
         {
             swDestroyInput(bench->world, swWorld_GetInput(bench->world, 0));
         }
-        if (placeCases[c].isFull)
+        if (what->isFull)
         {
             swDestroyWaveSystem(bench->world, second);
         }
-        for (int i = 0; i < MAX_PASSES; ++i)
-        {
-            free(passes[i].values);
-        }
-        free(frame.values);
     }
-    bench->isStill = false;
 }
 
 // Report -------------------------------------------------------------------------------------------------------------
@@ -677,11 +751,21 @@ static void PrintTable(const Bench* bench, Report* report)
     printf("%-16s %10.2f\n\n", "sum", sum);
     printf("frame without a view (rows, columns, detail; 4 barriers): %.2f us\n", report->waves);
     printf("whole frame (5 passes, 5 barriers, no timestamps inside):  %.2f us\n", report->frame);
-    printf("\n%-40s %10s %10s %14s\n", "where inputs shape waves", "fields us", "slices us", "whole frame us");
+    printf("\n%-44s", "where inputs shape waves, us");
+    for (int i = 0; i < PLACE_PASSES; ++i)
+    {
+        printf(" %13s", placePasses[i]);
+    }
+    printf(" %13s %13s\n", "whole frame", "moving");
     for (int i = 0; i < PLACE_CASES; ++i)
     {
         const PlaceTimes* times = &report->places[i];
-        printf("%-40s %10.2f %10.2f %14.2f\n", placeCases[i].name, times->fields, times->slices, times->frame);
+        printf("%-44s", placeCases[i].name);
+        for (int p = 0; p < PLACE_PASSES; ++p)
+        {
+            printf(" %13.2f", times->passes[p]);
+        }
+        printf(" %13.2f %13.2f\n", times->frame, times->moving);
     }
     if (bench->options.queryPoints > 0)
     {
@@ -720,8 +804,12 @@ static void PrintJson(const Bench* bench, Report* report)
     for (int i = 0; i < PLACE_CASES; ++i)
     {
         const PlaceTimes* times = &report->places[i];
-        printf("%s\n  {\"name\": \"%s\", \"fields_us\": %.3f, \"slices_us\": %.3f, \"frame_us\": %.3f}",
-               i > 0 ? "," : "", placeCases[i].name, times->fields, times->slices, times->frame);
+        printf("%s\n  {\"name\": \"%s\", ", i > 0 ? "," : "", placeCases[i].name);
+        for (int p = 0; p < PLACE_PASSES; ++p)
+        {
+            printf("\"%s_us\": %.3f, ", placePasses[p], times->passes[p]);
+        }
+        printf("\"frame_us\": %.3f, \"moving_frame_us\": %.3f}", times->frame, times->moving);
     }
     printf("],\n \"query_points\": %d, \"queries\": [", bench->options.queryPoints);
     for (int i = 0; i < QUERY_CASES && bench->options.queryPoints > 0; ++i)

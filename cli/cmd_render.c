@@ -17,6 +17,8 @@
 #include "verbs.h"
 #include "video.h"
 
+#include "seaway/lines.h"
+
 // Foam gathers by steps that are longer further back, where what they miss between them has faded and spread: the mean
 // stays within 2 % of that of steps of 1/30 s.
 #define WARMUP_STEP 0.1        // s, in the last second
@@ -47,6 +49,8 @@ typedef struct RenderOptions
     bool ride;
     DebugName debug;
     const char* rangeText; // of the sheet
+    const char* marksText;
+    uint32_t marks; // lines over the picture
     double exposureEv;
     double sunElevation, sunAzimuth; // degrees; NAN: the scene's
     double warmup;
@@ -397,8 +401,8 @@ static bool OpenSea(Render* render, const char* scenePath)
     swScene* scene = render->scene;
     scene->view.enableCpuLayers = false;
     swViewDef view = FitPictureView(render->maker, &scene->view);
-    scene->world.enableQueries =
-        render->options.ride || view.enableCpuLayers; // else a picture needs no surface on the CPU
+    scene->world.enableQueries = render->options.ride || render->options.marks != 0 ||
+                                 view.enableCpuLayers; // else a picture needs no surface on the CPU
     swResult result = swOpenScene(&render->host, scene, &render->world, &render->sea);
     result = result == SW_SUCCESS ? swCreateView(render->world, &view, &render->view) : result;
     if (result != SW_SUCCESS)
@@ -484,7 +488,8 @@ static int RenderScene(const RenderOptions* options, const char* scenePath)
                                .supersample = (int)lround(sqrt((double)options->samples)),
                                .enableValidation = options->enableValidation};
         render.maker = CreatePictureMaker(&render.host, &def);
-        isFine = render.maker != NULL && OpenSea(&render, scenePath) && OpenSheet(&render) && DrawFrames(&render);
+        isFine = render.maker != NULL && SetPictureMarks(render.maker, options->marks) && OpenSea(&render, scenePath) &&
+                 OpenSheet(&render) && DrawFrames(&render);
     }
     if (render.video != NULL)
     {
@@ -547,6 +552,11 @@ static bool CheckEffects(const RenderOptions* options)
         useless = "--exposure";
         where = "on .exr, which holds the light before exposure";
     }
+    else if (options->marksText != NULL && IsExr(options))
+    {
+        useless = "--show";
+        where = "on .exr, which holds the light before lines are drawn";
+    }
     else if (!isnan(options->fps) && options->frames == 1 && options->kind != OUTPUT_VIDEO)
     {
         useless = "--fps";
@@ -594,6 +604,11 @@ static bool CheckSheet(RenderOptions* options)
         }
         return options->rangeText == NULL;
     }
+    if (options->marksText != NULL)
+    {
+        Complain("render: --show has no effect on a layer; leave it out");
+        return false;
+    }
     if (options->samples > 1)
     {
         Complain("render: --samples has no effect on a layer; leave it out");
@@ -608,6 +623,12 @@ static bool CheckOptions(RenderOptions* options)
     if (path == NULL)
     {
         Complain("render: --out is missing: a name.png, name.exr, name.mp4, or a folder");
+        return false;
+    }
+    if (options->marksText != NULL && !swParseStageMarks(options->marksText, &options->marks))
+    {
+        Complain("render: --show is a list of queries, ray, tiles and inputs, such as ray,inputs, not \"%s\"",
+                 options->marksText);
         return false;
     }
     if (!ChooseKind(options) || !CheckEffects(options) || !CheckSheet(options))
@@ -753,6 +774,11 @@ int RunRender(int argumentCount, char** arguments)
          .placeholder = "A:B",
          .help = "numbers of a layer's first and last colour (default: its least and greatest)",
          .needs = "debug"},
+        {.name = "show",
+         .kind = OPTION_TEXT,
+         .value = &render.marksText,
+         .placeholder = "LIST",
+         .help = "lines over the picture: any of queries,ray,tiles,inputs"},
         {.name = "frame-format",
          .kind = OPTION_CHOICE,
          .value = &render.frameFormat,

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "seaway/stage.h"
+#include "seaway/lines.h"
 
 #include "common.h"
 
@@ -19,6 +19,9 @@ struct PictureMaker
     swRenderer* renderer;
     swPicture* picture;
     swStageTerrain* terrain;
+    uint32_t marks;
+    swStageLines* lines; // NULL without marks
+    const swWorld* shownWorld;
     swStageTargets targets;
     swStageBuffer hdrData, outputData; // 4 half floats and 4 bytes a pixel
 };
@@ -60,6 +63,7 @@ bool ShowWorld(PictureMaker* maker, const swWorld* world)
     result = result == SW_SUCCESS ? swCreatePicture(maker->renderer, &def, &maker->picture) : result;
     swStageTerrainDef land = swDefaultStageTerrainDef();
     land.world = world;
+    maker->shownWorld = world;
     result = result == SW_SUCCESS ? swStage_CreateTerrain(maker->stage, &land, &maker->terrain) : result;
     if (result != SW_SUCCESS)
     {
@@ -101,6 +105,7 @@ int DestroyPictureMaker(PictureMaker* maker)
     {
         swStage_Wait(maker->stage);
         swStage_DestroyTerrain(maker->stage, maker->terrain);
+        swStage_DestroyLines(maker->stage, maker->lines);
         swDestroyPicture(maker->picture);
         swDestroyRenderer(maker->renderer);
         swDestroyGpuWorld(maker->world);
@@ -165,6 +170,17 @@ bool MakeSheet(PictureMaker* maker, const swView* view, const swSheetDef* def, s
     return result == SW_SUCCESS;
 }
 
+bool SetPictureMarks(PictureMaker* maker, uint32_t marks)
+{
+    maker->marks = marks;
+    swResult result = marks != 0 ? swStage_CreateLines(maker->stage, &maker->lines) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        ComplainAboutResult(result, "lines cannot be drawn");
+    }
+    return result == SW_SUCCESS;
+}
+
 bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst)
 {
     swStageFrame frame;
@@ -183,6 +199,12 @@ bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst
     }
     const swStageTargets* targets = &maker->targets;
     swStage_DrawPicture(maker->stage, frame.commands, maker->picture, targets, maker->terrain, dt, isFirst);
+    if (maker->lines != NULL)
+    {
+        swStageLines_Clear(maker->lines);
+        swStageLines_AddMarks(maker->lines, maker->shownWorld, maker->picture, &withLand.camera, maker->marks);
+        swStage_DrawLines(maker->stage, frame.commands, maker->lines, targets, &withLand.camera);
+    }
     swStage_CopyToHost(maker->stage, frame.commands, &targets->hdr, SW_STAGE_USE_SAMPLED, &maker->hdrData);
     swStage_CopyToHost(maker->stage, frame.commands, &targets->output, SW_STAGE_USE_COLOR_TARGET, &maker->outputData);
     return FinishFrame(maker, &frame);

@@ -34,6 +34,9 @@ bool ShowWorld(PictureMaker* maker, const swWorld* world);
 // makes the layers, foam has gathered with the step already.
 bool AdvancePicture(PictureMaker* maker);
 
+// Lines over the pictures that are made from now on: bits of swStageMarks. False after a sentence.
+bool SetPictureMarks(PictureMaker* maker, uint32_t marks);
+
 // Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;
 // `isFirst` jumps to the measured exposure.
 bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst);

@@ -75,6 +75,12 @@ ALLOWED = {
     ("swMoment_QueryHeightMap", "map.originZ", "*"): "every point is bad, and NaN",
     ("swMoment_QueryHeightMap", "map.spacing", "*"): "every point is bad, and NaN",
     ("swCreateSceneInputs", "scene", "NULL"): "it is the scene that knows whom to tell",
+    ("swStage_DestroyLines", "lines", "NULL"): "nothing to destroy",
+    ("swStageLines_AddQueries", "lines", "NULL"): "it is the lines that know whom to tell",
+    ("swStageLines_AddRay", "lines", "NULL"): "likewise",
+    ("swStageLines_AddTiles", "lines", "NULL"): "likewise",
+    ("swStageLines_AddInputs", "lines", "NULL"): "likewise",
+    ("swStageLines_AddMarks", "lines", "NULL"): "likewise",
     ("swSheet_Read", "sheet", "NULL"): "it is the sheet that knows whom to tell",
     ("swCreateSceneSea", "scene", "NULL"): "it is the scene that knows whom to tell",
     ("*", "spectrum.depth", "infinite"): "deep water",
@@ -327,9 +333,9 @@ FREES = set()
 def main():
     folder, output = sys.argv[1:3]
     is_gpu, is_scene = "--gpu" in sys.argv, "--scene" in sys.argv
-    names = HEADERS + (["gpu", "layers", "draw", "stage", "sheet"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
+    names = HEADERS + (["gpu", "layers", "draw", "stage", "sheet", "lines"] if is_gpu else []) + (["files", "scene"] if is_scene else [])
     known = {name[:-2] for name in os.listdir(folder) if name.endswith(".h")} - {"seaway"}
-    for name in known - set(HEADERS + ["gpu", "layers", "draw", "stage", "sheet", "files", "scene"]):
+    for name in known - set(HEADERS + ["gpu", "layers", "draw", "stage", "sheet", "lines", "files", "scene"]):
         sys.exit(f"make_misuse_test.py: {name}.h is in no list of headers here")
     Writer(*parse(folder, names)).write(output, is_gpu, is_scene)
 

@@ -39,6 +39,8 @@ typedef struct App
     UiMesh mesh;
 
     Sea sea;
+    swStageLines* lines;  // over the picture; NULL until something is to be seen by them
+    uint32_t marks;       // what: bits of swStageMarks
     swStageTerrain* land; // of the sea's world
     int landVersion;      // of the sea's floor that it was sampled from
     int64_t sceneStamp;   // when the scene file was last written

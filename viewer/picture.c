@@ -88,6 +88,12 @@ bool RecordPicture(PictureDef* def)
         return false;
     }
     swStage_DrawPicture(def->stage, commands, picture, &def->targets->stage, def->land, def->dt, def->jumpExposure);
+    if (def->lines != NULL && def->marks != 0)
+    {
+        swStageLines_Clear(def->lines);
+        swStageLines_AddMarks(def->lines, def->sea->world, picture, &def->shot.camera, def->marks);
+        swStage_DrawLines(def->stage, commands, def->lines, &def->targets->stage, &def->shot.camera);
+    }
     if (def->sheet->isRead)
     {
         CopySheetView(def->sheet, def->stage, commands, &def->targets->stage.output);

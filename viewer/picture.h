@@ -4,6 +4,8 @@
 // The order of a frame on the GPU, and the images that it goes through: HDR and depth, the finished picture, the
 // window.
 
+#include "seaway/lines.h"
+
 #include "screen.h"
 #include "sea.h"
 #include "sheet_view.h"
@@ -47,6 +49,8 @@ typedef struct PictureDef
     swStageTerrain* land; // NULL: none
     UiDrawer* drawer;
     const UiMesh* mesh;
+    swStageLines* lines; // over the picture; NULL: none
+    uint32_t marks;
     const SheetView* sheet; // in place of the picture, if it has been read
     swShot shot;
     swStageFrame frame;

@@ -251,6 +251,8 @@ static PictureDef DescribePicture(App* app, const swStageFrame* frame, double pa
         .sea = &app->sea,
         .land = app->land,
         .sheet = &app->sheetView,
+        .lines = app->lines,
+        .marks = app->marks,
         .drawer = &app->drawer,
         .mesh = &app->mesh,
         .shot =
@@ -320,6 +322,10 @@ static bool MakeFrame(App* app, const swStageFrame* frame)
     {
         snprintf(app->capturePath, sizeof(app->capturePath), "%s", app->options.screenshotPath);
         app->capture = CAPTURE_WINDOW;
+    }
+    if (app->marks != 0 && app->lines == NULL && swStage_CreateLines(app->stage, &app->lines) != SW_SUCCESS)
+    {
+        app->marks = 0; // the log says why
     }
     PictureDef picture = DescribePicture(app, frame, passed);
     app->jumpExposure = app->frameIndex == 0;
@@ -415,6 +421,7 @@ static void CloseApp(App* app)
         swStage_GetVk(app->stage)->DeviceWaitIdle(swGpu_GetDevice(app->gpu));
         swStage_DestroyTerrain(app->stage, app->land);
         CloseSea(&app->sea);
+        swStage_DestroyLines(app->stage, app->lines);
         CloseSheetView(&app->sheetView, app->stage);
         CloseUiDrawer(&app->drawer);
         CloseTargets(&app->targets, app->stage);

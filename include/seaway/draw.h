@@ -146,6 +146,22 @@ typedef struct swPictureSources
 /// @return SW_ERROR_INVALID if the picture was not prepared
 SW_API swResult swPicture_GetSources(const swPicture* picture, swPictureSources* sources);
 
+/// Most rectangles that swPicture_GetTiles() gives.
+#define SW_MAX_TILE_BOUNDS 256
+
+/// A rectangle of the surface's mesh.
+typedef struct swTileBounds
+{
+    int slice;         ///< that it is drawn from
+    swPosXZ low, high; ///< corners, m
+    double seaLevel;   ///< m
+} swTileBounds;
+
+/// The rectangles that the prepared picture's mesh is cut into, but for the strip to the horizon: for tools. Those that
+/// the camera does not see are not drawn.
+/// @return how many there are; at most `capacity` are written. 0 if the picture was not prepared
+SW_API int swPicture_GetTiles(const swPicture* picture, int capacity, swTileBounds* tiles);
+
 /// Inside the host's dynamic rendering with the def's formats, viewport and scissor set, depth cleared to 0 (reversed
 /// Z) or with what the host has drawn in it: the water, and the sky behind everything with depth 0.
 SW_API void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands);

@@ -354,7 +354,7 @@ typedef struct swFieldSamples
     float* clip;    ///< above 0.5: no water. It rises from 0 to 1 within 1 m across the edge of still water
     float* foam;    ///< made by inputs, per second
     swVec4* albedo; ///< red, green, blue, each times the cover; and the cover
-    swVec2* wind;   ///< m/s along x and z, by inputs
+    swVec2* wind;   ///< m/s along x and z: the world's, with its gusts, and what inputs make of it
     float* shadow;
     swVec3* displacement; ///< by inputs alone, m
     int* body;            ///< -1 where there is none

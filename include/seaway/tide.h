@@ -8,6 +8,7 @@
 /// Tides as sums of constituents, harmonics with the speeds of the moon's and the sun's motions [Schureman 1958]. An
 /// input of the level or of the flow may have them, see swInputDef::tide: a level that rises and falls, or tidal
 /// streams, whose velocity goes around an ellipse for each constituent. They are a function of the world's time.
+/// Tables of levels are read by swGetTideOfTable().
 ///
 ///     swInputDef tide = swDefaultInputDef(); // everywhere
 ///     tide.field = SW_INPUT_LEVEL;
@@ -51,3 +52,19 @@ SW_API bool swSetTideConstituent(const char* name, float amplitude, float phase,
 
 /// What constituents add up to at a time, s: of a level x, of a flow x and z. Without constituents both are 0.
 SW_API void swGetTide(int count, const swTideConstituent* constituents, double time, float* x, float* z);
+
+/// A height of the water at a time: a line of a tide table, or of what a gauge measured.
+typedef struct swTideLevel
+{
+    double time; ///< s
+    float level; ///< m, or whatever the host's table has
+} swTideLevel;
+
+/// What a table says at a time, for swInput_SetValue() or swWaterBody_SetLevel() before each step. Between two lines
+/// the level runs along a cubic that neither leaves their range nor bends at them [Steffen 1990], so that the high and
+/// low waters of a table stay its highest and lowest. Between a high and a low water that is within 0.01 of their
+/// difference of the half cosine by which tide tables are read. Before the first and after the last line the level
+/// stands, and it sets out from there and arrives there gently: give a line more at either end.
+/// @param table [count] at least one line; times ascend
+/// @return NaN where a line or the time is not finite, or the two lines around the time do not ascend
+SW_API float swGetTideOfTable(int count, const swTideLevel* table, double time);

@@ -48,6 +48,10 @@ typedef struct swWaterBodyDef
     /// in a bay that only looks another way.
     bool setsLevel;
 
+    /// A tide of its own, which is added to position.y; without it the water has none, whatever the sea around it does.
+    /// Of the time of the step, or of a moment's. Default: none.
+    swTideConstituent tide[SW_MAX_TIDE];
+
     /// There is water in it, whatever inputs of SW_INPUT_CLIP of a lower order take away. Default true.
     bool leavesWater;
 

@@ -56,10 +56,17 @@ float splineZ(swSliceTile tile, uint row)
     return fma(float(row), tile.step, tile.fractionZ);
 }
 
+// A coefficient of a tile, or of two that lie alike and are added as one.
 vec3 texelOf(swSliceTile tile, uint column, uint row)
 {
     uint mask = tile.resolution - 1;
-    return texels[tile.firstTexel + (column & mask) + (row & mask) * (tile.resolution + 3)].xyz;
+    uint at = (column & mask) + (row & mask) * (tile.resolution + 3);
+    vec3 texel = texels[tile.firstTexel + at].xyz;
+    if (tile.secondTexel != SW_NO_TEXEL)
+    {
+        texel += texels[tile.secondTexel + at].xyz;
+    }
+    return texel;
 }
 
 // Interpolated along an axis.

@@ -26,8 +26,11 @@
 // Spline units a texel of such a tile, at most.
 #define SW_SLICE_STEP 0.75f
 
-// Texels of a column that a thread of slices_shaped.comp adds up waves for; a divisor of SW_SLICE_HEIGHT.
-#define SW_SHAPED_RUN 4
+// Rows of such a block that a workgroup of slices_shaped.comp makes; a divisor of its height.
+#define SW_SHAPED_ROWS 4
+// Tiles that it looks at together, and columns of them that it lays out in shared memory at once.
+#define SW_SHAPED_TILES 32
+#define SW_SHAPED_COLUMNS 176
 
 // Side of the block of detail texels that one workgroup makes and averages down to one.
 #define SW_DETAIL_BLOCK 32

@@ -142,6 +142,36 @@ SW_FORMULA swInputChannel swSampleRasterFrames(SW_WORDS words, swInputRecord rec
                          swMakeChannel(record.part2, 0.0f, 0.0f));
 }
 
+// Adds a channel to one of a sample's numbers.
+SW_FORMULA swInputSample swAddRasterChannel(swInputSample s, sw_uint number, swInputChannel c)
+{
+    if (number == 0u)
+    {
+        s.value.x = s.value.x + c.value;
+        s.valueX.x = c.alongX;
+        s.valueZ.x = c.alongZ;
+    }
+    else if (number == 1u)
+    {
+        s.value.y = s.value.y + c.value;
+        s.valueX.y = c.alongX;
+        s.valueZ.y = c.alongZ;
+    }
+    else if (number == 2u)
+    {
+        s.value.z = s.value.z + c.value;
+        s.valueX.z = c.alongX;
+        s.valueZ.z = c.alongZ;
+    }
+    else
+    {
+        s.value.w = s.value.w + c.value;
+        s.valueX.w = c.alongX;
+        s.valueZ.w = c.alongZ;
+    }
+    return s;
+}
+
 SW_FORMULA swInputSample swSampleRasterInput(SW_WORDS words, swInputRecord record, float x, float z)
 {
     swInputSample s = swBeginInputSample(record);
@@ -164,40 +194,12 @@ SW_FORMULA swInputSample swSampleRasterInput(SW_WORDS words, swInputRecord recor
     {
         return s;
     }
+    // A loop: compilers of shaders write out what stands four times four times.
     sw_uint numbers = swCountRecordNumbers(record);
-    swInputChannel c = swSampleRasterFrames(words, record, cells, 0u);
-    if ((record.flags & SW_INPUT_IS_HEIGHT) != 0u)
+    for (sw_uint channel = 0u; channel < numbers; ++channel)
     {
-        s.value.y = s.value.y + c.value;
-        s.valueX.y = c.alongX;
-        s.valueZ.y = c.alongZ;
-    }
-    else
-    {
-        s.value.x = s.value.x + c.value;
-        s.valueX.x = c.alongX;
-        s.valueZ.x = c.alongZ;
-    }
-    if (numbers > 1u)
-    {
-        c = swSampleRasterFrames(words, record, cells, 1u);
-        s.value.y = s.value.y + c.value;
-        s.valueX.y = c.alongX;
-        s.valueZ.y = c.alongZ;
-    }
-    if (numbers > 2u)
-    {
-        c = swSampleRasterFrames(words, record, cells, 2u);
-        s.value.z = s.value.z + c.value;
-        s.valueX.z = c.alongX;
-        s.valueZ.z = c.alongZ;
-    }
-    if (numbers > 3u)
-    {
-        c = swSampleRasterFrames(words, record, cells, 3u);
-        s.value.w = s.value.w + c.value;
-        s.valueX.w = c.alongX;
-        s.valueZ.w = c.alongZ;
+        sw_uint number = (record.flags & SW_INPUT_IS_HEIGHT) != 0u ? channel + 1u : channel;
+        s = swAddRasterChannel(s, number, swSampleRasterFrames(words, record, cells, channel));
     }
     return swCoverRectangle(s, x - record.middleX, z - record.middleZ, record.halfX, record.halfZ, record.feather);
 }

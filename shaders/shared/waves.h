@@ -42,8 +42,11 @@ SW_PARAMS(swWavesParams)
 };
 SW_PARAMS_SIZE(swWavesParams, 16);
 
-// A tile in a slice. Spline coordinate of column c: fraction + c * step, counted from texel column baseX. What a block
-// of texels lays out of it in shared memory has places of its own, see slices.comp.
+#define SW_NO_TEXEL 0xffffffffu
+
+// A tile in a slice, or two of different systems that lie alike and are shaped alike. Spline coordinate of column c:
+// fraction + c * step, counted from texel column baseX. What a block of texels lays out of it in shared memory has
+// places of its own, see slices.comp.
 SW_PARAMS(swSliceTile)
 {
     float fractionX, fractionZ; // in [0, 1)
@@ -51,12 +54,17 @@ SW_PARAMS(swSliceTile)
     float perMetre;             // spline units a metre: resolution / side
     sw_uint base;               // baseX in the low half, baseZ in the high one; in [0, resolution)
     sw_uint firstTexel;
+    sw_uint secondTexel; // of the second tile; SW_NO_TEXEL: there is none
     sw_uint resolution;
     sw_uint columnCount; // the most that a block touches
     sw_uint firstColumn; // among those of its batch
     sw_uint firstOfAll;  // among those of all tiles
     sw_uint batchEnd;    // of the tiles that are laid out together: one past the last
     sw_uint firstJump;
+    // Likewise among what slices_shaped.comp lays out, from the last tile on.
+    sw_uint shapedColumns; // as columnCount; 0: it is added texel by texel
+    sw_uint firstShaped;
+    sw_uint shapedBegin; // of the tiles that are laid out together: the first, counted from the list's
     float texelsPerUnit; // 1 / step
     float waveNumber;    // in the middle of the tile's waves, rad/m
     sw_uint system;
@@ -65,7 +73,7 @@ SW_PARAMS(swSliceTile)
     sw_uint carryTurns; // of copies that a flow carries, see swQueryTile
     float carryPeriod;
 };
-SW_PARAMS_SIZE(swSliceTile, 80);
+SW_PARAMS_SIZE(swSliceTile, 96);
 
 // A free wave in a slice. Its phase at texel (column, row) is phase + column stepX + row stepZ, in fractions of 2^32 of
 // a turn, exact as integers are.

@@ -74,6 +74,7 @@ layout(push_constant) uniform Push
 };
 
 #include "lib/slice_waves.glsl"
+#include "lib/slice_cubics.glsl"
 
 // The slice's tiles that are added as cubics.
 shared swSliceTile blockTiles[SW_SLICE_TILES];
@@ -98,45 +99,9 @@ bool isShapedTile(uint b)
     return isShaped(blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
 }
 
-// Displacement is x[0] + x[1] t + x[2] t^2 + x[3] t^3, t texels from the block's middle row, y and z the same; slopeX
-// to slopeZ are its slope along x.
-struct Cubic
-{
-    vec4 x, y, z;
-    vec4 slopeX, slopeY, slopeZ;
-};
-
-const Cubic FLAT = Cubic(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-
-float evaluate(vec4 c, float t)
-{
-    return fma(fma(fma(c.w, t, c.z), t, c.y), t, c.x);
-}
-
-float evaluateSlope(vec4 c, float t)
-{
-    return fma(fma(3.0 * c.w, t, 2.0 * c.z), t, c.y);
-}
-
-// What each of four coefficients of the spline adds to its cubic, as Taylor polynomials t beyond a knot.
-mat4 cubicPieces(float t, float step)
-{
-    float halfSquare = 0.5 * step * step;
-    vec4 w1 = swSplineSlopes(t) * step;
-    vec4 w2 = vec4(1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t) * halfSquare;
-    vec4 w3 = vec4(-1.0, 3.0, -3.0, 1.0) * (halfSquare * step * (1.0 / 3.0));
-    return transpose(mat4(swSplineWeights(t), w1, w2, w3));
-}
-
 float splineOfRow(swSliceTile tile, uint row)
 {
     return splineZ(tile, gl_WorkGroupID.y * SW_SLICE_HEIGHT + row);
-}
-
-// First tile column that the block touches, not wrapped.
-float firstOfBlock(swSliceTile tile)
-{
-    return floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH));
 }
 
 // Rows are made from the middle to the end, then from the middle back to the beginning: step by step a cubic loses
@@ -268,30 +233,9 @@ void addCubic(inout Cubic cubic, vec4 piece, vec3 value, vec3 slope)
     cubic.slopeZ = fma(piece, vec4(slope.z), cubic.slopeZ);
 }
 
-// Where a column's window of four of the block's tile columns begins, and the window's weights.
-struct Window
+void addLaidOut(inout Cubic cubic, uint at, float value, float slope)
 {
-    uint first;
-    vec4 value, slope;
-};
-
-Window makeWindow(swSliceTile tile, uint column)
-{
-    float s = splineX(tile, column);
-    float cell = floor(s);
-    return Window(uint(cell - firstOfBlock(tile)), swSplineWeights(s - cell), swSplineSlopes(s - cell) * tile.perMetre);
-}
-
-// Adds the cubic of a laid-out column, weighted.
-void addColumn(inout Cubic cubic, uint at, float value, float slope)
-{
-    vec4 x = laidOut[at], y = laidOut[SW_SLICE_COLUMNS + at], z = laidOut[2 * SW_SLICE_COLUMNS + at];
-    cubic.x = fma(vec4(value), x, cubic.x);
-    cubic.y = fma(vec4(value), y, cubic.y);
-    cubic.z = fma(vec4(value), z, cubic.z);
-    cubic.slopeX = fma(vec4(slope), x, cubic.slopeX);
-    cubic.slopeY = fma(vec4(slope), y, cubic.slopeY);
-    cubic.slopeZ = fma(vec4(slope), z, cubic.slopeZ);
+    addColumn(cubic, laidOut[at], laidOut[SW_SLICE_COLUMNS + at], laidOut[2 * SW_SLICE_COLUMNS + at], value, slope);
 }
 
 // Adds a tile to a column's cubic.
@@ -299,10 +243,10 @@ void addTile(inout Cubic cubic, swSliceTile tile, uint column)
 {
     Window window = makeWindow(tile, column);
     uint at = tile.firstColumn + window.first;
-    addColumn(cubic, at, window.value.x, window.slope.x);
-    addColumn(cubic, at + 1, window.value.y, window.slope.y);
-    addColumn(cubic, at + 2, window.value.z, window.slope.z);
-    addColumn(cubic, at + 3, window.value.w, window.slope.w);
+    addLaidOut(cubic, at, window.value.x, window.slope.x);
+    addLaidOut(cubic, at + 1, window.value.y, window.slope.y);
+    addLaidOut(cubic, at + 2, window.value.z, window.slope.z);
+    addLaidOut(cubic, at + 3, window.value.w, window.slope.w);
 }
 
 vec3 readJump(uint at)
@@ -329,13 +273,6 @@ void addKnots(inout Cubic cubic, uint row, uint origin, float sign, uint column)
 }
 
 // Texels -------------------------------------------------------------------------------------------------------------
-
-Texel evaluateCubic(Cubic cubic, float t, float texelsPerMetre)
-{
-    return Texel(vec3(evaluate(cubic.x, t), evaluate(cubic.y, t), evaluate(cubic.z, t)),
-                 vec3(evaluate(cubic.slopeX, t), evaluate(cubic.slopeY, t), evaluate(cubic.slopeZ, t)),
-                 texelsPerMetre * vec2(evaluateSlope(cubic.y, t), evaluateSlope(cubic.z, t)));
-}
 
 // Columns beyond a narrow slice's edge store nothing: Vulkan drops what is outside an image.
 void storeTexel(ivec3 at, Texel texel)

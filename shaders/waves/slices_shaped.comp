@@ -9,14 +9,17 @@
 // by isShapedIn(), so each is added once. The twin of core/surface/evaluate_shaped.c.
 //
 // Everything that makes waves differ from place to place is added here, in addAllShaped(), and slices.comp knows
-// nothing of it. A thread adds up a run of SW_SHAPED_RUN texels of a column, which share the rows of a tile's
-// coefficients that it has weighed along x.
+// nothing of it. A workgroup makes SW_SHAPED_ROWS rows of a block, a thread a texel. The spline is separable: for each
+// tile, what its columns are at each of the rows is interpolated along z once for all texels, in shared memory, and
+// each texel interpolates that along x. Runs of four texels a thread, which share cubics along z in registers, need
+// fewer operations, but took twice as long: their code has 37 KB and 168 registers, and a block took 20 us of an H100
+// from its beginning to its end.
 
 #include "shared/fields.h"
 #include "shared/spline.h"
 #include "shared/waves.h"
 
-layout(local_size_x = SW_SLICE_WIDTH) in;
+layout(local_size_x = SW_SLICE_WIDTH, local_size_y = SW_SHAPED_ROWS) in;
 layout(constant_id = 0) const bool WITH_WAVES = true;        // free waves
 layout(constant_id = 1) const bool WITH_WEIGHTS = true;      // systems may have weights of their own there
 layout(constant_id = 2) const bool WITH_FLOW = true;         // a flow may carry waves
@@ -89,14 +92,13 @@ layout(push_constant) uniform Push
 #include "lib/ribbons.glsl"
 #include "lib/slice_waves.glsl"
 
-swFieldBlock fieldBlock;
+// A part of the slice's tiles.
+shared swSliceTile blockTiles[SW_SHAPED_TILES];
+// Columns of a batch of them at each row: displacement and the slope of y along z; the slope of z along z.
+shared vec4 laidOut[SW_SHAPED_ROWS * SW_SHAPED_COLUMNS];
+shared float laidOutSlope[SW_SHAPED_ROWS * SW_SHAPED_COLUMNS];
 
-// Texels of a column that follow each other. They have names, not indices: an array that is indexed would leave the
-// registers.
-struct Run
-{
-    Texel a, b, c, d;
-};
+swFieldBlock fieldBlock;
 
 // ---- what a place does ----
 
@@ -151,92 +153,77 @@ void addShaped(inout Texel texel, Texel own, Shape shape)
     texel.alongZ += shape.weight * own.alongZ + shape.slope.y * own.sum.yz;
 }
 
-void addToRun(inout Run run, uint i, Texel own, Shape shape)
-{
-    if (i == 0)
-    {
-        addShaped(run.a, own, shape);
-    }
-    else if (i == 1)
-    {
-        addShaped(run.b, own, shape);
-    }
-    else if (i == 2)
-    {
-        addShaped(run.c, own, shape);
-    }
-    else
-    {
-        addShaped(run.d, own, shape);
-    }
-}
-
 // ---- tiles ----
 
-// Four rows of a tile's coefficients around a texel, weighed along x: values, and slopes along x.
-struct Rows
+bool isShapedTile(uint b)
 {
-    uint first; // row of the tile
-    vec3 valueA, valueB, valueC, valueD;
-    vec3 slopeA, slopeB, slopeC, slopeD;
-};
-
-void shiftRows(inout Rows rows, swSliceTile tile, uint first, vec4 value, vec4 slope)
-{
-    rows.valueA = rows.valueB;
-    rows.valueB = rows.valueC;
-    rows.valueC = rows.valueD;
-    rows.slopeA = rows.slopeB;
-    rows.slopeB = rows.slopeC;
-    rows.slopeC = rows.slopeD;
-    vec3 a = texelOf(tile, first, rows.first + 4), b = texelOf(tile, first + 1, rows.first + 4);
-    vec3 c = texelOf(tile, first + 2, rows.first + 4), d = texelOf(tile, first + 3, rows.first + 4);
-    rows.valueD = weigh(value, a, b, c, d);
-    rows.slopeD = weigh(slope, a, b, c, d);
-    rows.first += 1;
+    return isShapedIn(fieldBlock, blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
 }
 
-// Adds a tile to the texels of a run, from row `lowest` on.
-void addShapedTile(inout Run run, swSliceTile tile, uint column, uint lowest, Shape shapes[SW_SHAPED_RUN])
+// First column of a tile that a block of texels touches, not wrapped.
+float firstOfBlock(swSliceTile tile)
 {
-    float x = splineX(tile, column);
-    float cellX = floor(x);
-    uint first = (tile.base & 0xffffu) + uint(cellX);
-    vec4 value = swSplineWeights(x - cellX), slope = swSplineSlopes(x - cellX) * tile.perMetre;
-    Rows rows;
-    rows.first = uint(floor(splineZ(tile, lowest))) + (tile.base >> 16) - 4u;
-    for (uint i = 0; i < 4; ++i)
+    return floor(splineX(tile, gl_WorkGroupID.x * SW_SLICE_WIDTH));
+}
+
+// A column of a tile, interpolated along z at a row of texels.
+void placeColumn(swSliceTile tile, uint column, uint row, uint to)
+{
+    float s = splineZ(tile, row);
+    float cell = floor(s);
+    vec4 value = swSplineWeights(s - cell), slope = swSplineSlopes(s - cell) * tile.perMetre;
+    uint x = (tile.base & 0xffffu) + uint(firstOfBlock(tile)) + column;
+    uint z = (tile.base >> 16) + uint(cell);
+    vec3 a = texelOf(tile, x, z), b = texelOf(tile, x, z + 1);
+    vec3 c = texelOf(tile, x, z + 2), d = texelOf(tile, x, z + 3);
+    vec3 along = weigh(slope, a, b, c, d);
+    laidOut[to] = vec4(weigh(value, a, b, c, d), along.y);
+    laidOutSlope[to] = along.z;
+}
+
+// Lays out the shaped ones of tiles [first, end): the threads of a row all columns at that row.
+void placeColumns(uint first, uint end, uint row)
+{
+    uint count = blockTiles[first].firstShaped + blockTiles[first].shapedColumns;
+    for (uint i = gl_LocalInvocationID.x; i < count; i += SW_SLICE_WIDTH)
     {
-        shiftRows(rows, tile, first, value, slope);
-    }
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-    {
-        float z = splineZ(tile, lowest + i);
-        float cellZ = floor(z);
-        uint row = uint(cellZ) + (tile.base >> 16);
-        while (rows.first != row)
+        uint b = end - 1; // places begin with the last
+        while (b > first && i >= blockTiles[b - 1].firstShaped)
         {
-            shiftRows(rows, tile, first, value, slope);
+            b -= 1;
         }
-        vec4 valueZ = swSplineWeights(z - cellZ), slopeZ = swSplineSlopes(z - cellZ) * tile.perMetre;
-        Texel own;
-        own.sum = weigh(valueZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD);
-        own.alongX = weigh(valueZ, rows.slopeA, rows.slopeB, rows.slopeC, rows.slopeD);
-        own.alongZ = weigh(slopeZ, rows.valueA, rows.valueB, rows.valueC, rows.valueD).yz;
-        addToRun(run, i, own, shapes[i]);
+        if (isShapedTile(b))
+        {
+            placeColumn(blockTiles[b], i - blockTiles[b].firstShaped, row,
+                        gl_LocalInvocationID.y * SW_SHAPED_COLUMNS + i);
+        }
     }
 }
 
-// ---- free waves ----
-
-void addShapedWave(inout Run run, swSliceWave wave, uint column, uint lowest, Shape shapes[SW_SHAPED_RUN])
+bool isAnyShaped(uint first, uint end)
 {
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    bool isAny = false;
+    for (uint b = first; b < end; ++b)
     {
-        Texel own = CALM;
-        addWave(own, wave, swingOf(wave, column, lowest + i));
-        addToRun(run, i, own, shapes[i]);
+        isAny = isAny || isShapedTile(b);
     }
+    return isAny;
+}
+
+// A tile that is laid out, at a texel: interpolated along x.
+Texel laidOutAt(swSliceTile tile, uint column)
+{
+    float s = splineX(tile, column);
+    float cell = floor(s);
+    vec4 value = swSplineWeights(s - cell), slope = swSplineSlopes(s - cell) * tile.perMetre;
+    uint at = gl_LocalInvocationID.y * SW_SHAPED_COLUMNS + tile.firstShaped + uint(cell - firstOfBlock(tile));
+    vec4 a = laidOut[at], b = laidOut[at + 1], c = laidOut[at + 2], d = laidOut[at + 3];
+    vec4 along = vec4(laidOutSlope[at], laidOutSlope[at + 1], laidOutSlope[at + 2], laidOutSlope[at + 3]);
+    Texel own;
+    own.sum = weigh(value, a.xyz, b.xyz, c.xyz, d.xyz);
+    own.alongX = weigh(slope, a.xyz, b.xyz, c.xyz, d.xyz);
+    own.alongZ = vec2(dot(value, vec4(a.w, b.w, c.w, d.w)), dot(value, along));
+    return own;
 }
 
 // ---- waves that a flow carries ----
@@ -250,16 +237,10 @@ void addCopy(inout Texel texel, float weight, vec4 way, Texel own)
     texel.alongZ += weight * (own.alongX.yz * way.y + own.alongZ * (1.0 + way.w));
 }
 
-// Adds both copies of a tile to a texel of the run, from all sixteen coefficients around each.
-void addCarriedTile(inout Run run, swSliceTile tile, uint column, uint row, uint i, Flow moved, Shape shape)
+// Adds both copies of a tile to a texel, from all sixteen coefficients around each.
+void addCarriedTile(inout Texel texel, swSliceTile tile, uint column, uint row, Flow moved, Shape shape)
 {
     Texel sum = CALM;
-    if (!isMoved(moved)) // of the block's other texels
-    {
-        addWindow(sum, tile, column, row);
-        addToRun(run, i, sum, shape);
-        return;
-    }
     Carry carry = carryOf(tile.carryTurns, tile.carryPeriod);
     float between = 0.5 * tile.carryPeriod;
     vec3 rho = likenessOf(tile.firstTexel, tile.resolution, tile.perMetre, between * moved.velocity);
@@ -270,7 +251,19 @@ void addCarriedTile(inout Run run, swSliceTile tile, uint column, uint row, uint
         addWindowAt(own, tile, splineX(tile, column) + way.x, splineZ(tile, row) + way.y);
         addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
     }
-    addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
+    addShaped(texel, sum, carried(shape, carry, between, moved, rho));
+}
+
+// The same of the tiles that were joined: how alike copies are is each one's own.
+void addCarriedTiles(inout Texel texel, swSliceTile tile, uint column, uint row, Flow moved, Shape shape)
+{
+    uint second = tile.secondTexel;
+    tile.secondTexel = SW_NO_TEXEL;
+    for (uint i = 0; i < 2 && tile.firstTexel != SW_NO_TEXEL; ++i)
+    {
+        addCarriedTile(texel, tile, column, row, moved, shape);
+        tile.firstTexel = second;
+    }
 }
 
 float turnsOf(swSliceWave wave, vec2 way)
@@ -295,7 +288,7 @@ vec3 likenessOf(uint first, uint end, vec2 way)
 }
 
 // Both copies of free waves [first, end), which are of one octave and one system.
-void addCarriedWaves(inout Run run, uint first, uint end, uint column, uint row, uint i, Flow moved, Shape shape)
+void addCarriedWaves(inout Texel texel, uint first, uint end, uint column, uint row, Flow moved, Shape shape)
 {
     Carry carry = carryOf(waves[first].carryTurns, waves[first].carryPeriod);
     float between = 0.5 * waves[first].carryPeriod;
@@ -312,7 +305,7 @@ void addCarriedWaves(inout Run run, uint first, uint end, uint column, uint row,
         }
         addCopy(sum, carry.weights[c], -carry.seconds[c] * moved.slopes, own);
     }
-    addToRun(run, i, sum, carried(shape, carry, between, moved, rho));
+    addShaped(texel, sum, carried(shape, carry, between, moved, rho));
 }
 
 // ---- waves along splines ----
@@ -332,13 +325,13 @@ Way wayTo(SeaPlace place, float seconds, Flow moved)
 }
 
 // Adds one of the copies of waves as a look sees them. `moved` is in the look's axes.
-void addLooked(inout Run run, uint i, Look look, Flow moved, Shape shape, float weight, float seconds, Texel own)
+void addLooked(inout Texel texel, Look look, Flow moved, Shape shape, float weight, float seconds, Texel own)
 {
     turnWaterByLook(look, look.source.way - seconds * moved.slopes, own.sum, own.alongX, own.alongZ);
-    addToRun(run, i, own, Shape(weight * shape.weight, weight * shape.slope));
+    addShaped(texel, own, Shape(weight * shape.weight, weight * shape.slope));
 }
 
-void addLookedTile(inout Run run, uint i, swSliceTile tile, Look look, Flow moved, Shape shape)
+void addLookedTile(inout Texel texel, swSliceTile tile, Look look, Flow moved, Shape shape)
 {
     Carry carry = Carry(vec2(1.0, 0.0), vec2(0.0));
     if (isMoved(moved) && tile.carryPeriod > 0.0)
@@ -352,12 +345,12 @@ void addLookedTile(inout Run run, uint i, swSliceTile tile, Look look, Flow move
     {
         Texel own = CALM;
         addTileAt(own, tile, wayTo(look.at, carry.seconds[c], moved));
-        addLooked(run, i, look, moved, shape, carry.weights[c], carry.seconds[c], own);
+        addLooked(texel, look, moved, shape, carry.weights[c], carry.seconds[c], own);
     }
 }
 
 // Free waves [first, end), which are of one octave and one system.
-void addLookedWaves(inout Run run, uint i, uint first, uint end, Look look, Flow moved, Shape shape)
+void addLookedWaves(inout Texel texel, uint first, uint end, Look look, Flow moved, Shape shape)
 {
     Carry carry = Carry(vec2(1.0, 0.0), vec2(0.0));
     if (isMoved(moved))
@@ -373,12 +366,12 @@ void addLookedWaves(inout Run run, uint i, uint first, uint end, Look look, Flow
         {
             addWaveAt(own, waves[k], wayTo(look.at, carry.seconds[c], moved));
         }
-        addLooked(run, i, look, moved, shape, carry.weights[c], carry.seconds[c], own);
+        addLooked(texel, look, moved, shape, carry.weights[c], carry.seconds[c], own);
     }
 }
 
-// Adds a system's tiles and free waves as they are seen by a look to a texel of the run.
-void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, uint column, uint row)
+// Adds a system's tiles and free waves as they are seen by a look to a texel.
+void addLook(inout Texel texel, swSliceList list, uint system, Look look, uint column, uint row)
 {
     if (!isLookThere(look))
     {
@@ -395,7 +388,7 @@ void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, ui
         swSliceTile tile = tiles[list.first + k];
         if (tile.system == system)
         {
-            addLookedTile(run, i, tile, look, moved, attenuated(look.shape, ground, tile.waveNumber, tile.attenuation));
+            addLookedTile(texel, tile, look, moved, attenuated(look.shape, ground, tile.waveNumber, tile.attenuation));
         }
     }
     uint end = 0;
@@ -405,7 +398,7 @@ void addLook(inout Run run, uint i, swSliceList list, uint system, Look look, ui
         end = wave.groupEnd;
         if (wave.system == system)
         {
-            addLookedWaves(run, i, list.firstWave + k, list.firstWave + end, look, moved,
+            addLookedWaves(texel, list.firstWave + k, list.firstWave + end, look, moved,
                            attenuated(look.shape, ground, wave.waveNumber, wave.attenuation));
         }
     }
@@ -427,104 +420,128 @@ uint systemsOf(swSliceList list)
 }
 
 // Adds waves along splines.
-void addRibbons(inout Run run, swSliceList list, uint column, uint lowest)
+void addRibbons(inout Texel texel, swSliceList list, uint column, uint row)
 {
     for (uint systems = ribbonSystemsOfBlock() & systemsOf(list); systems != 0; systems &= systems - 1)
     {
         uint system = findLSB(systems);
-        for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-        {
-            SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, lowest + i);
-            swRibbonLooks looks = looksAt(SW_FIELD_OF_WAVES, system, place).ribbons;
-            addLook(run, i, list, system, lookOf(looks.first), column, lowest + i);
-            addLook(run, i, list, system, lookOf(looks.second), column, lowest + i);
-        }
+        SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row);
+        swRibbonLooks looks = looksAt(SW_FIELD_OF_WAVES, system, place).ribbons;
+        addLook(texel, list, system, lookOf(looks.first), column, row);
+        addLook(texel, list, system, lookOf(looks.second), column, row);
     }
 }
 
-// ---- all of a run ----
+// ---- all of a texel ----
 
-// Adds the tiles and free waves that are shaped in this block.
-void addAllShaped(inout Run run, swSliceList list, uint column, uint lowest)
+// What a place does to a texel.
+struct TexelPlace
 {
-    Ground grounds[SW_SHAPED_RUN];
-    Flow flows[SW_SHAPED_RUN];
-    Shape weights[SW_SHAPED_RUN], shapes[SW_SHAPED_RUN];
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    Ground ground;
+    Flow flow;
+    Shape weight; // of the system asked last
+    uint system;
+};
+
+// How waves of a system, of wave number k, are shaped there.
+Shape shapeOf(inout TexelPlace place, uint column, uint row, uint system, float k, swAttenuation attenuation)
+{
+    if (WITH_WEIGHTS && system != place.system)
     {
-        grounds[i] = groundOf(column, lowest + i);
-        weights[i] = Shape(1.0, vec2(0.0));
-        flows[i] = STILL;
-        if (doesCarry())
-        {
-            flows[i] = flowAt(column, lowest + i);
-        }
+        place.weight = weightOf(system, column, row);
+        place.system = system;
     }
-    uint system = ~0u; // that `weights` are of
-    uint tileCount = list.count + list.windowCount;
-    for (uint k = 0; k < tileCount + (WITH_WAVES ? list.waveCount : 0); ++k)
+    return attenuated(place.weight, place.ground, k, attenuation);
+}
+
+bool isAnything(Shape shape)
+{
+    return shape.weight != 0.0 || shape.slope != vec2(0.0);
+}
+
+// Adds the shaped ones of tiles [first, end), which are laid out together.
+void addTiles(inout Texel texel, inout TexelPlace place, uint first, uint end, uint column, uint row)
+{
+    for (uint b = first; b < end; ++b)
     {
-        bool isTile = k < tileCount;
-        swSliceTile tile = tiles[list.first + min(k, tileCount - 1)];
-        swSliceWave wave = waves[list.firstWave + (isTile ? 0 : k - tileCount)];
-        uint its = isTile ? tile.system : wave.system;
-        float number = isTile ? tile.waveNumber : wave.waveNumber;
-        swAttenuation attenuation = isTile ? tile.attenuation : wave.attenuation;
-        if (!isShapedIn(fieldBlock, its, number, attenuation))
+        if (!isShapedTile(b))
         {
             continue;
         }
-        for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+        Shape shape =
+            shapeOf(place, column, row, blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
+        if (!isAnything(shape))
         {
-            if (WITH_WEIGHTS && its != system)
-            {
-                weights[i] = weightOf(its, column, lowest + i);
-            }
-            shapes[i] = attenuated(weights[i], grounds[i], number, attenuation);
+            continue;
         }
-        system = its;
-        if (doesCarry() && isTile && tile.carryPeriod > 0.0)
+        if (doesCarry() && blockTiles[b].carryPeriod > 0.0 && isMoved(place.flow))
         {
-            for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-            {
-                addCarriedTile(run, tile, column, lowest + i, i, flows[i], shapes[i]);
-            }
+            addCarriedTiles(texel, blockTiles[b], column, row, place.flow, shape);
+            continue;
         }
-        else if (doesCarry() && !isTile)
+        Texel own = CALM;
+        if (blockTiles[b].shapedColumns > 0)
         {
-            uint first = k - tileCount;
-            for (uint i = 0; i < SW_SHAPED_RUN; ++i)
-            {
-                addCarriedWaves(run, list.firstWave + first, list.firstWave + wave.groupEnd, column, lowest + i, i,
-                                flows[i], shapes[i]);
-            }
-            k += wave.groupEnd - first - 1;
+            own = laidOutAt(blockTiles[b], column);
         }
-        else if (isTile)
+        else
         {
-            addShapedTile(run, tile, column, lowest, shapes);
+            addWindow(own, blockTiles[b], column, row);
         }
-        else if (WITH_WAVES)
-        {
-            addShapedWave(run, wave, column, lowest, shapes);
-        }
+        addShaped(texel, own, shape);
     }
 }
 
-void storeShaped(uint column, uint row, Texel texel)
+// Adds the tiles and free waves that are shaped in this block.
+void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
 {
-    uint at = (gl_WorkGroupID.z * resolution + row) * resolution + column;
-    shaped[at] = vec4(texel.sum, texel.alongX.x);
-    shaped[at + gl_NumWorkGroups.z * resolution * resolution] = vec4(texel.alongX.yz, texel.alongZ);
-}
-
-Texel texelOfRun(Run run, uint i)
-{
-    if (i < 2)
+    TexelPlace place = TexelPlace(groundOf(column, row), STILL, Shape(1.0, vec2(0.0)), ~0u);
+    if (doesCarry())
     {
-        return i == 0 ? run.a : run.b;
+        place.flow = flowAt(column, row);
     }
-    return i == 2 ? run.c : run.d;
+    uint count = list.count + list.windowCount;
+    for (uint part = (count + SW_SHAPED_TILES - 1) / SW_SHAPED_TILES; part-- > 0;)
+    {
+        uint first = part * SW_SHAPED_TILES, last = min(first + SW_SHAPED_TILES, count) - first;
+        barrier(); // nobody reads the part before
+        if (gl_LocalInvocationIndex < last)
+        {
+            blockTiles[gl_LocalInvocationIndex] = tiles[list.first + first + gl_LocalInvocationIndex];
+        }
+        barrier();
+        for (uint end = last, begin; end > 0; end = begin)
+        {
+            begin = blockTiles[end - 1].shapedBegin - first;
+            if (isAnyShaped(begin, end))
+            {
+                placeColumns(begin, end, row);
+                barrier();
+                addTiles(texel, place, begin, end, column, row);
+                barrier(); // nobody reads what was laid out
+            }
+        }
+    }
+    for (uint k = 0, next; WITH_WAVES && k < list.waveCount; k = next)
+    {
+        swSliceWave wave = waves[list.firstWave + k];
+        next = doesCarry() ? wave.groupEnd : k + 1;
+        if (!isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation))
+        {
+            continue;
+        }
+        Shape shape = shapeOf(place, column, row, wave.system, wave.waveNumber, wave.attenuation);
+        if (doesCarry())
+        {
+            addCarriedWaves(texel, list.firstWave + k, list.firstWave + next, column, row, place.flow, shape);
+        }
+        else
+        {
+            Texel own = CALM;
+            addWave(own, wave, swingOf(wave, column, row));
+            addShaped(texel, own, shape);
+        }
+    }
 }
 
 // Once inputs have joined that displace the water.
@@ -537,30 +554,36 @@ Texel displacedTexel(Texel texel, float least, uint column, uint row)
     return Texel(waves.value.xyz, waves.alongX.xyz, waves.alongZ.yz);
 }
 
+void storeShaped(uint column, uint row, Texel texel)
+{
+    uint at = (gl_WorkGroupID.z * resolution + row) * resolution + column;
+    shaped[at] = vec4(texel.sum, texel.alongX.x);
+    shaped[at + gl_NumWorkGroups.z * resolution * resolution] = vec4(texel.alongX.yz, texel.alongZ);
+}
+
 void main()
 {
     uint column = gl_GlobalInvocationID.x;
-    uint lowest = gl_WorkGroupID.y * SW_SHAPED_RUN;
-    uint blockRow = lowest / SW_SLICE_HEIGHT;
+    uint row = gl_GlobalInvocationID.y;
+    uint blockRow = row / SW_SLICE_HEIGHT;
     fieldBlock =
         blocks[(gl_WorkGroupID.z * (resolution / SW_SLICE_HEIGHT) + blockRow) * gl_NumWorkGroups.x + gl_WorkGroupID.x];
-    if (!isTouched(fieldBlock) || column >= resolution)
+    if (!isTouched(fieldBlock))
     {
         return;
     }
-    Run run = Run(CALM, CALM, CALM, CALM);
-    addAllShaped(run, lists[gl_WorkGroupID.z], column, lowest);
+    Texel texel = CALM;
+    addAllShaped(texel, lists[gl_WorkGroupID.z], column, row);
     if (ribbonSystemsOfBlock() != 0)
     {
-        addRibbons(run, lists[gl_WorkGroupID.z], column, lowest);
+        addRibbons(texel, lists[gl_WorkGroupID.z], column, row);
     }
-    for (uint i = 0; i < SW_SHAPED_RUN; ++i)
+    if (WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0)
     {
-        Texel texel = texelOfRun(run, i);
-        if (WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0)
-        {
-            texel = displacedTexel(texel, lists[gl_WorkGroupID.z].minWavelength, column, lowest + i);
-        }
-        storeShaped(column, lowest + i, texel);
+        texel = displacedTexel(texel, lists[gl_WorkGroupID.z].minWavelength, column, row);
+    }
+    if (column < resolution)
+    {
+        storeShaped(column, row, texel);
     }
 }

@@ -69,6 +69,7 @@ static swResult readBody(swYaml* yaml, yaml_node_t* node, const swSceneReader* r
     swAddYamlFields(&mapping, swGetWaterBodyFields(), 0, "water_bodies");
     swAddYamlKey(&mapping, "waves", swKeepYamlNode);
     swAddYamlKey(&mapping, "points", swKeepYamlNode);
+    swAddYamlKey(&mapping, "tide", swKeepYamlNode);
     swResult result = swReadYamlMapping(yaml, node, &mapping, &body->def);
     if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
     {
@@ -79,6 +80,8 @@ static swResult readBody(swYaml* yaml, yaml_node_t* node, const swSceneReader* r
                                                   : swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
                                                                "the body of water has no points; give it its shore."));
     result = swKeepFailure(result, checkLook(yaml, &mapping, reader->scene, body->def.look));
+    yaml_node_t* tide = swGetYamlNode(&mapping, "tide");
+    result = tide != NULL ? swKeepFailure(result, swReadTide(yaml, tide, false, body->def.tide)) : result;
     return waves != NULL ? swKeepFailure(result, swReadWavesNumber(yaml, waves, reader->scene, &body->waves)) : result;
 }
 

@@ -4,7 +4,7 @@
 // What the files of the stage share.
 
 #include "core/base/misuse.h"
-#include "seaway/stage.h"
+#include "seaway/lines.h"
 
 #define SW_STAGE_MAX_SLOTS 4
 
@@ -41,6 +41,9 @@ swResult swCheckStage(const swStage* stage, VkResult result, const char* what);
 bool swIsTerrainSeen(const swStageTerrain* terrain);
 // Inside of rendering to targets of a picture's default formats.
 void swDrawTerrain(const swStageTerrain* terrain, VkCommandBuffer commands, const swPicture* picture);
+
+// NULL for NULL.
+const swHost* swFindLinesHost(const swStageLines* lines);
 
 swResult swCreateStageSlots(swStage* stage, int count);
 void swDestroyStageSlots(swStage* stage);

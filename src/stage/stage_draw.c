@@ -177,8 +177,8 @@ swResult swStage_CreateTargets(swStage* stage, uint32_t width, uint32_t height, 
                                  .height = drawnHeight != 0 ? drawnHeight : height};
     const swStageImageDef depth = {.name = "the picture's depth",
                                    .format = formats.depthFormat,
-                                   .usage =
-                                       VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
+                                   .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                            VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                                    .width = hdr.width,
                                    .height = hdr.height};
     const swStageImageDef output = {.name = "the finished picture",

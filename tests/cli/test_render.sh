@@ -39,7 +39,7 @@ run 2 render "$sea" --out a.png --exposure 1 --debug height
 err 'no effect with --debug'
 # Layers: names, slices and ranges.
 run 2 render "$sea" --out a.png --debug layer:depth
-err 'there is no layer "depth"; the layers are places, displacement'
+err 'there is no layer "depth"; the layers are places, '
 run 2 render "$sea" --out a.png --debug layer
 err 'did you mean layer:NAME'
 run 2 render "$sea" --out a.png --debug layer:
@@ -58,6 +58,13 @@ run 2 render "$sea" --out a.png --debug layer:foam --samples 4
 err 'no effect on a layer'
 run 2 render "$sea" --out a.png --debug layer:foam --exposure 1
 err 'no effect with --debug'
+# Lines over the picture.
+run 2 render "$sea" --out a.png --show rays
+err 'a list of queries, ray, tiles and inputs'
+run 2 render "$sea" --out a.exr --show ray
+err 'no effect on .exr'
+run 2 render "$sea" --out a.png --show ray --debug layer:foam
+err 'no effect on a layer'
 run 2 render "$sea" --out a.png --fps 10
 err 'on a single picture'
 run 2 render "$sea" --out a.png --fps 10 --fps 20
@@ -90,6 +97,10 @@ out 'slices 0 to .* least nan, greatest nan, .* texels hold nothing'
 run 1 render "$sea" --out other.png --warmup 0 --debug layer:foam:14
 err 'There is no slice 14'
 hasnot 'other.png'
+for marks in queries ray tiles queries,ray,tiles,inputs; do
+    run 0 render "$sea" --out marks.png $small --show $marks --validate
+    ! cmp -s a.png marks.png || fail "$what: there are no lines"
+done
 # Unix times a hundredth of a second apart are two seas.
 run 0 render "$sea" --out a.png --size 64x48 --warmup 0 --time 1700000000.01
 run 0 render "$sea" --out b.png --size 64x48 --warmup 0 --time 1700000000.51

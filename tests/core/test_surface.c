@@ -530,6 +530,58 @@ static void RowsHaveTheBitsOfPoints(void** state)
     DestroyScenario(&sea.scenario);
 }
 
+// Of what particles rest 5 cm on all sides: a plane through where they are.
+static swVec3 MeasureNormal(const Sea* sea, const swPlaces* places, swPosXZ at)
+{
+    static Answers around;
+    const double step = 0.05;
+    for (int i = 0; i < 4; ++i)
+    {
+        double x = i == 0 ? step : i == 1 ? -step : 0.0, z = i == 2 ? step : i == 3 ? -step : 0.0;
+        around.points[i] = (swPosXZ){at.x + x, at.z + z};
+    }
+    Evaluate(sea, places, 0, 4, &around);
+    double along[3], across[3];
+    for (int c = 0; c < 3; ++c)
+    {
+        along[c] =
+            (double)(around.displacement[0][c] - around.displacement[1][c]) / (2.0 * step) + (c == 0 ? 1.0 : 0.0);
+        across[c] =
+            (double)(around.displacement[2][c] - around.displacement[3][c]) / (2.0 * step) + (c == 2 ? 1.0 : 0.0);
+    }
+    double x = across[1] * along[2] - across[2] * along[1], y = across[2] * along[0] - across[0] * along[2];
+    double z = across[0] * along[1] - across[1] * along[0], length = sqrt(x * x + y * y + z * z);
+    return (swVec3){(float)(x / length), (float)(y / length), (float)(z / length)};
+}
+
+// On a steep beach sideways motion is no gradient: dDx/dz is not dDz/dx.
+static void NormalsOfShapedWavesAreThoseOfTheSurface(void** state)
+{
+    (void)state;
+    static Answers answers;
+    Sea sea;
+    OpenSea(&sea, 4.0f, false);
+    const swPlaces shelf = {.depth = FindShelf, .attenuate = Attenuate};
+    ScatterPoints(answers.points, POINTS, 40.0, 0.0, 60.0);
+    Evaluate(&sea, &shelf, 0, POINTS, &answers);
+    double worst = 0.0, byThree = 0.0;
+    for (int i = 0; i < POINTS; ++i)
+    {
+        float jacobian, gradients[8];
+        swVec3 truth = MeasureNormal(&sea, &shelf, answers.points[i]);
+        swVec3 normal = swMakeNormal(answers.gradients[i], &jacobian);
+        memcpy(gradients, answers.gradients[i], sizeof gradients);
+        gradients[6] = 0.0f;
+        swVec3 three = swMakeNormal(gradients, &jacobian);
+        worst = fmax(worst, hypot((double)(normal.x - truth.x), (double)(normal.z - truth.z)));
+        byThree = fmax(byThree, hypot((double)(three.x - truth.x), (double)(three.z - truth.z)));
+    }
+    print_message("normals off by %.2g, by three derivatives %.2g\n", worst, byThree);
+    assert_true(worst < 5e-4);
+    assert_true(byThree > 3.0 * worst);
+    DestroyScenario(&sea.scenario);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -543,6 +595,7 @@ int main(void)
         cmocka_unit_test(OtherTimesAreShapedAlike),
         cmocka_unit_test(QueriesFindTheShapedSurface),
         cmocka_unit_test(RowsHaveTheBitsOfPoints),
+        cmocka_unit_test(NormalsOfShapedWavesAreThoseOfTheSurface),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

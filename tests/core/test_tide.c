@@ -119,6 +119,63 @@ static void OnlyLevelsAndFlowsHaveTides(void** state)
     DestroyScenario(&sea);
 }
 
+// High and low waters, unevenly apart.
+static const swTideLevel waters[] = {{0.0, 1.0f},      {22000.0, -1.4f}, {45000.0, 1.3f},
+                                     {66000.0, -1.0f}, {90000.0, 1.8f},  {111000.0, -1.6f}};
+
+static void ATableOfHighAndLowWatersIsReadAsByACosine(void** state)
+{
+    (void)state;
+    double worst = 0.0;
+    for (int i = 0; i + 1 < 6; ++i)
+    {
+        double from = (double)waters[i].level, to = (double)waters[i + 1].level;
+        assert_true(swGetTideOfTable(6, waters, waters[i].time) == waters[i].level);
+        for (int k = 0; k <= 50; ++k)
+        {
+            double t = k / 50.0, time = waters[i].time + t * (waters[i + 1].time - waters[i].time);
+            double level = (double)swGetTideOfTable(6, waters, time);
+            double cosine = 0.5 * (from + to) + 0.5 * (from - to) * cos(SW_PI * t);
+            worst = fmax(worst, fabs(level - cosine) / fabs(to - from));
+            assert_true(level <= fmax(from, to) && level >= fmin(from, to));
+        }
+    }
+    print_message("at most %.4f of a rise off the cosine\n", worst);
+    assert_true(worst < 0.0101);
+}
+
+static void ATableOfEachHalfHourFollowsItsTide(void** state)
+{
+    (void)state;
+    swInputDef def = MakeTide(SW_INPUT_LEVEL);
+    swTideLevel table[120];
+    double largest = 0.0, worst = 0.0;
+    for (int i = 0; i < 120; ++i)
+    {
+        table[i] = (swTideLevel){1800.0 * i, (float)SumUp(&def, 1800.0 * i, false)};
+        largest = fmax(largest, fabs((double)table[i].level));
+    }
+    for (int i = 18; i < 118 * 18; ++i) // at its ends the level stands
+    {
+        double time = 100.0 * i, level = (double)swGetTideOfTable(120, table, time);
+        worst = fmax(worst, fabs(level - SumUp(&def, time, false)));
+    }
+    print_message("a table of half hours is off by %.4f of %.2f m\n", worst, largest);
+    assert_true(worst < 0.01 * largest);
+}
+
+static void BeyondATableTheLevelStandsAndBadLinesAreNoNumber(void** state)
+{
+    (void)state;
+    assert_true(swGetTideOfTable(6, waters, -1e6) == 1.0f && swGetTideOfTable(6, waters, 1e6) == -1.6f);
+    assert_true(swGetTideOfTable(1, waters, 50.0) == 1.0f);
+    assert_true(isnan(swGetTideOfTable(6, waters, (double)NAN)));
+    const swTideLevel bad[3] = {{0.0, 1.0f}, {(double)NAN, 2.0f}, {10.0, 1.0f}};
+    assert_true(isnan(swGetTideOfTable(3, bad, 5.0)));
+    const swTideLevel none[2] = {{(double)NAN, 1.0f}, {10.0, 2.0f}};
+    assert_true(isnan(swGetTideOfTable(2, none, 5.0)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -126,6 +183,9 @@ int main(void)
         cmocka_unit_test(LevelsAreTheSumOfConstituentsEverywhere),
         cmocka_unit_test(StreamsGoAroundTheirEllipses),
         cmocka_unit_test(OnlyLevelsAndFlowsHaveTides),
+        cmocka_unit_test(ATableOfHighAndLowWatersIsReadAsByACosine),
+        cmocka_unit_test(ATableOfEachHalfHourFollowsItsTide),
+        cmocka_unit_test(BeyondATableTheLevelStandsAndBadLinesAreNoNumber),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

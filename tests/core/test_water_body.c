@@ -476,6 +476,40 @@ static void DamagedBodiesAreRefused(void** state)
     assert_int_equal(atomic_load(&memory.bytes), 0);
 }
 
+// A basin behind a lock with a tide, beside a lake without: now, at a moment of another time, and taken back.
+static void ABodyHasATideOfItsOwn(void** state)
+{
+    (void)state;
+    swHost host = swDefaultHost();
+    swWorld* world = MakeWorld(&host);
+    swWaterBodyDef basin = MakeLake("basin", 0.0, 5.0), lake = MakeLake("lake", 300.0, 7.0);
+    assert_true(swSetTideConstituent("M2", 1.5f, 0.3f, &basin.tide[0]));
+    swWaterBodyId id = Add(world, &basin);
+    Add(world, &lake);
+    swMomentDef momentDef = swDefaultMomentDef();
+    swMoment* moment = NULL;
+    momentDef.time = 30000.0;
+    for (int i = 1; i <= 10; ++i)
+    {
+        float tide, none;
+        assert_int_equal(swWorld_StepTo(world, 5000.0 * i), SW_SUCCESS);
+        swGetTide(1, basin.tide, 5000.0 * i, &tide, &none);
+        assert_float_equal((float)HeightAt(world, 0.0), 5.0f + tide, 1e-5f);
+        assert_float_equal((float)HeightAt(world, 300.0), 7.0f, 1e-5f);
+        assert_float_equal((float)HeightAt(world, -300.0), 2.0f, 1e-5f);
+    }
+    float tide, none;
+    assert_int_equal(swCreateMoment(world, &momentDef, &moment), SW_SUCCESS);
+    swGetTide(1, basin.tide, 30000.0, &tide, &none);
+    assert_float_equal((float)swMoment_GetHeight(moment, 0.0, 0.0), 5.0f + tide, 1e-5f);
+    swDestroyMoment(moment);
+    swWaterBody_SetLevel(world, id, 6.0);
+    assert_int_equal(swWorld_StepTo(world, 60000.0), SW_SUCCESS);
+    swGetTide(1, basin.tide, 60000.0, &tide, &none);
+    assert_float_equal((float)HeightAt(world, 0.0), 6.0f + tide, 1e-5f);
+    swDestroyWorld(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -491,6 +525,7 @@ int main(void)
         cmocka_unit_test(AWorldGoesBackOverLevelsAndBodiesThatWereMade),
         cmocka_unit_test(ABodyFarFromTheFirstOriginIsRestored),
         cmocka_unit_test(DamagedBodiesAreRefused),
+        cmocka_unit_test(ABodyHasATideOfItsOwn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -274,6 +274,49 @@ static void AWindIsSavedAndComesBackInTheMiddleOfAChange(void** state)
     free(data);
 }
 
+static swVec2 AskWind(const swMoment* moment, double x)
+{
+    swVec2 wind;
+    assert_int_equal(swMoment_QueryFields(moment, 1, &(swPosXZ){x, 40.0}, &(swFieldSamples){.wind = &wind}), 0);
+    return wind;
+}
+
+// The world's wind lies below all inputs of wind: where none is, and in a lee that halves it.
+static void FieldsHaveTheWorldsWindBelowTheInputs(void** state)
+{
+    (void)state;
+    swWindDef def = MakeWind(12.0f, 0.5f);
+    def.gustStrength = 0.2f;
+    swWorld* world = MakeWorld(&def);
+    assert_int_equal(swWorld_Step(world, 3.0), SW_SUCCESS);
+    swVec2 there = FindWind(world, SW_QUERY_NOW, 0.0, 40.0), away = FindWind(world, SW_QUERY_NOW, 5000.0, 40.0);
+    swVec2 found = AskWind(swWorld_GetMoment(world), 0.0);
+    assert_true(found.x == there.x && found.y == there.y && there.x > 5.0f);
+    swInputDef lee = swDefaultInputDef();
+    swInputId id;
+    lee.field = SW_INPUT_WIND;
+    lee.shape = SW_SHAPE_CIRCLE;
+    lee.size.x = 400.0f;
+    lee.blend = SW_BLEND_MULTIPLY;
+    lee.value[0] = lee.value[1] = 0.5f;
+    assert_int_equal(swCreateInput(world, &lee, &id), SW_SUCCESS);
+    assert_int_equal(swWorld_Step(world, 0.0), SW_SUCCESS);
+    found = AskWind(swWorld_GetMoment(world), 0.0);
+    assert_true(found.x == 0.5f * there.x && found.y == 0.5f * there.y);
+    found = AskWind(swWorld_GetMoment(world), 5000.0);
+    assert_true(found.x == away.x && found.y == away.y);
+    // A moment has the wind of its time, and so has who maps it.
+    swMomentDef later = swDefaultMomentDef();
+    later.time = 60.0;
+    swMoment* moment = NULL;
+    assert_int_equal(swCreateMoment(world, &later, &moment), SW_SUCCESS);
+    swVec2 then = FindWind(world, 60.0, 0.0, 40.0);
+    found = AskWind(moment, 0.0);
+    assert_true(found.x == 0.5f * then.x && found.y == 0.5f * then.y && then.x != there.x);
+    swDestroyMoment(moment);
+    swDestroyWorld(world);
+}
+
 static void WhatIsNoWindIsRefused(void** state)
 {
     (void)state;
@@ -295,6 +338,49 @@ static void WhatIsNoWindIsRefused(void** state)
     swDestroyWorld(world);
 }
 
+static swVec2 QueryWind(const swMoment* moment, double x, double z)
+{
+    swVec2 wind;
+    const swFieldSamples samples = {.wind = &wind};
+    swMoment_QueryFields(moment, 1, &(swPosXZ){x, z}, &samples);
+    return wind;
+}
+
+// A lee of half the wind around the origin.
+static void InputsOfWindChangeTheWorldsWind(void** state)
+{
+    (void)state;
+    swWindDef def = MakeWind(10.0f, 0.3f);
+    def.gustStrength = 0.1f;
+    swWorld* world = MakeWorld(&def);
+    assert_int_equal(swWorld_StepTo(world, 5.0), SW_SUCCESS);
+    swVec2 open = FindWind(world, SW_QUERY_NOW, 10.0, 20.0), asked = QueryWind(swWorld_GetMoment(world), 10.0, 20.0);
+    assert_memory_equal(&open, &asked, sizeof open);
+    swInputDef lee = swDefaultInputDef();
+    lee.field = SW_INPUT_WIND;
+    lee.shape = SW_SHAPE_CIRCLE;
+    lee.blend = SW_BLEND_MULTIPLY;
+    lee.value[0] = lee.value[1] = 0.5f;
+    swInputId id;
+    assert_int_equal(swCreateInput(world, &lee, &id), SW_SUCCESS);
+    assert_int_equal(swWorld_StepTo(world, 6.0), SW_SUCCESS);
+    open = FindWind(world, SW_QUERY_NOW, 10.0, 20.0);
+    asked = QueryWind(swWorld_GetMoment(world), 10.0, 20.0);
+    assert_true(open.x > 4.0f && asked.x == 0.5f * open.x && asked.y == 0.5f * open.y);
+    open = FindWind(world, SW_QUERY_NOW, 900.0, 20.0);
+    asked = QueryWind(swWorld_GetMoment(world), 900.0, 20.0);
+    assert_memory_equal(&open, &asked, sizeof open);
+    swMomentDef momentDef = swDefaultMomentDef();
+    swMoment* moment = NULL;
+    momentDef.time = 9.0;
+    assert_int_equal(swCreateMoment(world, &momentDef, &moment), SW_SUCCESS);
+    open = FindWind(world, 9.0, 10.0, 20.0);
+    asked = QueryWind(moment, 10.0, 20.0);
+    assert_true(asked.x == 0.5f * open.x && asked.y == 0.5f * open.y);
+    swDestroyMoment(moment);
+    swDestroyWorld(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -306,6 +392,8 @@ int main(void)
         cmocka_unit_test(SystemsThatTakeTheWindAreMadeOfIt),
         cmocka_unit_test(WhitecapsTakeTheWorldsWindUnlessTheyNameOne),
         cmocka_unit_test(AWindIsSavedAndComesBackInTheMiddleOfAChange),
+        cmocka_unit_test(InputsOfWindChangeTheWorldsWind),
+        cmocka_unit_test(FieldsHaveTheWorldsWindBelowTheInputs),
         cmocka_unit_test(WhatIsNoWindIsRefused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -17,6 +17,7 @@
 #if MISUSE_GPU
 #include "gpu/record/record.h"
 #include "seaway/layers.h"
+#include "seaway/lines.h"
 #include "seaway/sheet.h"
 #include "seaway/stage.h"
 #endif
@@ -72,6 +73,7 @@ typedef struct Fixture
     swStageTerrain* stageTerrain;
     swStageTerrainDef terrainDef;
     swSheet* sheet;
+    swStageLines* stageLines;
     swSheetDef sheetDef;
     swGpu* gpu;
     swGpuWorld* gpuWorld;
@@ -305,6 +307,7 @@ static inline void MakeGpu(Fixture* f)
     f->terrainDef.floor = GiveFloor;
     Need(swStage_CreateTerrain(f->stage, &f->terrainDef, &f->stageTerrain), "land");
     f->sheetDef = swDefaultSheetDef();
+    Need(swStage_CreateLines(f->stage, &f->stageLines), "lines");
     Need(swCreateSheet(&f->host, &f->sheet), "sheet");
     f->VkImageView = f->targets.hdr.view;
     swGpuQueryDef queryDef = swDefaultGpuQueryDef();

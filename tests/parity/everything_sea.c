@@ -100,6 +100,10 @@ static void AddLevel(Sea* sea)
     def.value[0] = 2.0f;
     def.feather = 80.0f;
     Add(sea, &def);
+    def = At(sea, SW_INPUT_FLOOR, SW_SHAPE_CIRCLE, 40.0, 90.0, 260.0f); // its bed
+    def.value[0] = -4.0f;
+    def.feather = 60.0f;
+    Add(sea, &def);
     def = At(sea, SW_INPUT_LEVEL, SW_SHAPE_RECTANGLE, -180.0, -150.0, 60.0f);
     def.value[0] = 1.0f;
     def.feather = 0.0f; // a dam

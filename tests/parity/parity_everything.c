@@ -3,10 +3,10 @@
 // the same within a millimetre, around the view and 100 km away, and so are the slices that pictures are drawn from.
 // Each feature is alone once, so that the error of each is seen.
 //
-//     parity_everything [POINTS [FEATURE]]
+//     parity_everything [POINTS [FEATURE [queries]]]
 //
 // asks for so many points at each of the two places, and for a tenth of that of each feature alone; with the name of a
-// feature, or `all`, only of that one. Without, few enough for a software device. It needs libc and a Vulkan driver, so
+// feature, or `all`, only of that one; with `queries`, slices are left out. Without, few enough for a software device. It needs libc and a Vulkan driver, so
 // that it can be carried to a machine with a GPU.
 //
 // A point is left out if the two halves differ there and it lies within a texel of a place where the surface jumps: a
@@ -30,6 +30,12 @@
 #include "support/scatter.h"
 
 #define MOST_OFF_M 1e-3
+// Of unit normals. Of all features at once normals are held less tightly: where a level slopes and weights of waves
+// differ from place to place, the GPU takes dDx/dz for dDz/dx and the core has both.
+#define MOST_TURNED 2e-3
+#define MOST_TURNED_OF_ALL 2e-2
+#define MOST_FOLDED 2e-3   // of Jacobians
+#define MOST_SLOWER 2e-3   // m/s
 #define MOST_LEFT_OUT 1e-3 // of all points
 #define TEXEL 0.25         // m, of the finest slice
 #define LEAST_JACOBIAN 0.1f
@@ -41,6 +47,7 @@ static const swPosXZ places[2] = {{20.0, -30.0}, {1e5 + 17.3, -1e5 - 40.6}};
 static const char* const placeNames[2] = {"here", "100 km away"};
 
 static int failureCount;
+static double mostTurned;
 
 static void Check(bool isFine, const char* what)
 {
@@ -75,7 +82,7 @@ static void* Allocate(size_t count, size_t size)
 
 typedef struct Worst
 {
-    double height, way, normal, velocity;
+    double height, way, normal, jacobian, velocity;
     int count, leftOut, holes;
 } Worst;
 
@@ -93,17 +100,19 @@ static double Larger(double most, double x)
 
 static void Print(const char* what, const Worst* w)
 {
-    printf("    %-14s height %.2g m, displacement %.2g m, normal %.2g, velocity %.2g m/s; %d of %d left out, %d in "
+    printf("    %-14s height %.2g m, displacement %.2g m, normal %.2g, J %.2g, velocity %.2g m/s; %d of %d left out, "
+           "%d in "
            "holes\n",
-           what, w->height, w->way, w->normal, w->velocity, w->leftOut, w->count, w->holes);
+           what, w->height, w->way, w->normal, w->jacobian, w->velocity, w->leftOut, w->count, w->holes);
 }
 
 static void CheckWorst(const Worst* worst)
 {
     Check(worst->height < MOST_OFF_M, "heights are more than a millimetre apart");
     Check(worst->way < 5.0 * MOST_OFF_M, "displacements are more than 5 mm apart");
-    Check(worst->normal < 0.02, "normals differ");
-    Check(worst->velocity < 0.02, "velocities differ");
+    Check(worst->normal < mostTurned, "normals differ");
+    Check(worst->jacobian < MOST_FOLDED, "Jacobians differ");
+    Check(worst->velocity < MOST_SLOWER, "velocities differ");
     Check(worst->leftOut <= MOST_LEFT_OUT * worst->count, "more than 0.1 % of the points had to be left out");
 }
 
@@ -305,6 +314,7 @@ static Worst CompareAnswers(Sides* sides, int count, const swPosXZ* points, cons
         worst.height = core->isClipped[i] == gpu->isClipped[i] ? worst.height : 1e30;
         worst.way = Larger(worst.way, LengthOf(core->way[i], gpu->way[i]));
         worst.normal = Larger(worst.normal, LengthOf(core->normal[i], gpu->normal[i]));
+        worst.jacobian = Larger(worst.jacobian, fabs((double)core->jacobian[i] - (double)gpu->jacobian[i]));
         worst.velocity = Larger(worst.velocity, LengthOf(core->velocity[i], gpu->velocity[i]));
         worst.holes += core->isClipped[i] ? 1 : 0;
     }
@@ -412,12 +422,16 @@ static void CompareSlices(Sides* sides, int resolution)
 
 // ---- the program ----
 
-static void CompareSea(const swHost* host, swGpu* gpu, const char* name, uint32_t features, int count)
+static void CompareSea(const swHost* host, swGpu* gpu, const char* name, uint32_t features, int count, bool withSlices)
 {
     printf("  %s\n", name);
+    mostTurned = features == ALL_FEATURES ? MOST_TURNED_OF_ALL : MOST_TURNED;
     Sides sides = OpenSides(host, gpu, features);
     CompareQueries(&sides, count);
-    CompareSlices(&sides, RESOLUTION);
+    if (withSlices)
+    {
+        CompareSlices(&sides, RESOLUTION);
+    }
     CloseSides(&sides);
 }
 
@@ -443,9 +457,10 @@ int main(int argc, char** argv)
 {
     int count = argc > 1 ? atoi(argv[1]) : 3000;
     const char* only = argc > 2 ? argv[2] : NULL;
+    bool withSlices = argc <= 3 || strcmp(argv[3], "queries") != 0;
     if (count < 1)
     {
-        fprintf(stderr, "parity_everything [POINTS [FEATURE]]\n");
+        fprintf(stderr, "parity_everything [POINTS [FEATURE [queries]]]\n");
         return 2;
     }
     swHost host = swDefaultHost();
@@ -461,12 +476,12 @@ int main(int argc, char** argv)
         const char* name = GetFeatureName((Feature)f);
         if (only == NULL || strcmp(only, name) == 0)
         {
-            CompareSea(&host, gpu, name, 1u << f, alone);
+            CompareSea(&host, gpu, name, 1u << f, alone, withSlices);
         }
     }
     if (only == NULL || strcmp(only, "all") == 0)
     {
-        CompareSea(&host, gpu, "all at once", ALL_FEATURES, count);
+        CompareSea(&host, gpu, "all at once", ALL_FEATURES, count, withSlices);
     }
     Check(swGpu_GetValidationCount(gpu) == 0, "the validation layers had messages");
     swDestroyGpu(gpu);

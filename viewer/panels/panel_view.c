@@ -52,6 +52,34 @@ static void DrawNamedViews(App* app)
     }
 }
 
+// Lines over the picture.
+static void DrawMarks(App* app)
+{
+    static const struct
+    {
+        const char *label, *tip;
+        uint32_t mark;
+    } marks[] = {
+        {"queries", "The surface as queries answer it, and its normals", SW_MARKS_QUERIES},
+        {"ray", "A ray from beside the camera to what it looks at", SW_MARKS_RAY},
+        {"tiles", "Bounds of the mesh's tiles", SW_MARKS_TILES},
+        {"inputs", "Outlines of inputs and bodies of water", SW_MARKS_INPUTS},
+    };
+    for (int i = 0; i < 4; i++)
+    {
+        bool isOn = (app->marks & marks[i].mark) != 0;
+        if (i > 0)
+        {
+            UiSameLine();
+        }
+        if (UiCheckbox(marks[i].label, &isOn))
+        {
+            app->marks ^= marks[i].mark;
+        }
+        UiTip(marks[i].tip);
+    }
+}
+
 static void DrawSlices(const swView* view)
 {
     static const UiColumn columns[] = {
@@ -86,6 +114,7 @@ void DrawViewPanel(App* app)
         {
             app->debug = (swDebugMode)mode;
         }
+        DrawMarks(app);
         DrawSlices(app->sea.view);
     }
 }

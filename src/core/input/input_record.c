@@ -445,7 +445,8 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words)
 {
     if (record->field >= SW_INPUT_FIELD_COUNT || record->blend >= SW_BLEND_COUNT ||
         record->wordCount > SW_MAX_RASTER_VALUES ||
-        ((record->flags & SW_INPUT_ALONG_SPLINE) != 0 && record->shape != SW_SHAPE_SPLINE))
+        ((record->flags & SW_INPUT_ALONG_SPLINE) != 0 && record->shape != SW_SHAPE_SPLINE) ||
+        !(fabsf(record->cosine) <= 2.0f && fabsf(record->sine) <= 2.0f))
     {
         return false;
     }
@@ -465,7 +466,8 @@ bool swIsInputRecordGood(const swInputRecord* record, const float* words)
         return record->extra0 >= 2 && record->extra0 <= SW_MAX_INPUT_POINTS &&
                (sw_uint)swCountPolylineWords((int)record->extra0) <= record->wordCount;
     case SW_SHAPE_SPLINE:
-        return swAreSplineWordsGood(words, record->wordCount);
+        return swAreSplineWordsGood(words, record->wordCount) && fabsf(record->part0) <= 2.0f &&
+               fabsf(record->part1) <= 2.0f; // cosine and sine of its waves' heading
     case SW_SHAPE_PARTICLES:
         return (uint64_t)record->extra0 * SW_PARTICLE_WORDS <= record->wordCount;
     case SW_SHAPE_MESH:

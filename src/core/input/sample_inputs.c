@@ -140,18 +140,24 @@ static swInputValue beginValue(const swInputSet* set, int field, int system)
     return value;
 }
 
+void swJoinInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
+                       swInputValue* values)
+{
+    for (int i = 0; i < count && set->ranges[field].recordCount > 0; ++i)
+    {
+        Place place = findPlace(points[i]);
+        joinAll(set, field, system, &place, joinValue, &values[i]);
+    }
+}
+
 void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
                        swInputValue* values)
 {
     for (int i = 0; i < count; ++i)
     {
         values[i] = beginValue(set, field, system);
-        if (set->ranges[field].recordCount > 0)
-        {
-            Place place = findPlace(points[i]);
-            joinAll(set, field, system, &place, joinValue, &values[i]);
-        }
     }
+    swJoinInputValues(set, field, system, count, points, values);
 }
 
 static swCellBox coverBoth(const Place* a, const Place* b)

@@ -16,6 +16,10 @@
 void swFindInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
                        swInputValue* values);
 
+// The same where `values` hold what is below all inputs: of the wind the world's.
+void swJoinInputValues(const swInputSet* set, int field, int system, int count, const swPosXZ* points,
+                       swInputValue* values);
+
 // The first number of a field of the water's own: inputs that follow the waves count where the water rests, the others
 // where it is.
 void swFindWaterValues(const swInputSet* set, int field, int count, const swPosXZ* here, const swPosXZ* rest,

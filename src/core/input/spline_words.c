@@ -416,6 +416,17 @@ static bool areListsGood(const float* words, size_t cells, size_t cellCount, siz
     return true;
 }
 
+// Places along the line and beside it become whole cells of 32 bits.
+static bool areNumbersGood(const float* words, size_t count)
+{
+    bool areGood = true;
+    for (size_t i = 0; i < count && areGood; ++i)
+    {
+        areGood = fabsf(words[i]) <= 0x1p28f; // false for NaN
+    }
+    return areGood;
+}
+
 bool swAreSplineWordsGood(const float* words, size_t count)
 {
     size_t segments, columns, rows, spans, knots, cells;
@@ -429,6 +440,7 @@ bool swAreSplineWordsGood(const float* words, size_t count)
         return false;
     }
     bool isFull = knots + (segments + 1) * SW_KNOT_WORDS == cells && columns * rows < count - cells;
-    return isFull && areKnotsGood(words + knots, segments, (knots - spans) / SW_SPAN_WORDS) &&
+    return isFull && areNumbersGood(words, count) &&
+           areKnotsGood(words + knots, segments, (knots - spans) / SW_SPAN_WORDS) &&
            areListsGood(words, cells, columns * rows, count, segments);
 }

@@ -95,3 +95,57 @@ void swGetTide(int count, const swTideConstituent* constituents, double time, fl
     *x = (float)along;
     *z = (float)across;
 }
+
+// ---- tables ----
+
+// Rise a second from line i to the next; 0 beyond the ends, where the level stands.
+static double findRise(int count, const swTideLevel* table, int i)
+{
+    bool isWithin = i >= 0 && i + 1 < count;
+    return isWithin ? ((double)table[i + 1].level - (double)table[i].level) / (table[i + 1].time - table[i].time) : 0.0;
+}
+
+// Slope of the cubics at line i: that of the parabola through it and its neighbours, held so that nothing overshoots.
+static double findSlope(int count, const swTideLevel* table, int i)
+{
+    double before = findRise(count, table, i - 1), after = findRise(count, table, i);
+    if (before * after <= 0.0)
+    {
+        return 0.0;
+    }
+    double lengthBefore = table[i].time - table[i - 1].time, lengthAfter = table[i + 1].time - table[i].time;
+    double parabola = (before * lengthAfter + after * lengthBefore) / (lengthBefore + lengthAfter);
+    double least = fmin(fabs(before), fabs(after));
+    double size = fmin(2.0 * least, fabs(parabola));
+    return before > 0.0 ? size : -size;
+}
+
+float swGetTideOfTable(int count, const swTideLevel* table, double time)
+{
+    SW_REQUIRE(count > 0 && table != NULL, NAN, NULL, "swGetTideOfTable() needs a table of at least one line");
+    if (!isfinite(time) || time <= table[0].time || count == 1)
+    {
+        return isfinite(time) && isfinite(table[0].time) ? table[0].level : NAN;
+    }
+    int first = 0, end = count - 1; // the time is after the first, and will be no later than the end
+    if (time >= table[end].time)
+    {
+        return table[end].level;
+    }
+    while (end - first > 1)
+    {
+        int middle = first + (end - first) / 2;
+        first = time >= table[middle].time ? middle : first;
+        end = time >= table[middle].time ? end : middle;
+    }
+    double length = table[end].time - table[first].time;
+    if (!(length > 0.0))
+    {
+        return NAN;
+    }
+    double t = (time - table[first].time) / length;
+    double rise = (double)table[end].level - (double)table[first].level;
+    double slopeFirst = findSlope(count, table, first) * length, slopeEnd = findSlope(count, table, end) * length;
+    double cubic = slopeFirst + slopeEnd - 2.0 * rise, square = 3.0 * rise - 2.0 * slopeFirst - slopeEnd;
+    return (float)((double)table[first].level + t * (slopeFirst + t * (square + t * cubic)));
+}

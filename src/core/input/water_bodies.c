@@ -76,6 +76,10 @@ static swInputDef describePart(const swWaterBodyDef* def, const Part* part, cons
     input.points = points;
     input.pointCount = def->pointCount;
     input.system = part->isOwn ? def->waves : (swWaveSystemId){0, 0};
+    if (part->field == SW_INPUT_LEVEL)
+    {
+        memcpy(input.tide, def->tide, sizeof input.tide);
+    }
     return input;
 }
 
@@ -323,11 +327,13 @@ void swStepWaterBodies(swWaterBodies* bodies, swFrame* frame)
         const swWaterBodyDef* def = &body->def;
         if (body->isUsed && def->isEnabled)
         {
+            float tide, none;
+            swGetTide(SW_MAX_TIDE, def->tide, frame->time, &tide, &none);
             shown[count++] = (swBodyFrame){
                 .number = (int)i,
                 .look = def->look,
                 .setsLevel = def->setsLevel,
-                .level = (float)(def->position.y - bodies->inputs->seaLevel),
+                .level = (float)(def->position.y - bodies->inputs->seaLevel) + tide,
                 .low = {def->position.x + (double)body->low.x, def->position.z + (double)body->low.y},
                 .high = {def->position.x + (double)body->high.x, def->position.z + (double)body->high.y},
             };

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "core/input/polygon.h"
+#include "core/input/tide.h"
 #include "core/input/water_bodies.h"
 
 #define SW_DEF swWaterBodyDef
@@ -16,6 +17,8 @@ static const swField bodyFields[] = {
               .tip = "Where bodies overlap, the greatest counts; of equal ones the last that was made",
               SW_KNOB(-100.0, 100.0)),
     SW_SWITCH(setsLevel, true, .key = "sets_level", .label = "sets the level"),
+    SW_PARTS(tide, &swTideConstituentFields, .key = "tide", .label = "tide",
+             .tip = "Harmonics that are added to the height of its water"),
     SW_SWITCH(leavesWater, true, .key = "leaves_water", .label = "leaves water",
               .tip = "There is water in it, whatever was cut before"),
     SW_SWITCH(isCalm, false, .key = "is_calm", .label = "calm", .tip = "The waves of the sea stay outside"),

@@ -6,6 +6,7 @@
 #include "core/frame/asked.h"
 #include "core/input/sample_clip.h"
 #include "core/input/sample_inputs.h"
+#include "core/input/wind.h"
 #include "core/query/answers.h"
 #include "core/surface/input_places.h"
 
@@ -94,6 +95,32 @@ static void findPair(const swInputSet* set, int field, const Block* block, swVec
         return;
     }
     find(set, field, -1, block, values);
+    for (int i = 0; i < block->count; ++i)
+    {
+        to[block->at[i]] = (swVec2){values[i].value.x, values[i].value.y};
+    }
+}
+
+// The world's wind of the frame's time, and what inputs make of it.
+static void findWinds(const swFrame* frame, const Block* block, swVec2* to)
+{
+    swInputValue values[SW_PLACE_BLOCK];
+    swVec2 winds[SW_PLACE_BLOCK];
+    if (to == NULL)
+    {
+        return;
+    }
+    swFindWinds(&frame->windField, frame->ticks, block->count, block->places, winds);
+    for (int i = 0; i < block->count; ++i)
+    {
+        values[i] = swGetFieldBelow(SW_FIELD_OF_WIND);
+        values[i].value.x = winds[i].x;
+        values[i].value.y = winds[i].y;
+    }
+    if (frame->inputs != NULL)
+    {
+        swJoinInputValues(frame->inputs, SW_INPUT_WIND, -1, block->count, block->places, values);
+    }
     for (int i = 0; i < block->count; ++i)
     {
         to[block->at[i]] = (swVec2){values[i].value.x, values[i].value.y};
@@ -190,7 +217,7 @@ static void answerBlock(const swFrame* frame, int system, const Block* block, co
     findNumber(set, SW_INPUT_FOAM, -1, block, samples->foam);
     findNumber(set, SW_INPUT_SHADOW, -1, block, samples->shadow);
     findPair(set, SW_INPUT_FLOW, block, samples->flow);
-    findPair(set, SW_INPUT_WIND, block, samples->wind);
+    findWinds(frame, block, samples->wind);
     findRest(set, block, samples);
 }
 

@@ -179,14 +179,15 @@ static void addSecondCopy(const swPlaceBlock* block, const Moving* moving, swLoo
     look->copyCount = 2;
     second->warps = first->warps;
     second->hasWay = true;
+    // Points that stand still have a place and a way, too: what counts nothing is looked up all the same.
+    memcpy(second->source, first->source, (size_t)block->count * sizeof first->source[0]);
+    memcpy(second->way, first->way, (size_t)block->count * sizeof first->way[0]);
     memset(second->weight, 0, sizeof second->weight);
     memset(second->alongX, 0, sizeof second->alongX);
     memset(second->alongZ, 0, sizeof second->alongZ);
     for (int m = 0; m < moving->count; ++m)
     {
         int i = moving->point[m];
-        second->source[i] = first->source[i];
-        memcpy(second->way[i], first->way[i], sizeof first->way[i]);
         second->weight[i] = first->weight[i];
         second->alongX[i] = first->alongX[i];
         second->alongZ[i] = first->alongZ[i];

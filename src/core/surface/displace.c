@@ -50,6 +50,7 @@ static void putWaves(const swInputValue* waves, float* d, float* g)
         g[3] = waves->alongZ.z;
         g[4] = waves->alongX.y;
         g[5] = waves->alongZ.y;
+        g[6] = g[1] - g[2];
     }
 }
 

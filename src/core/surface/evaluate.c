@@ -341,9 +341,10 @@ void swEvaluate(const swQuery* query, int count, const swPosXZ* rest, const swEv
 
 swVec3 swMakeNormal(const float g[8], float* jacobian)
 {
-    *jacobian = swSurfaceJacobian(g[0], g[2], g[3]);
+    float dxdz = g[6] != 0.0f ? g[1] : g[2];
+    *jacobian = swSurfaceArea(g[0], dxdz, g[2], g[3]);
     float x = swSurfaceNormalX(g[2], g[3], g[4], g[5]);
-    float z = swSurfaceNormalZ(g[0], g[2], g[4], g[5]);
+    float z = swSurfaceNormalZ(g[0], dxdz, g[4], g[5]);
     float length = sqrtf(x * x + *jacobian * *jacobian + z * z);
     if (length < 1e-20f)
     {

@@ -55,7 +55,8 @@ typedef struct swEvaluation
 {
     float (*displacement)[4]; // by waves
     float* levels;            // of still water above sea level
-    float (*gradients)[8];    // as swSampleTiles() has them; with the level's slope where levels are asked for
+    float (*gradients)[8];    // as swSampleTiles() has them; with the level's slope where levels are asked for. The
+                              // seventh is dDx/dz - dDz/dx: 0 where waves lie as they would anywhere
     float (*velocity)[4];
     float (*acceleration)[4];
     bool withHeights;        // inputs that stay put change heights, as they do where levels are asked for

@@ -229,9 +229,14 @@ static void evaluateField(const swQuery* query, const swWaveSumJob* asked, int f
     }
     for (int i = 0; i < block->count; ++i)
     {
+        float* g = gradients != NULL ? gradients[i] : NULL;
         if (block->isAsked[i])
         {
-            swStorePointSums(query->kernels, 1, &all[i], out[i], gradients != NULL ? gradients[i] : NULL);
+            swStorePointSums(query->kernels, 1, &all[i], out[i], g);
+        }
+        if (block->isAsked[i] && g != NULL)
+        {
+            g[6] = g[1] - g[2];
         }
     }
 }

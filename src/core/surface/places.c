@@ -40,9 +40,9 @@ static void findDepths(swPlaceBlock* block)
 
 bool swIsStill(const swPlaceBlock* block, int i)
 {
-    const float* g = block->flowGradients[i];
-    return block->flow[i][0] == 0.0f && block->flow[i][1] == 0.0f && g[0] == 0.0f && g[1] == 0.0f && g[2] == 0.0f &&
-           g[3] == 0.0f;
+    const float *v = block->flow[i], *g = block->flowGradients[i];
+    float sum = fabsf(v[0]) + fabsf(v[1]) + fabsf(g[0]) + fabsf(g[1]) + fabsf(g[2]) + fabsf(g[3]);
+    return !(sum > 0.0f && sum <= 1e9f); // what a damaged moment says that is no number carries nothing
 }
 
 static void findFlow(swPlaceBlock* block)

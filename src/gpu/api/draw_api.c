@@ -200,6 +200,42 @@ swResult swPicture_GetSources(const swPicture* picture, swPictureSources* source
     return SW_SUCCESS;
 }
 
+int swPicture_GetTiles(const swPicture* picture, int capacity, swTileBounds* tiles)
+{
+    SW_REQUIRE(picture != NULL && capacity >= 0 && (tiles != NULL || capacity == 0), 0,
+               picture != NULL ? findHost(picture->renderer) : NULL,
+               "swPicture_GetTiles() needs a picture and room for the tiles");
+    if (!checkPrepared(picture))
+    {
+        return 0;
+    }
+    const swMeshRings* rings = &picture->frame.rings;
+    const swWorld* world = picture->renderer->gpuWorld->world;
+    swPosXZ origin = swGetWorldOrigin(world);
+    int count = 0;
+    for (int i = 0; i < rings->tileCount; ++i)
+    {
+        const swMeshTile* tile = &rings->tiles[i];
+        if ((int)tile->ring >= rings->ringCount)
+        {
+            continue;
+        }
+        const swMeshSlice* slice = &rings->slices[tile->ring];
+        double step = rings->step * (double)slice->scale;
+        swPosXZ low = {rings->anchorX - origin.x + rings->step * slice->originX + step * tile->x,
+                       rings->anchorZ - origin.z + rings->step * slice->originZ + step * tile->z};
+        if (count < capacity)
+        {
+            tiles[count] = (swTileBounds){.slice = (int)tile->ring,
+                                          .low = low,
+                                          .high = {low.x + step * tile->width, low.z + step * tile->height},
+                                          .seaLevel = swWorld_GetSeaLevel(world)};
+        }
+        ++count;
+    }
+    return count;
+}
+
 void swPicture_DrawSurface(swPicture* picture, VkCommandBuffer commands)
 {
     if (!canDraw(picture, commands, "swPicture_DrawSurface()") || !checkPrepared(picture))

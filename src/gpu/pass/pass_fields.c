@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One dispatch a view for all its slices, where inputs say anything at all. Slices that have moved are first copied aside, so
-// that the dispatch can move on what is kept of them: core/lod/redraw.h says what that is.
+// One dispatch a view for all its slices, where inputs say anything at all; none where all slices are as they were.
+// Slices that have moved are first copied aside, so that the dispatch can move on what is kept of them: core/lod/redraw.h
+// says what that is.
 
 #include <string.h>
 
@@ -107,15 +108,15 @@ static swResult uploadView(swGpuWorld* gpuWorld, const swGpuView* view, ViewStat
     swResult result = swGrowBuffer(gpuWorld->gpu, blocks * sizeof(swFieldBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                    SW_MEMORY_DEVICE, "blocks of fields", &state->blocks);
     bool isStill = before == state->blocks.handle && isMadeStill(view, state);
-    state->made.isThere = false; // until it is recorded
-    state->isStill = true;
     swFillFieldSlices(stack, slices);
+    state->isStill = true;
     for (int i = 0; i < stack->sliceCount; ++i)
     {
         redraws[i] = planSlice(view, inputs, &state->made, i, isStill);
         state->isStill = state->isStill && redraws[i].isStill != 0;
         state->isMoved[i] = redraws[i].shiftX != 0 || redraws[i].shiftZ != 0;
     }
+    state->made.isThere = state->isStill; // else until it is recorded
     state->constants = (swFieldsConstants){
         .withGround = stack->layers[SW_LAYER_PLACES].isAuthored ? 1 : 0,
         .withFlow = stack->layers[SW_LAYER_FLOW].isAuthored ? 1 : 0,
@@ -133,8 +134,8 @@ static swResult upload(swGpuWorld* gpuWorld, const swFrame* frame, void* state, 
     {
         if (isMade(gpuWorld, &gpuWorld->views[i]))
         {
-            *isNeeded = true;
             result = uploadView(gpuWorld, &gpuWorld->views[i], &s->views[i]);
+            *isNeeded = *isNeeded || !s->views[i].isStill;
         }
         else
         {
@@ -263,12 +264,9 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
     for (int i = 0; i < SW_MAX_VIEWS; ++i)
     {
         const swGpuView* view = &gpuWorld->views[i];
-        if (isMade(gpuWorld, view))
+        if (isMade(gpuWorld, view) && !s->views[i].isStill)
         {
-            if (!s->views[i].isStill)
-            {
-                recordView(gpuWorld, s, i, commands);
-            }
+            recordView(gpuWorld, s, i, commands);
             noteMade(gpuWorld, view, &s->views[i].made);
         }
     }

@@ -30,6 +30,12 @@ static uint32_t toPhase(double turns)
     return (uint32_t)(uint64_t)floor((turns - floor(turns)) * 0x1p32);
 }
 
+// Whether systems may have weights of their own somewhere.
+static bool hasWeights(const swFrame* frame)
+{
+    return swHasInputs(frame->inputs, SW_INPUT_WAVES) || frame->inputs->localSystems != 0;
+}
+
 // Spline coordinate of the slice's first texel along one axis, as a texel column and a fraction.
 static void reduceOffset(int64_t first, double texel, double shift, const swTile* tile, float* fraction, uint32_t* base)
 {
@@ -46,6 +52,7 @@ static swSliceTile makeSliceTile(const swSlice* slice, const swTile* tile, uint3
         .step = (float)(slice->texel * tile->resolution / tile->side),
         .perMetre = (float)(tile->resolution / tile->side),
         .firstTexel = firstTexel,
+        .secondTexel = SW_NO_TEXEL,
         .resolution = (uint32_t)tile->resolution,
         .texelsPerUnit = (float)(tile->side / (slice->texel * tile->resolution)),
         .waveNumber = swGetTileWaveNumber(tile),
@@ -113,12 +120,60 @@ static uint32_t placeJumps(uint32_t count, swSliceTile* tiles, uint32_t rows)
     return count;
 }
 
+// Gives all tiles of a list, also those added texel by texel, their places among what slices_shaped.comp lays out. The
+// longest waves are last, and those are shaped first as water gets shallower.
+static void placeShaped(uint32_t count, swSliceTile* tiles)
+{
+    uint32_t end = count, columns = 0;
+    for (uint32_t i = count; i-- > 0;)
+    {
+        uint32_t own = tiles[i].columnCount <= SW_SHAPED_COLUMNS ? tiles[i].columnCount : 0;
+        tiles[i].shapedColumns = own;
+        if (columns + own > SW_SHAPED_COLUMNS || (i + 1) % SW_SHAPED_TILES == 0)
+        {
+            end = i + 1;
+            columns = 0;
+        }
+        tiles[i].firstShaped = columns;
+        columns += own;
+        for (uint32_t j = i; j < end; ++j)
+        {
+            tiles[j].shapedBegin = i;
+        }
+    }
+}
+
+static bool isAlike(const swAttenuation* a, const swAttenuation* b)
+{
+    return a->strength == b->strength && a->perFreeDepth == b->perFreeDepth;
+}
+
+// Adds a tile to one that lies just so in the slice, of a sea of the same resolution that moves with the same current.
+// Where systems have weights of their own, each stays by itself.
+static bool joinTile(uint32_t count, swSliceTile* tiles, const swSliceTile* tile)
+{
+    for (uint32_t i = 0; i < count; ++i)
+    {
+        swSliceTile* other = &tiles[i];
+        if (other->secondTexel == SW_NO_TEXEL && other->step == tile->step && other->resolution == tile->resolution &&
+            other->base == tile->base && other->fractionX == tile->fractionX && other->fractionZ == tile->fractionZ &&
+            other->waveNumber == tile->waveNumber && other->carryTurns == tile->carryTurns &&
+            other->carryPeriod == tile->carryPeriod && isAlike(&other->attenuation, &tile->attenuation))
+        {
+            other->secondTexel = tile->firstTexel;
+            return true;
+        }
+    }
+    return false;
+}
+
 // The slice's tiles: first those that are added as cubics, as many as a block has room for, then the others.
 static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, const swSlice* slice, swSliceTile* tiles,
                            swSliceList* list)
 {
     swSliceTile others[SW_MAX_TILES];
     uint32_t count = 0;
+    bool isJoined = !hasWeights(frame);
     for (int i = 0; i < frame->tileCount; ++i)
     {
         if (frame->tiles[i].minWavelength < slice->minWavelength)
@@ -132,6 +187,10 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
                 swGetCarryPhase(tile.waveNumber, frame->tiles[i].loopTicks, frame->ticks, &tile.carryPeriod);
         }
         tile.columnCount = countColumns(&tile);
+        if (isJoined && (joinTile(count, tiles, &tile) || joinTile(list->windowCount, others, &tile)))
+        {
+            continue;
+        }
         if (tile.step <= SW_SLICE_STEP && count < SW_SLICE_TILES)
         {
             tiles[count++] = tile;
@@ -151,6 +210,7 @@ static void makeSliceTiles(const swGpuWorld* gpuWorld, const swFrame* frame, con
     placeColumns(list->count, tiles);
     memcpy(tiles + count, others, list->windowCount * sizeof(swSliceTile));
     list->windowCount += count - list->count;
+    placeShaped(list->count + list->windowCount, tiles);
 }
 
 static swSliceWave makeSliceWave(const swSlice* slice, const swFreeWave* wave, int64_t ticks)

@@ -81,7 +81,7 @@ static void recordView(const swGpuWorld* gpuWorld, int index, const State* s, Vk
     };
     swBindSlicesShaped(gpu, commands, swFindVariant(&s->pipelines, &swSlicesShapedShader, &s->constants), &bindings,
                        &resolution);
-    gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SHAPED_RUN,
+    gpu->vk.CmdDispatch(commands, (resolution + SW_SLICE_WIDTH - 1) / SW_SLICE_WIDTH, resolution / SW_SHAPED_ROWS,
                         (uint32_t)view->sliceCount);
 }
 
