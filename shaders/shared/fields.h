@@ -19,8 +19,8 @@ SW_PARAMS(swInputHead)
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 
-// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m. Texels are powers of
-// two, so that a place is the same, to the bit, while its slice moves.
+// Where the texels of a slice lie: the first one's cell (see shared/input.h) and its place in it, m. Texels are powers
+// of two, so that a place is the same, to the bit, while its slice moves.
 SW_PARAMS(swFieldSlice)
 {
     sw_int cellX, cellZ;
@@ -33,8 +33,8 @@ SW_PARAMS_SIZE(swFieldSlice, 32);
 // Most rectangles of texels of a slice that are made.
 #define SW_MAX_FIELD_RECTS 16
 
-// What a slice needs: core/lod/redraw.h. What is in none of the rectangles, each columns and rows [first, end), is kept: it
-// was (shiftX, shiftZ) columns and rows further on.
+// What a slice needs: core/lod/redraw.h. What is in none of the rectangles, each columns and rows [first, end), is
+// kept: it was (shiftX, shiftZ) columns and rows further on.
 SW_PARAMS(swFieldRedraw)
 {
     sw_int shiftX, shiftZ;

@@ -135,9 +135,7 @@ static VkResult createPipeline(swStageLines* lines, VkShaderModule vertex, VkSha
                                                       .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
                                                       .colorWriteMask = 15};
     const VkPipelineColorBlendStateCreateInfo blend = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-        .attachmentCount = 1,
-        .pAttachments = &over};
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &over};
     const VkDynamicState dynamicStates[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     const VkPipelineDynamicStateCreateInfo dynamic = {
         .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
@@ -264,8 +262,7 @@ void swStageLines_Add(swStageLines* lines, swPos from, swPos to, swVec3 color)
     SW_REQUIRE_VOID(lines != NULL, NULL, "swStageLines_Add() needs lines");
     if (lines->count < SW_MAX_STAGE_LINES && isPlace(from) && isPlace(to))
     {
-        lines->lines[lines->count++] =
-            (swLine){from, to, {toByte(color.x), toByte(color.y), toByte(color.z), 255}};
+        lines->lines[lines->count++] = (swLine){from, to, {toByte(color.x), toByte(color.y), toByte(color.z), 255}};
     }
 }
 
@@ -323,8 +320,7 @@ void swStage_DrawLines(swStage* stage, VkCommandBuffer commands, swStageLines* l
     swStage_UseImage(stage, commands, &targets->depth, SW_STAGE_USE_DEPTH_TARGET, SW_STAGE_USE_SAMPLED);
     swStage_UseImage(stage, commands, &targets->output, SW_STAGE_USE_COLOR_TARGET, SW_STAGE_USE_COLOR_TARGET);
     swStage_BeginDrawing(stage, commands, &targets->output, targets->output.view, true, NULL);
-    const VkDescriptorImageInfo depth = {lines->sampler, targets->depth.view,
-                                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    const VkDescriptorImageInfo depth = {lines->sampler, targets->depth.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
     const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                         .descriptorCount = 1,
                                         .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,

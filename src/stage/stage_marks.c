@@ -32,7 +32,8 @@ void swStageLines_AddQueries(swStageLines* lines, const swMoment* moment, swPosX
 {
     SW_REQUIRE_VOID(lines != NULL && moment != NULL && step > 0.0f && step <= 1e6f && count >= 1 &&
                         count <= SW_MARK_BLOCK && middle.x - middle.x == 0.0 && middle.z - middle.z == 0.0,
-                    swFindLinesHost(lines), "swStageLines_AddQueries() needs lines, a moment, a place, a step above 0 and 1 to 128 points");
+                    swFindLinesHost(lines),
+                    "swStageLines_AddQueries() needs lines, a moment, a place, a step above 0 and 1 to 128 points");
     const swVec3 green = {0.2f, 1.0f, 0.3f}, blue = {0.3f, 0.5f, 1.0f};
     const swQueryDef def = swDefaultQueryDef();
     swPosXZ points[SW_MARK_BLOCK];
@@ -52,10 +53,10 @@ void swStageLines_AddQueries(swStageLines* lines, const swMoment* moment, swPosX
         {
             swPos at = {points[i].x, (double)heights[i], points[i].z};
             addCross(lines, at, half, green);
-            swStageLines_Add(lines, at,
-                             moveBy(at, length * (double)normals[i].x, length * (double)normals[i].y,
-                                    length * (double)normals[i].z),
-                             blue);
+            swStageLines_Add(
+                lines, at,
+                moveBy(at, length * (double)normals[i].x, length * (double)normals[i].y, length * (double)normals[i].z),
+                blue);
         }
     }
 }
@@ -65,9 +66,10 @@ void swStageLines_AddQueries(swStageLines* lines, const swMoment* moment, swPosX
 void swStageLines_AddRay(swStageLines* lines, const swMoment* moment, swPos from, swVec3 direction, float reach)
 {
     float length = sqrtf(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
-    SW_REQUIRE_VOID(lines != NULL && moment != NULL && length > 0.0f && length < 1e9f && reach > 0.0f && reach <= 1e5f &&
-                        from.x - from.x == 0.0 && from.y - from.y == 0.0 && from.z - from.z == 0.0,
-                    swFindLinesHost(lines), "swStageLines_AddRay() needs lines, a moment, a place, a direction and a reach up to 1e5 m");
+    SW_REQUIRE_VOID(lines != NULL && moment != NULL && length > 0.0f && length < 1e9f && reach > 0.0f &&
+                        reach <= 1e5f && from.x - from.x == 0.0 && from.y - from.y == 0.0 && from.z - from.z == 0.0,
+                    swFindLinesHost(lines),
+                    "swStageLines_AddRay() needs lines, a moment, a place, a direction and a reach up to 1e5 m");
     const swVec3 green = {0.2f, 1.0f, 0.3f}, red = {1.0f, 0.2f, 0.2f};
     const swQueryDef def = swDefaultQueryDef();
     swRay ray = swDefaultRay(from, direction);
@@ -75,9 +77,9 @@ void swStageLines_AddRay(swStageLines* lines, const swMoment* moment, swPos from
     ray.maxDistance = reach;
     swMoment_CastRays(moment, &def, 1, &ray, &hit, NULL);
     double scale = (double)(reach / length);
-    swPos end = hit.isHit ? hit.point
-                          : moveBy(from, scale * (double)direction.x, scale * (double)direction.y,
-                                   scale * (double)direction.z);
+    swPos end =
+        hit.isHit ? hit.point
+                  : moveBy(from, scale * (double)direction.x, scale * (double)direction.y, scale * (double)direction.z);
     swStageLines_Add(lines, from, end, hit.isHit ? green : red);
     if (hit.isHit)
     {
@@ -125,8 +127,7 @@ void swStageLines_AddTiles(swStageLines* lines, const swPicture* picture, const 
 {
     SW_REQUIRE_VOID(lines != NULL && picture != NULL && moment != NULL, swFindLinesHost(lines),
                     "swStageLines_AddTiles() needs lines, a prepared picture and a moment");
-    static const swVec3 colors[4] = {
-        {1.0f, 0.9f, 0.2f}, {1.0f, 0.5f, 0.1f}, {0.9f, 0.3f, 0.6f}, {0.4f, 0.6f, 1.0f}};
+    static const swVec3 colors[4] = {{1.0f, 0.9f, 0.2f}, {1.0f, 0.5f, 0.1f}, {0.9f, 0.3f, 0.6f}, {0.4f, 0.6f, 1.0f}};
     static const int corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     swTileBounds tiles[SW_MAX_TILE_BOUNDS];
     int count = swPicture_GetTiles(picture, SW_MAX_TILE_BOUNDS, tiles);
@@ -147,11 +148,11 @@ void swStageLines_AddTiles(swStageLines* lines, const swPicture* picture, const 
 swVec3 swGetInputColor(swInputField field)
 {
     static const swVec3 colors[SW_INPUT_FIELD_COUNT] = {
-        [SW_INPUT_FLOOR] = {0.6f, 0.4f, 0.2f},         [SW_INPUT_LEVEL] = {0.2f, 0.9f, 0.2f},
-        [SW_INPUT_FLOW] = {0.2f, 0.4f, 1.0f},          [SW_INPUT_WAVES] = {1.0f, 0.9f, 0.2f},
-        [SW_INPUT_DISPLACEMENT] = {0.6f, 0.4f, 1.0f},  [SW_INPUT_CLIP] = {0.1f, 1.0f, 1.0f},
-        [SW_INPUT_FOAM] = {1.0f, 1.0f, 1.0f},          [SW_INPUT_ALBEDO] = {1.0f, 0.2f, 1.0f},
-        [SW_INPUT_WIND] = {1.0f, 0.6f, 0.1f},          [SW_INPUT_SHADOW] = {0.0f, 0.0f, 0.0f},
+        [SW_INPUT_FLOOR] = {0.6f, 0.4f, 0.2f},        [SW_INPUT_LEVEL] = {0.2f, 0.9f, 0.2f},
+        [SW_INPUT_FLOW] = {0.2f, 0.4f, 1.0f},         [SW_INPUT_WAVES] = {1.0f, 0.9f, 0.2f},
+        [SW_INPUT_DISPLACEMENT] = {0.6f, 0.4f, 1.0f}, [SW_INPUT_CLIP] = {0.1f, 1.0f, 1.0f},
+        [SW_INPUT_FOAM] = {1.0f, 1.0f, 1.0f},         [SW_INPUT_ALBEDO] = {1.0f, 0.2f, 1.0f},
+        [SW_INPUT_WIND] = {1.0f, 0.6f, 0.1f},         [SW_INPUT_SHADOW] = {0.0f, 0.0f, 0.0f},
         [SW_INPUT_BODY] = {1.0f, 0.2f, 0.2f},
     };
     return (unsigned)field < SW_INPUT_FIELD_COUNT ? colors[field] : (swVec3){1.0f, 1.0f, 1.0f};
@@ -338,9 +339,9 @@ static void addBody(Outline* outline, const swWaterBodyDef* body)
 
 void swStageLines_AddInputs(swStageLines* lines, const swWorld* world)
 {
-    SW_REQUIRE_VOID(lines != NULL && world != NULL, swFindLinesHost(lines), "swStageLines_AddInputs() needs lines and a world");
-    Outline outline = {
-        .lines = lines, .moment = swWorld_GetMoment(world), .seaLevel = swWorld_GetSeaLevel(world)};
+    SW_REQUIRE_VOID(lines != NULL && world != NULL, swFindLinesHost(lines),
+                    "swStageLines_AddInputs() needs lines and a world");
+    Outline outline = {.lines = lines, .moment = swWorld_GetMoment(world), .seaLevel = swWorld_GetSeaLevel(world)};
     for (int i = 0; i < swWorld_GetInputCount(world); ++i)
     {
         const swInputDef def = swInput_Get(world, swWorld_GetInput(world, i));
@@ -366,7 +367,8 @@ void swStageLines_AddInputs(swStageLines* lines, const swWorld* world)
 bool swParseStageMarks(const char* text, uint32_t* marks)
 {
     static const char* const names[] = {"queries", "ray", "tiles", "inputs"};
-    SW_REQUIRE(text != NULL && marks != NULL, false, NULL, "swParseStageMarks() needs a text and a place for the marks");
+    SW_REQUIRE(text != NULL && marks != NULL, false, NULL,
+               "swParseStageMarks() needs a text and a place for the marks");
     uint32_t all = 0;
     for (;;)
     {
@@ -408,8 +410,8 @@ static swPos findAim(const swMoment* moment, const swCamera* camera, double* dis
 void swStageLines_AddMarks(swStageLines* lines, const swWorld* world, const swPicture* picture, const swCamera* camera,
                            uint32_t marks)
 {
-    SW_REQUIRE_VOID(lines != NULL && world != NULL && picture != NULL && camera != NULL,
-                    swFindLinesHost(lines), "swStageLines_AddMarks() needs lines, a world, a picture and a camera");
+    SW_REQUIRE_VOID(lines != NULL && world != NULL && picture != NULL && camera != NULL, swFindLinesHost(lines),
+                    "swStageLines_AddMarks() needs lines, a world, a picture and a camera");
     const swMoment* moment = swWorld_GetMoment(world);
     const float* m = camera->view.m;
     double distance = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Copies of authored fields in slices that move are, to the bit, what they would be if they were made anew, and only what
-// is new or has changed is made.
+// Copies of authored fields in slices that move are, to the bit, what they would be if they were made anew, and only
+// what is new or has changed is made.
 
 #include "support/cmocka_setup.h"
 

@@ -6,8 +6,8 @@
 //     parity_everything [POINTS [FEATURE [queries]]]
 //
 // asks for so many points at each of the two places, and for a tenth of that of each feature alone; with the name of a
-// feature, or `all`, only of that one; with `queries`, slices are left out. Without, few enough for a software device. It needs libc and a Vulkan driver, so
-// that it can be carried to a machine with a GPU.
+// feature, or `all`, only of that one; with `queries`, slices are left out. Without, few enough for a software device.
+// It needs libc and a Vulkan driver, so that it can be carried to a machine with a GPU.
 //
 // A point is left out if the two halves differ there and it lies within a texel of a place where the surface jumps: a
 // dam, the edge of a hole, a fold, where several particles are above a point and either half may have found another

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// On the device, copies of authored fields in slices that move are, to the bit, those of a view that was not there before,
-// and so are the waves that they shape. Views of one world share its inputs: they are brought once.
+// On the device, copies of authored fields in slices that move are, to the bit, those of a view that was not there
+// before, and so are the waves that they shape. Views of one world share its inputs: they are brought once.
 
 #include "parity/parity.h"
 

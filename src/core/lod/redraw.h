@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Copies of authored fields in slices that move: texels whose places have been in the slice before and where nothing has
-// changed are moved on, the others are made. Both halves do so by the same plan.
+// Copies of authored fields in slices that move: texels whose places have been in the slice before and where nothing
+// has changed are moved on, the others are made. Both halves do so by the same plan.
 
 #include "core/frame/frame.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One dispatch a view for all its slices, where inputs say anything at all; none where all slices are as they were.
-// Slices that have moved are first copied aside, so that the dispatch can move on what is kept of them: core/lod/redraw.h
-// says what that is.
+// Slices that have moved are first copied aside, so that the dispatch can move on what is kept of them:
+// core/lod/redraw.h says what that is.
 
 #include <string.h>
 
