@@ -79,10 +79,11 @@ vec3 groundAlbedo(Relief relief, float height, float steepness)
 }
 
 // Slopes of the ground's own relief, which is finer than what is drawn: tufts, stones, ripples of sand.
-vec2 reliefSlopes(Relief relief, float growth, float steepness)
+// Sand that waves reach is even.
+vec2 reliefSlopes(Relief relief, float growth, float height, float steepness)
 {
     float stone = smoothstep(0.4, 0.75, steepness);
-    vec2 bare = 0.05 * relief.tuftSlopes + 0.03 * relief.grainSlopes;
+    vec2 bare = (0.05 * relief.tuftSlopes + 0.03 * relief.grainSlopes) * smoothstep(1.0, 2.0, height);
     vec2 green = 0.55 * relief.tuftSlopes + 0.16 * relief.grainSlopes;
     return mix(mix(bare, green, growth), 1.3 * relief.tuftSlopes + 0.30 * relief.grainSlopes, stone);
 }
@@ -104,7 +105,7 @@ void main()
     float rise = height / push.wetHeight;
     vec3 albedo = groundAlbedo(relief, rise, steepness);
     float growth = growthAt(relief, rise, steepness);
-    vec2 fine = slopes + reliefSlopes(relief, growth, steepness);
+    vec2 fine = slopes + reliefSlopes(relief, growth, rise, steepness);
     vec3 normal = normalize(vec3(-fine.x, 1.0, -fine.y));
     // Between tufts there is less light.
     float open = (0.5 + 0.5 * normal.y) * mix(1.0, clamp(0.8 + 0.9 * relief.tufts, 0.4, 1.0), growth);

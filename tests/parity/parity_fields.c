@@ -514,6 +514,8 @@ static void WhatIsLeftOutIsSaidOnceOfEachKind(void** state)
     CheckTold(0, 0);
     swInputDef def = At(SW_INPUT_FLOW, SW_SHAPE_CIRCLE, middle, 80.0f, 1.0f); // likewise
     AddInput(&parity, &def);
+    def = At(SW_INPUT_WAVES, SW_SHAPE_CIRCLE, middle, 80.0f, 0.5f);
+    AddInput(&parity, &def);
     StepParity(&parity, 0.1);
     CheckTold(0, 0);
     def = At(SW_INPUT_LEVEL, SW_SHAPE_FUNCTION, middle, 80.0f, 0.5f);

@@ -271,6 +271,17 @@ static bool advanceSearch(swSearch* search, const float* displacement, float tol
     return true;
 }
 
+// Go on from the best place without what steps have told of the Jacobian: at the edge of an input that shapes waves it
+// jumps, and what was learnt on one side leads astray on the other.
+static void beginAnew(swSearch* search)
+{
+    search->b00 = search->b11 = 1.0f;
+    search->b01 = search->b10 = 0.0f;
+    search->reach = 1.0f;
+    search->dx = search->bestX - search->bestRx;
+    search->dz = search->bestZ - search->bestRz;
+}
+
 // Where a hint says that the particle should be by now: along a parabola through the last three searches.
 #define HINT_SECONDS 0.25
 #define FARTHEST_HINT 1e4f // m
@@ -428,12 +439,17 @@ __attribute__((noinline)) static int runSearches(const swQuery* query, int count
         }
         swEvaluate(query, activeCount, tried, &evaluation);
         evaluations += activeCount;
+        bool isAnew = query->places != NULL && iteration == query->def->maxIterations / 2;
         int stillActive = 0;
         for (int i = 0; i < activeCount; ++i)
         {
             int point = active[i];
             float before = searches[point].bestSquare;
             bool isDone = !advanceSearch(&searches[point], displacement[i], toleranceSquare);
+            if (isAnew && !isDone)
+            {
+                beginAnew(&searches[point]);
+            }
             if (searches[point].bestSquare < before)
             {
                 memcpy(found->displacement[point], displacement[i], sizeof displacement[i]);

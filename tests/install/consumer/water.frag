@@ -26,12 +26,17 @@ swMeshSlice meshSlice(uint index)
 
 swDetailParams detailBand(uint index)
 {
-    return swDetailParams(0.0, 0.0, 1.0, 1.0, 2.0, 0.0, 0.0, 1.0);
+    return swDetailParams(0.0, 0.0, 1.0, 1.0, 2.0, 0.0, 0.0, 0u);
+}
+
+float shareOf(uint system)
+{
+    return 1.0;
 }
 
 swDetailWave detailWave(uint index)
 {
-    return swDetailWave(1.0, 0.0, 0.0, 0.1, 6.0, 0.0, 0.0, 0.0);
+    return swDetailWave(1.0, 0.0, 0.0, 0.1, 6.0, 0.0, 0.0, 0u);
 }
 
 void main()
