@@ -73,11 +73,10 @@ Flow turnFlowByLook(Look look, Flow flow)
 }
 
 // Displacement with its derivatives from a look's coordinates to the sea's. `way` has the slopes of where it is looked
-// up less where that is: of x along x and z, then of z. Waves lie in the look's coordinates so that dDx/dz is dDz/dx
-// there.
-void turnWaterByLook(Look look, vec4 way, inout vec3 value, inout vec3 alongX, inout vec2 alongZ)
+// up less where that is: of x along x and z, then of z. `skew` is dDx/dz less dDz/dx.
+void turnWaterByLook(Look look, vec4 way, inout vec3 value, inout vec3 alongX, inout vec2 alongZ, inout float skew)
 {
-    vec3 ownZ = vec3(alongX.z, alongZ);
+    vec3 ownZ = vec3(alongX.z + skew, alongZ);
     vec3 x = turnByLook(look, alongX * (1.0 + way.x) + ownZ * way.z);
     vec3 z = turnByLook(look, alongX * way.y + ownZ * (1.0 + way.w));
     value = turnByLook(look, value);
@@ -86,5 +85,6 @@ void turnWaterByLook(Look look, vec4 way, inout vec3 value, inout vec3 alongX, i
     z.xz += look.source.turnZ * vec2(-value.z, value.x);
     alongX = x;
     alongZ = z.yz;
+    skew = z.x - x.z;
 }
 #endif

@@ -82,7 +82,7 @@ layout(push_constant) uniform Push
     swRayParams params;
 };
 
-shared float shares[8][THREADS];
+shared float shares[9][THREADS];
 // What inputs say. Shared memory is taken from the cache that holds texels, so there is none without inputs.
 const uint ASKED = WITH_INPUTS ? 6 + SW_LIMIT_SYSTEMS : 1;
 shared vec3 placeValues[ASKED][SW_QUERY_POINTS];

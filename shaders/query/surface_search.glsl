@@ -22,7 +22,7 @@
 // that of the place asked for.
 //
 // Before including: query_place.glsl, the buffers `tiles`, `waves` and `texels`, `swQueryWater params.water`,
-// `swQuerySea params.sea`, `shared float shares[8][]` with an element for each thread, what lib/inputs.glsl wants,
+// `swQuerySea params.sea`, `shared float shares[9][]` with an element for each thread, what lib/inputs.glsl wants,
 // `shared vec3 placeValues[6 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constants `bool
 // WITH_INPUTS`, WITH_FLOW (inputs make the water flow; the buffer `likeness` is there), WITH_PLACE_FLOW (the flow is
 // wanted at the place that is asked for), WITH_DISPLACEMENT, and WITH_RIBBONS (some waves run along splines, and
@@ -38,15 +38,22 @@
 #include "shared/surface_normal.h"
 
 // Displacement of a particle by its place at rest, and its derivatives along x and z; along z those of y and z alone,
-// since dDx/dz is dDz/dx. Of a lane: its share.
+// since dDx/dz is dDz/dx, but for what places make of waves: `skew` is the first less the second. Of a lane: its share.
 struct Sum
 {
     vec3 value;
     vec3 alongX;
     vec2 alongZ;
+    float skew;
 };
 
-const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0));
+const Sum NO_WATER = Sum(vec3(0.0), vec3(0.0), vec2(0.0), 0.0);
+
+// dDx/dz.
+float xAlongZOf(Sum sum)
+{
+    return sum.alongX.z + sum.skew;
+}
 
 // A lane's share of the tiles that are taken on, around a rest point: their sum, and its second derivatives.
 struct Smooth
@@ -343,6 +350,7 @@ void addShaped(Shape shape, Sum own, inout Sum sum)
     sum.value += shape.weight * own.value;
     sum.alongX += shape.weight * own.alongX + shape.slope.x * own.value;
     sum.alongZ += shape.weight * own.alongZ + shape.slope.y * own.value.yz;
+    sum.skew += shape.weight * own.skew + shape.slope.y * own.value.x - shape.slope.x * own.value.z;
 }
 
 // ---- where a flow carries them ----
@@ -371,10 +379,13 @@ vec3 likenessOf(uint first, uint end, vec2 way)
 // Adds a copy of waves: what it counts, and the slopes of where it is looked up less where that is.
 void addCopy(float weight, vec4 way, Sum own, inout Sum sum)
 {
-    vec3 alongZ = vec3(own.alongX.z, own.alongZ);
+    vec3 alongZ = vec3(xAlongZOf(own), own.alongZ);
+    vec3 x = weight * (own.alongX * (1.0 + way.x) + alongZ * way.z);
+    vec3 z = weight * (own.alongX * way.y + alongZ * (1.0 + way.w));
     sum.value += weight * own.value;
-    sum.alongX += weight * (own.alongX * (1.0 + way.x) + alongZ * way.z);
-    sum.alongZ += weight * (own.alongX.yz * way.y + own.alongZ * (1.0 + way.w));
+    sum.alongX += x;
+    sum.alongZ += z.yz;
+    sum.skew += z.x - x.z;
 }
 
 // A lane's share of a tile's copies, and their part of the shape.
@@ -489,7 +500,7 @@ uint copyCount(Carry carry)
 // Adds a copy of waves as a look sees them. `flow` is in the look's axes.
 void addLooked(Look look, Flow flow, Shape shape, float weight, float seconds, Sum own, inout Sum sum)
 {
-    turnWaterByLook(look, look.source.way - seconds * flow.slopes, own.value, own.alongX, own.alongZ);
+    turnWaterByLook(look, look.source.way - seconds * flow.slopes, own.value, own.alongX, own.alongZ, own.skew);
     addShaped(Shape(weight * shape.weight, weight * shape.slope), own, sum);
 }
 
@@ -624,11 +635,15 @@ void share(Sum sum)
     shareVector(3, sum.alongX);
     shares[6][gl_LocalInvocationIndex] = sum.alongZ.x;
     shares[7][gl_LocalInvocationIndex] = sum.alongZ.y;
+    if (WITH_INPUTS)
+    {
+        shares[8][gl_LocalInvocationIndex] = sum.skew;
+    }
 }
 
 Sum gatherSum()
 {
-    return Sum(gatherVector(0), gatherVector(3), vec2(gather(6), gather(7)));
+    return Sum(gatherVector(0), gatherVector(3), vec2(gather(6), gather(7)), WITH_INPUTS ? gather(8) : 0.0);
 }
 
 // ---- the search ----
@@ -663,8 +678,8 @@ Search beginSearch(Place place)
 
 vec2 newtonStep(vec2 residual, Sum sum)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.y);
-    vec2 step = vec2((1.0 + sum.alongZ.y) * residual.x - sum.alongX.z * residual.y,
+    float jacobian = swSurfaceArea(sum.alongX.x, xAlongZOf(sum), sum.alongX.z, sum.alongZ.y);
+    vec2 step = vec2((1.0 + sum.alongZ.y) * residual.x - xAlongZOf(sum) * residual.y,
                      (1.0 + sum.alongX.x) * residual.y - sum.alongX.z * residual.x);
     float longest = 4.0 * length(residual) * abs(jacobian);
     float size = length(step);
@@ -764,10 +779,10 @@ Sum displaced(Search search, Sum sum)
     if (WITH_DISPLACEMENT)
     {
         swInputValue value =
-            swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(sum.alongX.z, sum.alongZ, 0.0));
+            swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(xAlongZOf(sum), sum.alongZ, 0.0));
         value = displacedAt(seaPlaceAt(search.cell, search.place + search.offset),
                             swDisplaceRange(params.water.minWavelength, 0.0, 0.0), value);
-        return Sum(value.value.xyz, value.alongX.xyz, value.alongZ.yz);
+        return Sum(value.value.xyz, value.alongX.xyz, value.alongZ.yz, value.alongZ.x - value.alongX.z);
     }
     return sum;
 }
@@ -778,7 +793,7 @@ void raise(inout Search search)
     if (WITH_DISPLACEMENT)
     {
         Sum sum = search.best;
-        vec2 x = sum.alongX.xz, z = vec2(sum.alongX.z, sum.alongZ.y);
+        vec2 x = sum.alongX.xz, z = vec2(xAlongZOf(sum), sum.alongZ.y);
         SeaPlace place = seaPlaceAt(search.cell, search.place + search.bestOffset + sum.value.xz);
         vec3 level = askedOf(ASKED_PLACE_LEVEL);
         swInputChannel before = heightByPlace(sum.value.y, vec2(sum.alongX.y, sum.alongZ.x), x, z);
@@ -804,16 +819,16 @@ Sum surfaceOf(Search search)
     vec3 level = WITH_INPUTS ? askedOf(ASKED_PLACE_LEVEL) : vec3(0.0);
     sum.value.y += level.x;
     sum.alongX.y += level.y * (1.0 + sum.alongX.x) + level.z * sum.alongX.z;
-    sum.alongZ.x += level.y * sum.alongX.z + level.z * (1.0 + sum.alongZ.y);
+    sum.alongZ.x += level.y * xAlongZOf(sum) + level.z * (1.0 + sum.alongZ.y);
     return sum;
 }
 
 // Normal and J of the surface, from a particle's derivatives. The underside of a fold is turned over.
 vec4 normalOf(Sum sum)
 {
-    float jacobian = swSurfaceJacobian(sum.alongX.x, sum.alongX.z, sum.alongZ.y);
+    float jacobian = swSurfaceArea(sum.alongX.x, xAlongZOf(sum), sum.alongX.z, sum.alongZ.y);
     float x = swSurfaceNormalX(sum.alongX.z, sum.alongZ.y, sum.alongX.y, sum.alongZ.x);
-    float z = swSurfaceNormalZ(sum.alongX.x, sum.alongX.z, sum.alongX.y, sum.alongZ.x);
+    float z = swSurfaceNormalZ(sum.alongX.x, xAlongZOf(sum), sum.alongX.y, sum.alongZ.x);
     vec3 normal = vec3(-x, jacobian, -z);
     float size = length(normal);
     normal = size < 1e-20 ? vec3(0.0, 1.0, 0.0) : normal * ((jacobian < 0.0 ? -1.0 : 1.0) / size);

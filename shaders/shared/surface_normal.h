@@ -3,7 +3,7 @@
 // Tx = (1 + dDx/dx, dh/dx, dDz/dx) and Tz = (dDx/dz, dh/dz, 1 + dDz/dz); their cross product Tz x Tx is (-gx, J, -gz).
 // It stays smooth where the surface folds (J = 0), which the slope (gx, gz) / J does not. Horizontal displacement is
 // itself a gradient, so that dDx/dz is dDz/dx and need not be summed. Where places shape waves that is not so: there
-// the core's queries take dDx/dz in its places, which are the one in J and the one in gz; slices and the GPU do not.
+// queries take dDx/dz in its places, which are the one in J and the one in gz; slices do not.
 #ifndef SW_SHARED_SURFACE_NORMAL_H
 #define SW_SHARED_SURFACE_NORMAL_H
 #include "types.h"

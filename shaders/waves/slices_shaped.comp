@@ -326,7 +326,8 @@ Way wayTo(SeaPlace place, float seconds, Flow moved)
 // Adds one of the copies of waves as a look sees them. `moved` is in the look's axes.
 void addLooked(inout Texel texel, Look look, Flow moved, Shape shape, float weight, float seconds, Texel own)
 {
-    turnWaterByLook(look, look.source.way - seconds * moved.slopes, own.sum, own.alongX, own.alongZ);
+    float skew = 0.0; // slices keep three of the four derivatives
+    turnWaterByLook(look, look.source.way - seconds * moved.slopes, own.sum, own.alongX, own.alongZ, skew);
     addShaped(texel, own, Shape(weight * shape.weight, weight * shape.slope));
 }
 

@@ -314,14 +314,14 @@ void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInput
 
 swResult swRestoreFreeSlot(swInputs* inputs, int slot, uint32_t generation)
 {
-    swInput* input = (size_t)slot < inputs->slots.count
-                         ? getSlot(inputs, (size_t)slot)
-                         : swAppendItems(&inputs->memory->host, &inputs->slots, 1, sizeof(swInput));
+    bool isNew = (size_t)slot >= inputs->slots.count;
+    swInput* input = isNew ? swAppendItems(&inputs->memory->host, &inputs->slots, 1, sizeof(swInput))
+                           : getSlot(inputs, (size_t)slot);
     if (input == NULL)
     {
         return swFailMemory(inputs->memory, "an input");
     }
-    *input = (swInput){.generation = generation, .isTouched = input->isTouched};
+    *input = (swInput){.generation = generation, .isTouched = !isNew && input->isTouched};
     return SW_SUCCESS;
 }
 
