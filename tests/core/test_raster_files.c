@@ -145,8 +145,8 @@ static void LinesMayEndAsOnAnySystem(void** state)
         "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\n1 2\n3 4\n",
         "ncols 2\r\nnrows 2\r\nxllcorner 0\r\nyllcorner 0\r\ncellsize 2\r\n1 2\r\n3 4\r\n",
         "\xef\xbb\xbfncols 2\r\nnrows 2\r\nxllcorner 0\r\nyllcorner 0\r\ncellsize 2\r\n1 2\r\n3 4",
-        "\xef\xbb\xbf"
-        "1 1 3\n3 1 4\n1 3 1\n3 3 2",
+        ("\xef\xbb\xbf"
+         "1 1 3\n3 1 4\n1 3 1\n3 3 2"),
         "1 1 3\r\n3 1 4\r\n1 3 1\r\n3 3 2",
     };
     for (size_t i = 0; i < sizeof(texts) / sizeof(texts[0]); ++i)

@@ -330,8 +330,8 @@ void swFindInputArea(const swInputRecord* record, swPosXZ* low, swPosXZ* high)
     findBounds(record, origin, low, high);
     if ((record->flags & SW_INPUT_IS_BOUNDLESS) != 0)
     {
-        *low = (swPosXZ){-INFINITY, -INFINITY};
-        *high = (swPosXZ){INFINITY, INFINITY};
+        *low = (swPosXZ){-(double)INFINITY, -(double)INFINITY};
+        *high = (swPosXZ){(double)INFINITY, (double)INFINITY};
     }
 }
 
