@@ -284,14 +284,6 @@ static inline swPosXZ swGetTileShift(const swTile* tile, int64_t ticks)
                      path.z - floor(path.z / tile->side) * tile->side};
 }
 
-// How far the first of two copies of waves in a flow is in its period, see shared/carry.h, a fraction of 2^32; the
-// second is half a turn ahead. `k` is swGetTileWaveNumber() or swGetOctaveWaveNumber(); `period` is in seconds.
-uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* period);
-
-// One past the last of the free waves of a frame that a flow carries together with wave `first`, of the first `count`:
-// those that follow it, of its system and its octave.
-int swFindCarriedEnd(const swFreeWave* waves, int first, int count);
-
 // Variance of one free wave's slope.
 static inline float swGetFreeWaveSlope(const swFreeWave* wave)
 {
@@ -425,6 +417,14 @@ static inline swFoamBirth swGetFoamBirth(const swStackFrame* stack, int i)
 }
 
 SW_SEAM_BEGIN
+
+// How far the first of two copies of waves in a flow is in its period, see shared/carry.h, a fraction of 2^32; the
+// second is half a turn ahead. `k` is swGetTileWaveNumber() or swGetOctaveWaveNumber(); `period` is in seconds.
+uint32_t swGetCarryPhase(float k, int64_t loopTicks, int64_t ticks, float* period);
+
+// One past the last of the free waves of a frame that a flow carries together with wave `first`, of the first `count`:
+// those that follow it, of its system and its octave.
+int swFindCarriedEnd(const swFreeWave* waves, int first, int count);
 
 // The frame of the last step. Implemented by world/.
 const swFrame* swGetWorldFrame(const swWorld* world);
