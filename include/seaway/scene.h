@@ -263,7 +263,7 @@ typedef struct swSceneRemark
 {
     const char* code;    ///< stays the same when sentences change
     swLogLevel severity; ///< SW_LOG_WARNING or SW_LOG_INFO
-    int line;            ///< of the file; 0: of the whole scene
+    int line;            ///< of the file; its first of what is missing in the whole scene; 0: read from no text
     char text[512];      ///< what is found, and what helps
 } swSceneRemark;
 

@@ -125,19 +125,16 @@ void swFreeWaterBodies(swScene* scene)
 
 swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
+    swResult result = SW_SUCCESS;
+    sea->waterBodyCount = scene->waterBodyCount;
     for (int i = 0; i < scene->waterBodyCount; ++i)
     {
         swWaterBodyDef def = scene->waterBodies[i].def;
         def.waves = scene->waterBodies[i].waves >= 0 ? sea->systems[scene->waterBodies[i].waves] : def.waves;
-        swResult result = swCreateWaterBody(world, &def, &sea->waterBodies[i]);
-        if (result != SW_SUCCESS)
-        {
-            swLog(&scene->host, SW_LOG_ERROR,
-                  "Body of water %d of the scene '%s', on its line %d, could not be created.", i + 1, scene->name,
-                  scene->waterBodies[i].line);
-            return result;
-        }
-        sea->waterBodyCount = i + 1;
+        swResult own = swCreateWaterBody(world, &def, &sea->waterBodies[i]);
+        int line = scene->waterBodies[i].line;
+        result =
+            own != SW_SUCCESS ? swKeepFailure(result, swTellRefused(scene, own, line, "body of water", i)) : result;
     }
-    return SW_SUCCESS;
+    return result;
 }

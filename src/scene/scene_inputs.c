@@ -427,8 +427,10 @@ static swResult createInput(swWorld* world, const swSceneInput* input, swSceneSe
     return result;
 }
 
+// All of them, so that each that is refused is told.
 static swResult createInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
+    swResult result = SW_SUCCESS;
     for (int i = 0; i < scene->inputCount; ++i)
     {
         sea->inputCount = i + 1;
@@ -437,15 +439,11 @@ static swResult createInputs(swWorld* world, const swScene* scene, swSceneSea* s
         {
             continue;
         }
-        swResult result = createInput(world, &scene->inputs[i], sea, &sea->inputs[i]);
-        if (result != SW_SUCCESS)
-        {
-            swLog(&scene->host, SW_LOG_ERROR, "Input %d of the scene '%s', on its line %d, could not be created.",
-                  i + 1, scene->name, scene->inputs[i].line);
-            return result;
-        }
+        swResult own = createInput(world, &scene->inputs[i], sea, &sea->inputs[i]);
+        result = own != SW_SUCCESS ? swKeepFailure(result, swTellRefused(scene, own, scene->inputs[i].line, "input", i))
+                                   : result;
     }
-    return SW_SUCCESS;
+    return result;
 }
 
 static void removeInputs(swWorld* world, int count, const swInputId* ids)
@@ -465,7 +463,10 @@ static void removeAll(swWorld* world, swSceneSea* sea)
     removeInputs(world, sea->nestedCount, sea->nested);
     for (int i = 0; i < sea->waterBodyCount; ++i)
     {
-        swDestroyWaterBody(world, sea->waterBodies[i]);
+        if (swWaterBody_IsValid(world, sea->waterBodies[i]))
+        {
+            swDestroyWaterBody(world, sea->waterBodies[i]);
+        }
     }
     for (int i = 0; i < sea->windSeaCount; ++i)
     {

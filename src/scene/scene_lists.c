@@ -7,6 +7,7 @@
 #include "core/base/host.h"
 #include "scene/exact_number.h"
 #include "scene/scene_inputs.h"
+#include "scene/scene_source.h"
 
 swResult swKeepYamlNode(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
 {
@@ -119,6 +120,16 @@ swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene
                           scene->wavesCount);
     }
     *waves = (int)number - 1;
+    return result;
+}
+
+swResult swTellRefused(const swScene* scene, swResult result, int line, const char* what, int index)
+{
+    if (result != SW_ERROR_NO_MEMORY)
+    {
+        swLog(&scene->host, SW_LOG_ERROR, "%s:%d: %s %d cannot be made; the message before says why. [refused]",
+              scene->source->name, line, what, index + 1);
+    }
     return result;
 }
 

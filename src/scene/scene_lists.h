@@ -40,6 +40,9 @@ swResult swReadMeshes(swYaml* yaml, yaml_node_t* node, const swSceneReader* read
 swResult swReadSplines(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeSceneResources(swScene* scene);
 
+// What the world refused, after its own message: "file:line: input 3 cannot be made ... [refused]". Returns `result`.
+swResult swTellRefused(const swScene* scene, swResult result, int line, const char* what, int index);
+
 // The path of a file that a scene names.
 void swJoinScenePath(const char* folder, const char* file, char path[SW_MAX_PATH]);
 

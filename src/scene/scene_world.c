@@ -5,6 +5,7 @@
 
 #include "core/base/misuse.h"
 #include "scene/scene_inputs.h"
+#include "scene/scene_lists.h"
 #include "seaway/scene.h"
 
 const swSceneView* swScene_FindView(const swScene* scene, const char* name)
@@ -56,9 +57,7 @@ static swResult createSystems(swWorld* world, const swScene* scene, swSceneSea* 
         swResult result = createSystem(world, &scene->waves[i], sea);
         if (result != SW_SUCCESS)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Wave system %d of the scene '%s' could not be created.", i + 1,
-                  scene->name);
-            return result;
+            return swTellRefused(scene, result, scene->waves[i].line, "wave system", i);
         }
         sea->systemCount += 1;
     }
