@@ -22,12 +22,12 @@ typedef struct ProblemList
 {
     const char* path;
     Problem problems[MAX_PROBLEMS];
-    int errorCount, warningCount; // also of those for which there was no room
+    int errorCount, warningCount, infoCount; // also of those for which there was no room
 } ProblemList;
 
 static int CountProblems(const ProblemList* list)
 {
-    int count = list->errorCount + list->warningCount;
+    int count = list->errorCount + list->warningCount + list->infoCount;
     return count < MAX_PROBLEMS ? count : MAX_PROBLEMS;
 }
 
@@ -51,20 +51,31 @@ static void ReadMessage(const char* path, const char* message, Problem* problem)
     }
 }
 
-static void TakeProblem(void* context, swLogLevel level, const char* message)
+static void AddProblem(ProblemList* list, swLogLevel level, const char* message)
 {
-    ProblemList* list = context;
-    if (level == SW_LOG_INFO)
-    {
-        return;
-    }
-    int count = list->errorCount + list->warningCount;
-    *(level == SW_LOG_ERROR ? &list->errorCount : &list->warningCount) += 1;
+    int count = CountProblems(list);
+    *(level == SW_LOG_ERROR     ? &list->errorCount
+      : level == SW_LOG_WARNING ? &list->warningCount
+                                : &list->infoCount) += 1;
     if (count < MAX_PROBLEMS)
     {
         list->problems[count].level = level;
         ReadMessage(list->path, message, &list->problems[count]);
     }
+}
+
+// What the library says while it reads; its information is not about the scene.
+static void TakeProblem(void* context, swLogLevel level, const char* message)
+{
+    if (level != SW_LOG_INFO)
+    {
+        AddProblem(context, level, message);
+    }
+}
+
+static const char* GetSeverity(const Problem* problem)
+{
+    return problem->level == SW_LOG_ERROR ? "error" : problem->level == SW_LOG_WARNING ? "warning" : "info";
 }
 
 // Codes of what has none: the file itself, and files that the scene names.
@@ -82,8 +93,8 @@ static void PrintProblems(const ProblemList* list, swResult result)
     for (int i = 0; i < CountProblems(list); ++i)
     {
         const Problem* problem = list->problems + i;
-        printf("%s: %s [%s]\n", problem->level == SW_LOG_ERROR ? "error" : "warning",
-               CopyPrintable(line, sizeof(line), problem->text), GetCode(problem, result));
+        printf("%s: %s [%s]\n", GetSeverity(problem), CopyPrintable(line, sizeof(line), problem->text),
+               GetCode(problem, result));
     }
     printf("%s: ", CopyPrintable(line, sizeof(line), list->path));
     if (list->errorCount + list->warningCount == 0)
@@ -103,13 +114,14 @@ static void PrintProblemsJson(const ProblemList* list, swResult result)
     JsonText(&json, "result", swResult_GetName(result));
     JsonInteger(&json, "error_count", list->errorCount);
     JsonInteger(&json, "warning_count", list->warningCount);
+    JsonInteger(&json, "info_count", list->infoCount);
     JsonOpenArray(&json, "problems");
     for (int i = 0; i < CountProblems(list); ++i)
     {
         const Problem* problem = list->problems + i;
         JsonOpenObject(&json, NULL);
         JsonText(&json, "code", GetCode(problem, result));
-        JsonText(&json, "severity", problem->level == SW_LOG_ERROR ? "error" : "warning");
+        JsonText(&json, "severity", GetSeverity(problem));
         if (problem->line > 0)
         {
             JsonInteger(&json, "line", problem->line);
@@ -125,19 +137,32 @@ static void PrintProblemsJson(const ProblemList* list, swResult result)
     JsonCloseObject(&json);
 }
 
+// Reading has told some of them already.
+static bool IsTold(const ProblemList* list, const swSceneRemark* remark)
+{
+    for (int i = 0; i < CountProblems(list); ++i)
+    {
+        if (list->problems[i].line == remark->line && strcmp(list->problems[i].code, remark->code) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void TakeRemarks(ProblemList* list, const swScene* scene, const swWorld* world)
 {
     static swSceneRemark remarks[MAX_PROBLEMS];
     int count = swScene_Check(scene, world, MAX_PROBLEMS, remarks);
     for (int i = 0; i < count && i < MAX_PROBLEMS; ++i)
     {
-        char message[1024], line[16] = "";
-        if (remarks[i].line > 0)
+        char message[sizeof(list->problems[0].text)];
+        snprintf(message, sizeof(message), "%s:%d: %s [%s]", list->path, remarks[i].line, remarks[i].text,
+                 remarks[i].code);
+        if (!IsTold(list, &remarks[i]))
         {
-            snprintf(line, sizeof(line), ":%d", remarks[i].line);
+            AddProblem(list, remarks[i].severity, message);
         }
-        snprintf(message, sizeof(message), "%s%s: %s [%s]", list->path, line, remarks[i].text, remarks[i].code);
-        TakeProblem(list, remarks[i].severity, message);
     }
 }
 
@@ -175,8 +200,8 @@ int RunCheck(int argumentCount, char** arguments)
     const Verb verb = {.name = "check",
                        .synopsis = "SCENE [--json]",
                        .text = "Read a scene file, make its world, and print every problem with its line, what would\n"
-                               "be right, and its code; docs/checks.md lists the codes. Exit code 1 if there is one,\n"
-                               "be it a warning.",
+                               "be right, and its code; docs/checks.md lists the codes. Exit code 1 if there is an\n"
+                               "error or a warning; information does not change it.",
                        .options = options,
                        .optionCount = 1,
                        .positionalMin = 1,

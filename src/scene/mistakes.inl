@@ -22,5 +22,8 @@ SW_MISTAKE(CONFLICT, "conflict", "keys of which only one can be", "remove all bu
 SW_MISTAKE(NO_ENERGY, "no_energy", "waves without energy, of a spectrum that needs some",
            "give them a height, a wind, or an octave")
 SW_MISTAKE(BAD_FILE, "bad_file", "a file that cannot be read; its own message stands before", "see that message")
+SW_MISTAKE(REFUSED, "refused",
+           "waves, a body of water or an input that a world cannot make; its own message stands before",
+           "see that message")
 SW_MISTAKE(NO_RECORD, "no_record", "a file of measured seas that has no such record",
            "choose a time or a place that it has")

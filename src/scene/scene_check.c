@@ -2,11 +2,13 @@
 // What a scene that can be read is rarely meant to be.
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "core/base/field.h"
 #include "core/base/misuse.h"
+#include "scene/scene_source.h"
 #include "scene/scene_stale.h"
 #include "seaway/scene.h"
 
@@ -32,9 +34,12 @@ static const struct
 
 #define LEAST_HEIGHT 1e-6f // m; waves lower than that are none
 #define FAST 10.0f         // m/s
+#define FASTEST_SHIP 50.0f // m/s
 #define FEW_CELLS 4
 #define FEW_TEXELS 128
-#define OTHER_WIND 0.25 // relative difference
+#define NARROW_BODY 2.0f // m
+#define NARROW_FLOOR 5.0 // m
+#define OTHER_WIND 0.25  // relative difference
 
 typedef struct Checker
 {
@@ -106,7 +111,7 @@ static void checkEnergy(Checker* checker)
     }
     if (scene->windSeaCount == 0)
     {
-        tell(checker, REMARK_FLAT, 0, "");
+        tell(checker, REMARK_FLAT, scene->source->lines.waves, "");
     }
 }
 
@@ -148,6 +153,18 @@ static void checkWinds(Checker* checker)
     }
 }
 
+static void checkDirections(Checker* checker)
+{
+    for (int i = 0; i < checker->scene->wavesCount; ++i)
+    {
+        const swSceneWaves* waves = &checker->scene->waves[i];
+        if (waves->measured != NULL && swMeasuredSea_GetRecord(waves->measured, waves->record).meanDirection == NULL)
+        {
+            tellOf(checker, REMARK_NO_DIRECTIONS, waves->line, "waves", i, NULL);
+        }
+    }
+}
+
 static void checkFoam(Checker* checker)
 {
     const swScene* scene = checker->scene;
@@ -158,7 +175,7 @@ static void checkFoam(Checker* checker)
     }
     if (scene->wavesCount > 0 && scene->world.foam.minWavelength >= longest)
     {
-        tell(checker, REMARK_FOAM_FILTER, 0, "");
+        tell(checker, REMARK_FOAM_FILTER, scene->source->lines.foam, "");
     }
 }
 
@@ -169,11 +186,11 @@ static void checkViews(Checker* checker)
     const swScene* scene = checker->scene;
     if (scene->viewCount == 0)
     {
-        tell(checker, REMARK_NO_VIEWS, 0, "");
+        tell(checker, REMARK_NO_VIEWS, scene->source->lines.views, "");
     }
     if (scene->view.resolution < FEW_TEXELS)
     {
-        tell(checker, REMARK_COARSE_VIEW, 0, "");
+        tell(checker, REMARK_COARSE_VIEW, scene->source->lines.view, "");
     }
     for (int i = 0; i < scene->viewCount && checker->world != NULL; ++i)
     {
@@ -196,20 +213,33 @@ static bool hasHeight(swInputShape shape)
            shape == SW_SHAPE_CAPSULE || shape == SW_SHAPE_HULL;
 }
 
+static bool isTilted(const swSceneInput* input)
+{
+    const swAngles *own = &input->def.rotation, *rate = &input->motion.turnRate;
+    bool isEver = own->pitch != 0.0f || own->roll != 0.0f || rate->pitch != 0.0f || rate->roll != 0.0f;
+    for (int i = 0; i < input->motion.pathCount; ++i)
+    {
+        isEver = isEver || input->motion.path[i].turned.pitch != 0.0f || input->motion.path[i].turned.roll != 0.0f;
+    }
+    return isEver;
+}
+
 static bool bringsValues(swInputShape shape)
 {
     return shape == SW_SHAPE_RASTER || shape == SW_SHAPE_SPLINE || shape == SW_SHAPE_MESH ||
            shape == SW_SHAPE_FUNCTION || shape == SW_SHAPE_POLYLINE || shape == SW_SHAPE_PARTICLES;
 }
 
-static bool saysNothing(const swInputDef* def)
+static bool saysNothing(const swSceneInput* input)
 {
+    const swInputDef* def = &input->def;
     bool isZero = def->value[0] == 0.0f && def->value[1] == 0.0f && def->value[2] == 0.0f && def->value[3] == 0.0f;
     for (int i = 0; i < SW_MAX_TIDE; ++i)
     {
         isZero = isZero && def->tide[i].amplitude == 0.0f && def->tide[i].amplitudeAcross == 0.0f;
     }
-    return def->weight <= 0.0f || (def->blend == SW_BLEND_ADD && isZero && !bringsValues(def->shape));
+    return def->weight <= 0.0f ||
+           (def->blend == SW_BLEND_ADD && isZero && input->tide.count == 0 && !bringsValues(def->shape));
 }
 
 // An input after this one that leaves nothing of what is below it.
@@ -246,22 +276,46 @@ static bool isOverBody(const swScene* scene, const swInputDef* def)
     return false;
 }
 
+// The raster of an input; no numbers where it has none.
+static swRasterInfo getInputRaster(const swInputDef* def)
+{
+    bool hasRaster = def->shape == SW_SHAPE_RASTER && def->raster != NULL;
+    return hasRaster ? swRaster_GetInfo(def->raster) : (swRasterInfo){0};
+}
+
+static bool hasSpareChannels(const swInputDef* def, const swRasterInfo* info)
+{
+    return info->channels > (def->windWeight.isUsed ? 2 : swInputField_CountNumbers(def->field));
+}
+
+static bool isTinyFloor(const swInputDef* def, const swRasterInfo* info)
+{
+    double width = info->width * info->spacingX, height = info->height * info->spacingZ;
+    return def->field == SW_INPUT_FLOOR && info->width > 0 && fmax(width, height) < NARROW_FLOOR;
+}
+
 static void checkInput(Checker* checker, int index)
 {
     const swSceneInput* input = &checker->scene->inputs[index];
     const swInputDef* def = &input->def;
     float speed = hypotf(def->value[0], def->value[1]);
+    swRasterInfo raster = getInputRaster(def);
     const struct
     {
         bool isFound;
         Remark remark;
     } found[] = {
         {!def->isEnabled, REMARK_DISABLED_INPUT},
-        {def->isEnabled && saysNothing(def), REMARK_EMPTY_INPUT},
-        {!hasHeight(def->shape) && (def->rotation.pitch != 0.0f || def->rotation.roll != 0.0f), REMARK_TILTED_INPUT},
+        {def->isEnabled && saysNothing(input), REMARK_EMPTY_INPUT},
+        {!hasHeight(def->shape) && isTilted(input), REMARK_TILTED_INPUT},
         {isCovered(checker->scene, index), REMARK_COVERED_INPUT},
-        {isOverBody(checker->scene, def) && !saysNothing(def), REMARK_LEVEL_OVER_BODY},
+        {isOverBody(checker->scene, def) && !saysNothing(input), REMARK_LEVEL_OVER_BODY},
         {def->field == SW_INPUT_FLOW && speed > FAST, REMARK_FAST_FLOW},
+        {swSceneMotion_GetSpeed(&input->motion) > FASTEST_SHIP, REMARK_FAST_MOTION},
+        {def->field == SW_INPUT_WIND, REMARK_WIND_OF_QUERIES},
+        {hasSpareChannels(def, &raster), REMARK_SPARE_CHANNELS},
+        {raster.frames > 1 && def->framesPerSecond == 0.0f, REMARK_STANDING_FRAMES},
+        {isTinyFloor(def, &raster), REMARK_TINY_FLOOR},
     };
     for (size_t i = 0; i < sizeof(found) / sizeof(found[0]); ++i)
     {
@@ -272,13 +326,61 @@ static void checkInput(Checker* checker, int index)
     }
 }
 
+// ---- bodies of water ----
+
+static void checkBody(Checker* checker, int index)
+{
+    const swSceneWaterBody* body = &checker->scene->waterBodies[index];
+    swVec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    for (int i = 0; i < body->pointCount; ++i)
+    {
+        low = (swVec2){fminf(low.x, body->points[i].x), fminf(low.y, body->points[i].y)};
+        high = (swVec2){fmaxf(high.x, body->points[i].x), fmaxf(high.y, body->points[i].y)};
+    }
+    if (fmaxf(high.x - low.x, high.y - low.y) < NARROW_BODY)
+    {
+        tellOf(checker, REMARK_SMALL_BODY, body->line, "body of water", index, body->def.name);
+    }
+}
+
+static void checkLooks(Checker* checker)
+{
+    const swScene* scene = checker->scene;
+    for (int i = 0; i < scene->lookCount; ++i)
+    {
+        bool isUsed = false;
+        for (int k = 0; k < scene->waterBodyCount; ++k)
+        {
+            isUsed = isUsed || scene->waterBodies[k].def.look == i + 1;
+        }
+        if (!isUsed)
+        {
+            tellOf(checker, REMARK_UNUSED_LOOK, scene->source->lines.looks, "look", i, NULL);
+        }
+    }
+}
+
+// ---- what inputs name ----
+
+// Whether an input has a resource at a member of its def.
+static bool isNamed(const swScene* scene, size_t member, const void* resource)
+{
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        if (memcmp((const char*)&scene->inputs[i].def + member, &resource, sizeof(resource)) == 0)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 static bool isRasterUsed(const swScene* scene, const swRaster* raster)
 {
-    bool isUsed = false;
+    bool isUsed = isNamed(scene, offsetof(swInputDef, raster), raster);
     for (int i = 0; i < scene->inputCount; ++i)
     {
         const swSceneInput* input = &scene->inputs[i];
-        isUsed = isUsed || input->def.raster == raster;
         for (int k = 0; k < input->nestCount; ++k)
         {
             isUsed = isUsed || input->nest[k] == raster;
@@ -297,6 +399,7 @@ static void checkRaster(Checker* checker, int index)
     const swSceneRaster* raster = &scene->rasters[index];
     if (raster->raster == NULL)
     {
+        tellOf(checker, REMARK_LEFT_OUT, raster->line, "raster", index, raster->name);
         return;
     }
     swRasterInfo info = swRaster_GetInfo(raster->raster);
@@ -340,12 +443,7 @@ static void checkSpline(Checker* checker, int index)
 {
     const swScene* scene = checker->scene;
     const swSceneSpline* spline = &scene->splines[index];
-    bool isUsed = false;
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        isUsed = isUsed || scene->inputs[i].def.spline == spline->spline;
-    }
-    if (!isUsed)
+    if (!isNamed(scene, offsetof(swInputDef, spline), spline->spline))
     {
         tellOf(checker, REMARK_UNUSED_SPLINE, spline->line, "spline", index, spline->name);
     }
@@ -353,6 +451,33 @@ static void checkSpline(Checker* checker, int index)
     if (findLeastRadius(spline) < reach)
     {
         tellOf(checker, REMARK_NARROW_BEND, spline->line, "spline", index, spline->name);
+    }
+}
+
+static void checkMesh(Checker* checker, int index)
+{
+    const swSceneMesh* mesh = &checker->scene->meshes[index];
+    if (!isNamed(checker->scene, offsetof(swInputDef, mesh), mesh->mesh))
+    {
+        tellOf(checker, REMARK_UNUSED_MESH, mesh->line, "mesh", index, mesh->name);
+    }
+}
+
+static void checkHull(Checker* checker, int index)
+{
+    const swSceneHull* hull = &checker->scene->hulls[index];
+    if (!isNamed(checker->scene, offsetof(swInputDef, hull), hull->hull))
+    {
+        tellOf(checker, REMARK_UNUSED_HULL, hull->line, "hull", index, hull->name);
+    }
+}
+
+// Each item of a list.
+static void checkEach(Checker* checker, int count, void (*check)(Checker*, int))
+{
+    for (int i = 0; i < count; ++i)
+    {
+        check(checker, i);
     }
 }
 
@@ -365,18 +490,14 @@ int swScene_Check(const swScene* scene, const swWorld* world, int capacity, swSc
     checkEnergy(&checker);
     checkRegions(&checker);
     checkWinds(&checker);
+    checkDirections(&checker);
     checkFoam(&checker);
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        checkInput(&checker, i);
-    }
-    for (int i = 0; i < scene->rasterCount; ++i)
-    {
-        checkRaster(&checker, i);
-    }
-    for (int i = 0; i < scene->splineCount; ++i)
-    {
-        checkSpline(&checker, i);
-    }
+    checkLooks(&checker);
+    checkEach(&checker, scene->waterBodyCount, checkBody);
+    checkEach(&checker, scene->inputCount, checkInput);
+    checkEach(&checker, scene->rasterCount, checkRaster);
+    checkEach(&checker, scene->splineCount, checkSpline);
+    checkEach(&checker, scene->meshCount, checkMesh);
+    checkEach(&checker, scene->hullCount, checkHull);
     return checker.count;
 }

@@ -7,6 +7,7 @@
 #include "core/base/host.h"
 #include "scene/exact_number.h"
 #include "scene/scene_inputs.h"
+#include "scene/scene_source.h"
 
 swResult swKeepYamlNode(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, void* target)
 {
@@ -73,19 +74,27 @@ swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* m
                : SW_SUCCESS;
 }
 
-// A number of a list that is no field by itself.
-static swResult readNumber(swYaml* yaml, const yaml_node_t* node, const char* what, float* number)
+swResult swReadYamlNumber(swYaml* yaml, const yaml_node_t* node, const char* what, double most, double* number)
 {
     double value = 0.0;
     bool isNumber = node->type == YAML_SCALAR_NODE &&
                     swParseExactNumber((const char*)node->data.scalar.value, (int)node->data.scalar.length, &value);
-    if (!isNumber || !(value >= -1e6 && value <= 1e6))
+    if (!isNumber || !(value >= -most && value <= most))
     {
         return swFailYaml(yaml, node, isNumber ? SW_MISTAKE_OUT_OF_RANGE : SW_MISTAKE_WRONG_FORM,
-                          "%s must be a number from -1e+06 to 1e+06.", what);
+                          "%s must be a number from %g to %g.", what, -most, most);
     }
-    *number = (float)value;
+    *number = value;
     return SW_SUCCESS;
+}
+
+// A number of a list that is no field by itself.
+static swResult readNumber(swYaml* yaml, const yaml_node_t* node, const char* what, float* number)
+{
+    double value = 0.0;
+    swResult result = swReadYamlNumber(yaml, node, what, 1e6, &value);
+    *number = result == SW_SUCCESS ? (float)value : *number;
+    return result;
 }
 
 swResult swReadYamlNumbers(swYaml* yaml, yaml_node_t* node, const char* what, int wanted, float numbers[4])
@@ -119,6 +128,16 @@ swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene
                           scene->wavesCount);
     }
     *waves = (int)number - 1;
+    return result;
+}
+
+swResult swTellRefused(const swScene* scene, swResult result, int line, const char* what, int index)
+{
+    if (result != SW_ERROR_NO_MEMORY)
+    {
+        swLog(&scene->host, SW_LOG_ERROR, "%s:%d: %s %d cannot be made; the message before says why. [refused]",
+              scene->source->name, line, what, index + 1);
+    }
     return result;
 }
 

@@ -383,10 +383,9 @@ static swResult useRecord(swYaml* yaml, const swMeasuredKeys* keys, swSceneWaves
     if (record.meanDirection == NULL)
     {
         swLog(yaml->host, SW_LOG_WARNING,
-              "%s: the record of %s in %s has no directions: its waves are made around east, spread as cos^16 of half "
-              "the "
-              "angle.",
-              yaml->name, record.time, waves->file);
+              "%s:%d: the record of %s in %s has no directions: its waves are made around east, spread as cos^16 of "
+              "half the angle. [no_directions]",
+              yaml->name, waves->line, record.time, waves->file);
     }
     return SW_SUCCESS;
 }

@@ -152,6 +152,13 @@ static swResult readViews(swYaml* yaml, yaml_node_t* node, const swYamlKey* key,
 
 // ---- the file ----
 
+// The line of a key's value, or where the scene begins.
+static int findLine(const swYamlMapping* mapping, const yaml_node_t* root, const char* key)
+{
+    const yaml_node_t* node = swGetYamlNode(mapping, key);
+    return (int)(node != NULL ? node : root)->start_mark.line + 1;
+}
+
 static swResult readScene(swYaml* yaml, yaml_node_t* root, swScene* scene)
 {
     const Reader* reader = getReader(yaml);
@@ -168,6 +175,11 @@ static swResult readScene(swYaml* yaml, yaml_node_t* root, swScene* scene)
     swAddYamlKey(&mapping, "views", readViews);
     swAddInputKeys(&mapping);
     swResult result = swReadYamlMapping(yaml, root, &mapping, scene);
+    scene->source->lines = (swSceneLines){.waves = findLine(&mapping, root, "waves"),
+                                          .views = findLine(&mapping, root, "views"),
+                                          .view = findLine(&mapping, root, "view"),
+                                          .foam = findLine(&mapping, root, "foam"),
+                                          .looks = findLine(&mapping, root, "looks")};
     return root->type == YAML_MAPPING_NODE && !swIsYamlOver(yaml, result)
                ? swKeepFailure(result, swReadSceneInputs(yaml, &mapping, reader->folder, reader->opensNone, scene))
                : result;

@@ -23,8 +23,8 @@ static bool isLeftOut(swYaml* yaml, const swSceneRaster* raster, const char* pat
     bool isMissing = raster->isOptional && !swHasFile(path);
     if (isMissing)
     {
-        swLog(yaml->host, SW_LOG_WARNING, "%s:%d: %s is not there; inputs of the raster '%s' are left out.", yaml->name,
-              raster->line, path, raster->name);
+        swLog(yaml->host, SW_LOG_WARNING, "%s:%d: %s is not there; inputs of the raster '%s' are left out. [left_out]",
+              yaml->name, raster->line, path, raster->name);
     }
     return isMissing;
 }

@@ -7,6 +7,12 @@
 #include "scene/scene_fields.h"
 #include "scene/yaml_tree.h"
 
+// Lines of what remarks about a whole scene speak of; the file's first where it has no such key.
+typedef struct swSceneLines
+{
+    int waves, views, view, foam, looks;
+} swSceneLines;
+
 struct swSceneSource
 {
     char* text; // `size` + 1 bytes
@@ -14,6 +20,7 @@ struct swSceneSource
     char name[SW_MAX_PATH];   // for messages; its path if it is a file
     char folder[SW_MAX_PATH]; // that the files in it are relative to
     bool isFile;
+    swSceneLines lines;                     // 0 of what was read from no text
     swTree tree;                            // what the text says
     swWavesText waves[SW_MAX_WAVE_SYSTEMS]; // by item
     int records[SW_MAX_WAVE_SYSTEMS];       // as they were chosen

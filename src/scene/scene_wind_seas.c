@@ -102,9 +102,7 @@ swResult swCreateSceneWindSeas(swWorld* world, const swScene* scene, swSceneSea*
         swResult result = swCreateWindSea(world, &scene->windSeas[i].def, &sea->windSeas[i]);
         if (result != SW_SUCCESS)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Wind sea %d of the scene '%s' could not be created.", i + 1,
-                  scene->name);
-            return result;
+            return swTellRefused(scene, result, scene->windSeas[i].line, "wind sea", i);
         }
     }
     return SW_SUCCESS;

@@ -5,6 +5,7 @@
 
 #include "core/base/misuse.h"
 #include "scene/scene_inputs.h"
+#include "scene/scene_lists.h"
 #include "seaway/scene.h"
 
 const swSceneView* swScene_FindView(const swScene* scene, const char* name)
@@ -56,9 +57,7 @@ static swResult createSystems(swWorld* world, const swScene* scene, swSceneSea* 
         swResult result = createSystem(world, &scene->waves[i], sea);
         if (result != SW_SUCCESS)
         {
-            swLog(&scene->host, SW_LOG_ERROR, "Wave system %d of the scene '%s' could not be created.", i + 1,
-                  scene->name);
-            return result;
+            return swTellRefused(scene, result, scene->waves[i].line, "wave system", i);
         }
         sea->systemCount += 1;
     }
@@ -115,7 +114,7 @@ swResult swSceneSea_Advance(swSceneSea* sea, double time)
     {
         result = sea->replays[i] != NULL ? swSeaReplay_Advance(sea->replays[i], time) : SW_SUCCESS;
     }
-    return result;
+    return result == SW_SUCCESS ? swAdvanceSceneInputs(sea, time) : result;
 }
 
 void swDestroySceneSea(swSceneSea* sea)
@@ -156,6 +155,7 @@ swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** world, 
     }
     swWorld_SetTime(made, scene->time);
     result = swCreateSceneSea(made, scene, sea);
+    result = result == SW_SUCCESS ? swAdvanceSceneInputs(sea, scene->time) : result;
     result = result == SW_SUCCESS ? swWorld_Step(made, 0.0) : result;
     if (result != SW_SUCCESS)
     {

@@ -60,10 +60,28 @@ for flat in 'waves: []' 'waves: [{components: [{wavelength_m: 60, amplitude_m: 0
 done
 printf 'waves: [{beaufort: 4}]\n' >blind.yaml
 run 1 check blind.yaml
-out '^warning: blind.yaml: the scene has no views.*\[no_views\]$'
+out '^warning: blind.yaml:1: the scene has no views.*\[no_views\]$'
 out '^blind.yaml: usable, 0 errors, 1 warning$'
 run 1 check blind.yaml --json
 out '"code": "no_views"'
+# Information is told and does not change the exit code.
+printf '%s\nwaves: [{beaufort: 4}]\nsplines: [{name: a, points: [{x_m: 0}, {x_m: 9}]}]\n' "$views" >spare.yaml
+run 0 check spare.yaml
+out '^info: spare.yaml:3: spline 1 .*\[unused_spline\]$'
+out '^spare.yaml: fine$'
+run 0 check spare.yaml --json
+is_json out
+out '"info_count": 1'
+out '"severity": "info"'
+# What reading has told already is not told twice.
+printf '%s\nwaves: [{beaufort: 4}]\nrasters: [{name: a, file: none.asc, is_optional: true}]\n' "$views" >lost.yaml
+run 1 check lost.yaml
+[ "$(grep -c 'left_out' out)" -eq 1 ] || fail "$what: left_out is told twice"
+# What only the world refuses has its line and code.
+printf '%s\nwaves: [{beaufort: 4}]\ninputs:\n  - {field: floor, blend: multiply}\n' "$views" >refused.yaml
+run 1 check refused.yaml --json
+out '"code": "refused"'
+out '"line": 4'
 # A flat system beside others.
 printf 'waves:\n  - {spectrum: jonswap, weight: 0}\n  - components: [{wavelength_m: 60, amplitude_m: 0.4, direction_from_deg: 0}]\n' >both.yaml
 run 0 stats both.yaml --seeds 1 --duration 60

@@ -14,9 +14,13 @@ views:
     position_m: [0, 3, 0]
 END
 fast='--seeds 1 --duration 10'
+# Temporary files of its own: other tests run beside this one, and theirs come and go.
+TMPDIR=$folder/temporary
+export TMPDIR
+mkdir "$TMPDIR"
 is_svg() { grep -q '</svg>' "$1" || fail "$what: $1 is no picture"; }
 no_parts() {
-    [ -z "$(find . "${TMPDIR:-/tmp}" -maxdepth 2 -name '.seaway.*.part' -newer "$hand" 2>/dev/null)" ] ||
+    [ -z "$(find "$folder" -name '.seaway.*.part')" ] ||
         fail "$what: a temporary file was left behind"
 }
 
@@ -156,7 +160,7 @@ for signal in HUP INT TERM QUIT; do
     "$seaway" stats "$hand" $fast --plot "slow$signal.svg" >out 2>err &
     process=$!
     tries=0
-    while [ ! -s "${TMPDIR:-/tmp}/.seaway.$process.part" ] && [ "$tries" -lt 200 ]; do
+    while [ ! -s "$TMPDIR/.seaway.$process.part" ] && [ "$tries" -lt 200 ]; do
         sleep 0.1
         tries=$((tries + 1))
     done
@@ -167,7 +171,7 @@ for signal in HUP INT TERM QUIT; do
     sleep 0.3
     kill -s TERM "$process" 2>/dev/null
     wait "$process" 2>/dev/null
-    [ ! -e "${TMPDIR:-/tmp}/.seaway.$process.part" ] || fail "$what: the temporary file was left"
+    [ ! -e "$TMPDIR/.seaway.$process.part" ] || fail "$what: the temporary file was left"
 done
 no_parts
 
