@@ -196,11 +196,14 @@ float sliceLevelAt(SurfaceGrid grid, float byDistance, Footprint footprint)
 }
 
 // A slice of a layer, between texels. `byHand` where the device does not filter the layer's format.
+//
+// Samplers round the number of an array's layer to the nearest. It is read from memory, because NVIDIA's compiler drops
+// the floor of a number that was computed from a level, and then takes the next slice from halfway on.
 vec4 sampleSlice(sampler2DArray layer, vec2 uv, uint slice, bool byHand)
 {
     if (!byHand)
     {
-        return textureLod(layer, vec3(uv, float(slice)), 0.0);
+        return textureLod(layer, vec3(uv, meshSlice(slice).layer), 0.0);
     }
     vec2 most = vec2(textureSize(layer, 0).xy) - 1.0;
     vec2 texel = clamp(uv * (most + 1.0) - 0.5, vec2(0.0), most);

@@ -18,8 +18,9 @@ SW_PARAMS(swMeshSlice)
     sw_int texelX, texelZ;   // that vertex's texel in the slice
     float scale;             // finest steps to one step of this ring: 2^ring
     float weight;            // how much of the slice's waves is shown
+    float layer;             // the slice's number, as samplers take it
 };
-SW_PARAMS_SIZE(swMeshSlice, 32);
+SW_PARAMS_SIZE(swMeshSlice, 36);
 
 // A rectangle of one ring, at most swMeshParams::tileSide quads wide and high. Ring == sliceCount is the horizon strip:
 // x counts steps along the rim, z along the ray to the horizon, and height says which side of the rim (0 .. 3).

@@ -282,7 +282,7 @@ void main()
     float amount = foamAmountAt(grid, pair, place, foamLayer, picture.foamAtRest, filtersByHand != 0);
     if (hasMadeFoam != 0)
     {
-        bool byHand = true; // on an H200 the filtered reading takes the next slice from the middle between two on
+        bool byHand = filtersByHand != 0;
         float wake = foamAmountAt(grid, pair, place, wakeFoamLayer, 0.0, byHand);
         float shore = foamAmountAt(grid, pair, place, shoreFoamLayer, 0.0, byHand);
         amount = 1.0 - (1.0 - amount) * (1.0 - wake) * (1.0 - shore);

@@ -122,6 +122,7 @@ void swBuildMeshRings(const swViewFrame* frame, swMeshRings* rings)
             .texelZ = (int32_t)(2 * block.z - slice->firstZ),
             .scale = (float)scale,
             .weight = ring == rings->ringCount - 1 ? getLastWeight(frame) : 1.0f,
+            .layer = (float)ring,
         };
         if (ring == 0)
         {
