@@ -4,6 +4,7 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/file_text.c
     ${CMAKE_CURRENT_LIST_DIR}/measured_file.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_file.c
+    ${CMAKE_CURRENT_LIST_DIR}/polygon_ears.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_esri.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_file.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_grid.c
