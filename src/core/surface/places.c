@@ -38,11 +38,11 @@ static void findDepths(swPlaceBlock* block)
     }
 }
 
-bool swIsStill(const swPlaceBlock* block, int i)
+static bool isMoving(const swPlaceBlock* block, int i)
 {
     const float *v = block->flow[i], *g = block->flowGradients[i];
     float sum = fabsf(v[0]) + fabsf(v[1]) + fabsf(g[0]) + fabsf(g[1]) + fabsf(g[2]) + fabsf(g[3]);
-    return !(sum > 0.0f && sum <= 1e9f); // what a damaged moment says that is no number carries nothing
+    return sum > 0.0f && sum <= 1e9f; // what a damaged moment says that is no number carries nothing
 }
 
 static void findFlow(swPlaceBlock* block)
@@ -56,7 +56,8 @@ static void findFlow(swPlaceBlock* block)
     bool isStill = true;
     for (int i = 0; i < block->count; ++i)
     {
-        isStill = isStill && swIsStill(block, i);
+        block->isMoving[i] = isMoving(block, i);
+        isStill = isStill && !block->isMoving[i];
     }
     block->touched &= isStill ? ~SW_TOUCHES_FLOW : SW_TOUCHES_ALL;
 }
@@ -213,7 +214,7 @@ static bool isPointPlain(const swPlaceBlock* block, int i)
 {
     const float* w = block->weightGradients[i];
     bool isEven = !block->isWeighted || (block->weight[i] == 1.0f && w[0] == 0.0f && w[1] == 0.0f);
-    bool isStill = (block->touched & SW_TOUCHES_FLOW) == 0 || swIsStill(block, i);
+    bool isStill = (block->touched & SW_TOUCHES_FLOW) == 0 || !block->isMoving[i];
     bool isDeep = (block->touched & SW_TOUCHES_DEPTH) == 0 || (block->share[i] == 1.0f && block->shareSlope[i] == 0.0f);
     return !block->isGone && isEven && isStill && isDeep && !isPointWarped(block, i);
 }
