@@ -28,8 +28,8 @@ static const swField motionFields[] = {
               .tip = "A circle around its place", .zero = "none"),
     SW_NUMBER(orbitPeriod, "s", SW_WITHIN(-1e9, 1e9), 0.0, .key = "orbit_period_s", .label = "period of its orbit",
               .tip = "From +x towards +z; below 0 the other way round"),
-    SW_NUMBER(orbitPhase, "deg", SW_WITHIN(-FULL_TURN, FULL_TURN), 0.0, .key = "orbit_from_deg",
-              .label = "sets out at", .tip = "Where on its orbit, from +x towards +z", .form = SW_FORM_DEGREES),
+    SW_NUMBER(orbitPhase, "deg", SW_WITHIN(-FULL_TURN, FULL_TURN), 0.0, .key = "orbit_from_deg", .label = "sets out at",
+              .tip = "Where on its orbit, from +x towards +z", .form = SW_FORM_DEGREES),
     SW_SWITCH(isSmooth, false, .key = "is_smooth", .label = "smooth",
               .tip = "It comes to rest at each point of its path"),
     SW_SWITCH(loops, false, .key = "loops", .label = "loops", .tip = "The path begins anew behind its last point"),
@@ -85,8 +85,8 @@ static swResult readPath(swYaml* yaml, yaml_node_t* node, const swYamlKey* key, 
                                           (void**)&made->path, &made->pathCount);
     if (made->pathCount == 0)
     {
-        return swKeepFailure(result, swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY,
-                                                "the path has no points; give it a list of them."));
+        return swKeepFailure(
+            result, swFailYaml(yaml, node, SW_MISTAKE_MISSING_KEY, "the path has no points; give it a list of them."));
     }
     for (int i = 0; i < made->pathCount && !swIsYamlOver(yaml, result); ++i)
     {

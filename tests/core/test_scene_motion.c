@@ -56,9 +56,10 @@ static float GetLevel(const Opened* opened, double x, double z)
 static void AnInputMovesWithItsVelocity(void** state)
 {
     (void)state;
-    Opened opened = Open("inputs:\n"
-                         "  - {field: level, value: 3, shape: rectangle, size_m: [20, 0, 20], position_m: [100, 0, 0],\n"
-                         "     motion: {start_s: 10, velocity_mps: [2, 0, 0]}}\n");
+    Opened opened =
+        Open("inputs:\n"
+             "  - {field: level, value: 3, shape: rectangle, size_m: [20, 0, 20], position_m: [100, 0, 0],\n"
+             "     motion: {start_s: 10, velocity_mps: [2, 0, 0]}}\n");
     assert_float_equal(GetLevel(&opened, 91.0, 0.0), 3.0f, 0.0f);
     GoTo(&opened, 10.0);
     assert_float_equal(GetLevel(&opened, 91.0, 0.0), 3.0f, 0.0f);
@@ -107,7 +108,8 @@ static swSceneInput ReadMotion(const char* motion, swScene** scene)
 {
     char text[512];
     swHost host = MakeHost();
-    snprintf(text, sizeof(text), "inputs: [{field: level, shape: circle, position_m: [7, 0, 9], motion: %s}]\n", motion);
+    snprintf(text, sizeof(text), "inputs: [{field: level, shape: circle, position_m: [7, 0, 9], motion: %s}]\n",
+             motion);
     assert_int_equal(swReadSceneText(&host, text, strlen(text), "a.yaml", ".", scene), SW_SUCCESS);
     return (*scene)->inputs[0];
 }
@@ -198,10 +200,11 @@ static void PlacesAreTheSameOnEveryMachine(void** state)
 {
     (void)state;
     swScene* scene = NULL;
-    swSceneInput input = ReadMotion("{velocity_mps: [0.1, 0, 0.3], turn_rate_deg_per_s: [7, 0, 0], orbit_radius_m: 11,\n"
-                                    "orbit_period_s: 13, path: [{}, {time_s: 9, moved_m: [1, 2, 3]}], is_smooth: true,\n"
-                                    "loops: true}",
-                                    &scene);
+    swSceneInput input =
+        ReadMotion("{velocity_mps: [0.1, 0, 0.3], turn_rate_deg_per_s: [7, 0, 0], orbit_radius_m: 11,\n"
+                   "orbit_period_s: 13, path: [{}, {time_s: 9, moved_m: [1, 2, 3]}], is_smooth: true,\n"
+                   "loops: true}",
+                   &scene);
     uint64_t hash = 14695981039346656037u;
     for (int i = 0; i < 1000; ++i)
     {

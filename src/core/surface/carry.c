@@ -154,7 +154,7 @@ static void findLikeness(const swPlaceBlock* block, const swWaveGroup* group, co
         ways[m] = (swPosXZ){(double)(half * velocity[0]), (double)(half * velocity[1])};
     }
     correlate(block, group, moving->count, ways, withSlopes, rho, slopes);
-    for (int i = 0; i < block->count; ++i)
+    for (int i = 0; i < SW_PLACE_BLOCK; ++i)
     {
         likeness->rho[i] = 1.0f;
         likeness->alongX[i] = likeness->alongZ[i] = 0.0f;
@@ -174,10 +174,16 @@ static void weighCopies(const swPlaceBlock* block, const Moving* moving, const L
                         const float weights[2], float half, swLook* look)
 {
     swCopy *first = &look->copies[0], *second = &look->copies[1];
-    for (int i = 0; i < block->count; ++i)
+    float factors[SW_PLACE_BLOCK], factorSlopes[SW_PLACE_BLOCK];
+    for (int i = 0; i < SW_PLACE_BLOCK; ++i) // apart, so that compilers make vectors of it
     {
         swCarryFactor found = swGetCarryFactor(weights[0], likeness->rho[i]);
-        float factor = found.value, slope = found.slope * half; // by rho, times the way's
+        factors[i] = found.value;
+        factorSlopes[i] = found.slope * half; // by rho, times the way's
+    }
+    for (int i = 0; i < block->count; ++i)
+    {
+        float factor = factors[i], slope = factorSlopes[i];
         const float* g = moving->gradients[i];
         float factorX = slope * (likeness->alongX[i] * g[0] + likeness->alongZ[i] * g[2]);
         float factorZ = slope * (likeness->alongX[i] * g[1] + likeness->alongZ[i] * g[3]);

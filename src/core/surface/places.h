@@ -113,10 +113,11 @@ typedef struct swPlaceBlock
     swPosXZ rest[SW_PLACE_BLOCK];
     bool areAllAsked, isAsked[SW_PLACE_BLOCK];
     uint32_t touched;
-    float leastDepth; // infinite without any
     float depth[SW_PLACE_BLOCK];
     float depthGradients[SW_PLACE_BLOCK][2];
-    float share[SW_PLACE_BLOCK], shareSlope[SW_PLACE_BLOCK]; // of the group whose look was found last
+    const void* sharedWaves; // the group of waves of which the depth's shares were found last
+    bool isShared;           // it takes some of them
+    float share[SW_PLACE_BLOCK], shareSlope[SW_PLACE_BLOCK];
     bool isMoving[SW_PLACE_BLOCK]; // where the block has a flow: not still, or not all around
     float flow[SW_PLACE_BLOCK][2];
     float flowGradients[SW_PLACE_BLOCK][4];
