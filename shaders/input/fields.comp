@@ -228,7 +228,7 @@ void main()
             fields = keptAt(texel, shift);
         }
         least = min(least, fields.ground.depth);
-        flows = flows || isMoved(fields.flow);
+        flows = flows || isMoved(besideEven(fields.flow));
         if (isMade || shift != ivec2(0))
         {
             store(texel, fields);

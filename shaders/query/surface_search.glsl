@@ -288,7 +288,7 @@ struct Shaper
 Flow askedFlow()
 {
     vec3 x = askedOf(ASKED_FLOW_X), z = askedOf(ASKED_FLOW_Z);
-    return Flow(vec2(x.x, z.x), vec4(x.yz, z.yz));
+    return besideEven(Flow(vec2(x.x, z.x), vec4(x.yz, z.yz)));
 }
 
 Shaper shaperAt(SeaPlace place)

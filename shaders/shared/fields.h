@@ -15,7 +15,7 @@ SW_PARAMS(swInputHead)
 {
     swInputRange ranges[SW_FIELD_OF_COUNT];
     sw_uint localSystems, ribbonSystems; // see swInputSet
-    sw_uint unused0, unused1;
+    float evenX, evenZ;                  // m/s, of the flow that carries all waves alike
 };
 SW_PARAMS_SIZE(swInputHead, 192);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inputs of a scene file, and in its world.
+// Inputs of a scene file.
 
 #include "scene/scene_inputs.h"
 
@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "core/base/field.h"
-#include "scene/field_tree.h"
 #include "scene/scene_lists.h"
 
 // Keys of an input beside its def's fields.
@@ -205,34 +204,71 @@ static swResult readNest(swYaml* yaml, yaml_node_t* node, const swScene* scene, 
 
 static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene* scene)
 {
-    int index = -1;
+    swSceneInput* input = keys->input;
+    swInputDef* def = &input->def;
+    int raster = -1, spline = -1, mesh = -1, hull = -1;
     swResult result =
-        findResource(yaml, keys, "raster", scene->rasters, sizeof(swSceneRaster), scene->rasterCount, &index);
-    keys->input->def.raster = index >= 0 ? scene->rasters[index].raster : NULL;
-    keys->input->isLeftOut = index >= 0 && scene->rasters[index].isOptional && scene->rasters[index].raster == NULL;
+        findResource(yaml, keys, "raster", scene->rasters, sizeof(swSceneRaster), scene->rasterCount, &raster);
     result = swKeepFailure(
-        result, findResource(yaml, keys, "spline", scene->splines, sizeof(swSceneSpline), scene->splineCount, &index));
-    keys->input->def.spline = index >= 0 ? scene->splines[index].spline : NULL;
+        result, findResource(yaml, keys, "spline", scene->splines, sizeof(swSceneSpline), scene->splineCount, &spline));
     result = swKeepFailure(
-        result, findResource(yaml, keys, "mesh", scene->meshes, sizeof(swSceneMesh), scene->meshCount, &index));
-    keys->input->def.mesh = index >= 0 ? scene->meshes[index].mesh : NULL;
+        result, findResource(yaml, keys, "mesh", scene->meshes, sizeof(swSceneMesh), scene->meshCount, &mesh));
     result = swKeepFailure(
-        result, findResource(yaml, keys, "hull", scene->hulls, sizeof(swSceneHull), scene->hullCount, &index));
-    keys->input->def.hull = index >= 0 ? scene->hulls[index].hull : NULL;
+        result, findResource(yaml, keys, "hull", scene->hulls, sizeof(swSceneHull), scene->hullCount, &hull));
+    def->raster = raster >= 0 ? scene->rasters[raster].raster : NULL;
+    def->spline = spline >= 0 ? scene->splines[spline].spline : NULL;
+    def->mesh = mesh >= 0 ? scene->meshes[mesh].mesh : NULL;
+    def->hull = hull >= 0 ? scene->hulls[hull].hull : NULL;
+    input->resource = raster >= 0 ? raster : spline >= 0 ? spline : mesh >= 0 ? mesh : hull;
+    input->isLeftOut = raster >= 0 && scene->rasters[raster].isOptional && def->raster == NULL;
     yaml_node_t* nest = swGetYamlNode(&keys->mapping, "nest");
-    return nest != NULL ? swKeepFailure(result, readNest(yaml, nest, scene, keys->input)) : result;
+    return nest != NULL ? swKeepFailure(result, readNest(yaml, nest, scene, input)) : result;
+}
+
+// A key that only some inputs can have.
+static swResult refuseKey(swYaml* yaml, const yaml_node_t* node, const char* key, const char* where)
+{
+    return swFailYaml(yaml, node, SW_MISTAKE_NO_EFFECT, "%s has %s; remove it.", key, where);
 }
 
 // The tide of a level or a flow.
-static swResult readTide(swYaml* yaml, const InputKeys* keys)
+static swResult readTide(swYaml* yaml, const InputKeys* keys, const swSceneReader* reader)
 {
     swInputDef* def = &keys->input->def;
-    yaml_node_t* tide = swGetYamlNode(&keys->mapping, "tide");
-    if (tide != NULL && def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    yaml_node_t* node = swGetYamlNode(&keys->mapping, "tide");
+    const swTideReader tide = {.reader = reader,
+                               .isFlow = def->field == SW_INPUT_FLOW,
+                               .value = def->value,
+                               .constituents = def->tide,
+                               .table = &keys->input->tide};
+    if (node == NULL)
     {
-        return swFailYaml(yaml, tide, SW_MISTAKE_NO_EFFECT, "tide has an effect on level and flow alone; remove it.");
+        return SW_SUCCESS;
     }
-    return tide != NULL ? swReadTide(yaml, tide, def->field == SW_INPUT_FLOW, def->tide) : SW_SUCCESS;
+    if (def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    {
+        return refuseKey(yaml, node, "tide", "an effect on level and flow alone");
+    }
+    swResult result = swReadTide(yaml, node, &tide);
+    return result == SW_SUCCESS && keys->input->tide.count > 0 && hasKey(keys, "nest")
+               ? swFailYaml(yaml, node, SW_MISTAKE_CONFLICT, "a tide by a table stands beside nest; remove one.")
+               : result;
+}
+
+static swResult readMotion(swYaml* yaml, const InputKeys* keys)
+{
+    yaml_node_t* node = swGetYamlNode(&keys->mapping, "motion");
+    const swFields* fields = swGetInputFields();
+    if (node == NULL)
+    {
+        return SW_SUCCESS;
+    }
+    if (!swFields_Counts(fields, swFields_Find(fields, "position"), &keys->input->def))
+    {
+        return refuseKey(yaml, node, "motion", "no effect on what is everywhere");
+    }
+    return hasKey(keys, "nest") ? swFailYaml(yaml, node, SW_MISTAKE_CONFLICT, "motion stands beside nest; remove one.")
+                                : swReadMotion(yaml, node, &keys->input->motion);
 }
 
 static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader, int index)
@@ -241,19 +277,18 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     swSceneInput* input = keys.input;
     input->def = swDefaultInputDef();
     input->waves = -1;
+    input->resource = -1;
     input->item = index + 1;
     input->line = (int)node->start_mark.line + 1;
     swBeginYamlMapping(&keys.mapping, "an input");
     swAddYamlKey(&keys.mapping, "value", swKeepYamlNode);
     swAddYamlFields(&keys.mapping, swGetInputFields(), 0, "inputs");
-    swAddYamlKey(&keys.mapping, "waves", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "raster", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "nest", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "mesh", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "hull", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "spline", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "tide", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "points", swKeepYamlNode);
+    static const char* const others[] = {"waves",  "raster", "nest",   "mesh",  "hull",
+                                         "spline", "tide",   "points", "motion"};
+    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
+    {
+        swAddYamlKey(&keys.mapping, others[i], swKeepYamlNode);
+    }
     swResult result = swReadYamlMapping(yaml, node, &keys.mapping, &input->def);
     if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
     {
@@ -267,7 +302,6 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     result = swKeepFailure(result, checkKeys(yaml, node, &keys));
     result = swKeepFailure(result, readWaves(yaml, &keys, reader->scene));
     result = swKeepFailure(result, findResources(yaml, &keys, reader->scene));
-    result = swKeepFailure(result, readTide(yaml, &keys));
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)
     {
@@ -275,6 +309,8 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
             swKeepFailure(result, swReadYamlNumbers(yaml, value, "value", swInputField_CountNumbers(input->def.field),
                                                     input->def.value));
     }
+    result = swKeepFailure(result, readTide(yaml, &keys, reader));
+    result = swKeepFailure(result, readMotion(yaml, &keys));
     return points != NULL ? swKeepFailure(result, readPoints(yaml, points, input)) : result;
 }
 
@@ -290,199 +326,21 @@ swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* read
     return result;
 }
 
-// ---- writing ----
-
-// One number by itself, several as a list.
-static void addValue(swTree* tree, int parent, const swInputDef* def)
+void swFreeInput(const swHost* host, swSceneInput* input)
 {
-    const swField* field = swFields_Find(swGetInputFields(), "value");
-    int count = swInputField_CountNumbers(def->field);
-    int list = count > 1 ? swAddTreeNode(tree, parent, SW_TREE_LIST, field->key) : -1;
-    bool isDefault = true;
-    for (int i = 0; i < count && !tree->isBroken; ++i)
-    {
-        char text[SW_NUMBER_TEXT];
-        bool isZero = def->value[i] == 0.0f;
-        swPrintFieldNumber(field, (double)def->value[i], text);
-        int node = count > 1 ? swAddTreeText(tree, list, NULL, text, isZero)
-                             : swAddTreeText(tree, parent, field->key, text, isZero);
-        swSetTreeItem(tree, node, count > 1 ? i : -1, false);
-        isDefault = isDefault && isZero;
-    }
-    swSetTreeItem(tree, list, -1, true);
-    swSetTreeDefault(tree, list, isDefault);
-}
-
-void swAddWavesNumber(swTree* tree, int parent, int waves)
-{
-    char text[16];
-    snprintf(text, sizeof(text), "%d", waves + 1);
-    if (waves >= 0)
-    {
-        swAddTreeText(tree, parent, "waves", text, false);
-    }
-}
-
-void swAddCountedFields(swTree* tree, int parent, const swFields* fields, const void* def)
-{
-    for (int i = 0; i < fields->count && !tree->isBroken; ++i)
-    {
-        const swField* field = &fields->fields[i];
-        bool isValue = fields == swGetInputFields() && strcmp(field->member, "value") == 0; // see addValue()
-        if (field->key != NULL && field->type < SW_FIELD_DEF && !isValue && swFields_Counts(fields, field, def))
-        {
-            swAddField(tree, parent, field, def, NULL);
-        }
-    }
-}
-
-// Everything that is no list or name of a resource: those stay as they stand in the text.
-void swAddInputTrees(swTree* tree, int list, const swScene* scene)
-{
-    for (int i = 0; i < scene->inputCount && !tree->isBroken; ++i)
-    {
-        const swSceneInput* input = &scene->inputs[i];
-        if (input->hasLostWaves)
-        {
-            continue;
-        }
-        int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
-        swSetTreeItem(tree, node, input->item - 1, false);
-        swAddCountedFields(tree, node, swGetInputFields(), &input->def);
-        addValue(tree, node, &input->def);
-        swAddWavesNumber(tree, node, input->waves);
-    }
+    swFree(host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
+    swFreeTide(host, &input->tide);
+    swFreeMotion(host, &input->motion);
+    swFree(host, input->nest, input->nest != NULL ? SW_MAX_NEST * sizeof(*input->nest) : 0);
 }
 
 void swFreeInputs(swScene* scene)
 {
     for (int i = 0; i < scene->inputCount; ++i)
     {
-        swSceneInput* input = &scene->inputs[i];
-        swFree(&scene->host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
-        swFree(&scene->host, input->nest, input->nest != NULL ? SW_MAX_NEST * sizeof(*input->nest) : 0);
+        swFreeInput(&scene->host, &scene->inputs[i]);
     }
     swFree(&scene->host, scene->inputs, (size_t)scene->inputCount * sizeof(swSceneInput));
     scene->inputCount = 0;
     scene->inputs = NULL;
-}
-
-// ---- in a world ----
-
-void swFreeSceneSeaInputs(swSceneSea* sea)
-{
-    swFree(&sea->host, sea->inputs, (size_t)sea->inputRoom * sizeof(swInputId));
-    swFree(&sea->host, sea->nested, (size_t)sea->nestedRoom * sizeof(swInputId));
-    swFree(&sea->host, sea->waterBodies, (size_t)sea->waterBodyRoom * sizeof(swWaterBodyId));
-    swFree(&sea->host, sea->windSeas, (size_t)sea->windSeaRoom * sizeof(swWindSea));
-    sea->inputs = sea->nested = NULL;
-    sea->waterBodies = NULL;
-    sea->windSeas = NULL;
-    sea->inputCount = sea->inputRoom = sea->nestedCount = sea->nestedRoom = 0;
-    sea->waterBodyCount = sea->waterBodyRoom = sea->windSeaCount = sea->windSeaRoom = 0;
-}
-
-// NULL for none; `isMissing` becomes true where there is no memory.
-static void* makeRoom(const swScene* scene, int count, size_t size, bool* isMissing)
-{
-    void* room = count > 0 ? swAllocateZero(&scene->host, (size_t)count * size) : NULL;
-    *isMissing = *isMissing || (count > 0 && room == NULL);
-    return room;
-}
-
-static swResult makeRoomForInputs(const swScene* scene, swSceneSea* sea)
-{
-    bool isMissing = false;
-    sea->host = scene->host;
-    sea->inputRoom = scene->inputCount;
-    sea->waterBodyRoom = scene->waterBodyCount;
-    sea->windSeaRoom = scene->windSeaCount;
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        sea->nestedRoom += scene->inputs[i].nestCount > 1 ? scene->inputs[i].nestCount - 1 : 0;
-    }
-    sea->inputs = makeRoom(scene, sea->inputRoom, sizeof(swInputId), &isMissing);
-    sea->nested = makeRoom(scene, sea->nestedRoom, sizeof(swInputId), &isMissing);
-    sea->waterBodies = makeRoom(scene, sea->waterBodyRoom, sizeof(swWaterBodyId), &isMissing);
-    sea->windSeas = makeRoom(scene, sea->windSeaRoom, sizeof(swWindSea), &isMissing);
-    return isMissing
-               ? swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for the inputs of the scene '%s'.", scene->name)
-               : SW_SUCCESS;
-}
-
-static swResult createInput(swWorld* world, const swSceneInput* input, swSceneSea* sea, swInputId* id)
-{
-    swInputDef def = input->def;
-    def.system = input->waves >= 0 ? sea->systems[input->waves] : def.system;
-    if (input->nest == NULL)
-    {
-        return swCreateInput(world, &def, id);
-    }
-    swInputId ids[SW_MAX_NEST];
-    swResult result = swCreateNest(world, &def, input->nestCount, input->nest, ids);
-    for (int i = 0; i < input->nestCount && result == SW_SUCCESS; ++i)
-    {
-        *(i == 0 ? id : &sea->nested[sea->nestedCount++]) = ids[i];
-    }
-    return result;
-}
-
-// All of them, so that each that is refused is told.
-static swResult createInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
-{
-    swResult result = SW_SUCCESS;
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        sea->inputCount = i + 1;
-        int waves = scene->inputs[i].waves;
-        if (scene->inputs[i].isLeftOut || (waves >= 0 && SW_IS_NULL(sea->systems[waves])))
-        {
-            continue;
-        }
-        swResult own = createInput(world, &scene->inputs[i], sea, &sea->inputs[i]);
-        result = own != SW_SUCCESS ? swKeepFailure(result, swTellRefused(scene, own, scene->inputs[i].line, "input", i))
-                                   : result;
-    }
-    return result;
-}
-
-static void removeInputs(swWorld* world, int count, const swInputId* ids)
-{
-    for (int i = 0; i < count; ++i)
-    {
-        if (swInput_IsValid(world, ids[i]))
-        {
-            swDestroyInput(world, ids[i]);
-        }
-    }
-}
-
-static void removeAll(swWorld* world, swSceneSea* sea)
-{
-    removeInputs(world, sea->inputCount, sea->inputs);
-    removeInputs(world, sea->nestedCount, sea->nested);
-    for (int i = 0; i < sea->waterBodyCount; ++i)
-    {
-        if (swWaterBody_IsValid(world, sea->waterBodies[i]))
-        {
-            swDestroyWaterBody(world, sea->waterBodies[i]);
-        }
-    }
-    for (int i = 0; i < sea->windSeaCount; ++i)
-    {
-        swDestroyWindSea(world, &sea->windSeas[i]);
-    }
-}
-
-swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
-{
-    swResult result = makeRoomForInputs(scene, sea);
-    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? createInputs(world, scene, sea) : result;
-    if (result != SW_SUCCESS)
-    {
-        removeAll(world, sea);
-    }
-    return result;
 }

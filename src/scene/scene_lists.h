@@ -31,6 +31,9 @@ swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* m
 // One number, or a list of `wanted` (at most 4), which are no field by themselves.
 swResult swReadYamlNumbers(swYaml* yaml, yaml_node_t* node, const char* what, int wanted, float numbers[4]);
 
+// One number within +-most.
+swResult swReadYamlNumber(swYaml* yaml, const yaml_node_t* node, const char* what, double most, double* number);
+
 // The number of one of the scene's wave systems, from 1 on, as an index.
 swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene, int* waves);
 
@@ -50,8 +53,24 @@ void swJoinScenePath(const char* folder, const char* file, char path[SW_MAX_PATH
 swResult swReadHulls(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeHulls(swScene* scene);
 
-// scene_tide.c: the constituents of a level, or of a flow.
-swResult swReadTide(swYaml* yaml, yaml_node_t* node, bool isFlow, swTideConstituent tide[SW_MAX_TIDE]);
+// scene_tide.c: the constituents of a level, or of a flow; or a table, here or in a file.
+typedef struct swTideReader
+{
+    const swSceneReader* reader;
+    bool isFlow;
+    const float* value;              // that the table adds to
+    swTideConstituent* constituents; // [SW_MAX_TIDE]
+    swSceneTide* table;
+} swTideReader;
+
+swResult swReadTide(swYaml* yaml, yaml_node_t* node, const swTideReader* tide);
+void swFreeTide(const swHost* host, swSceneTide* tide);
+// The name of a constituent of this speed; NULL if none is known.
+const char* swFindTideName(float speed);
+
+// scene_motion.c
+swResult swReadMotion(swYaml* yaml, yaml_node_t* node, swSceneMotion* motion);
+void swFreeMotion(const swHost* host, swSceneMotion* motion);
 
 // scene_wind_seas.c
 swResult swReadWindSeas(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
@@ -59,6 +78,7 @@ void swFreeWindSeas(swScene* scene);
 
 // scene_inputs.c
 swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeInput(const swHost* host, swSceneInput* input);
 void swFreeInputs(swScene* scene);
 
 // scene_bodies.c: other looks of water, and bodies that have them.
@@ -72,6 +92,10 @@ void swFreeWaterBodies(swScene* scene);
 void swAddWavesNumber(swTree* tree, int parent, int waves);
 // Fields of a def that count and that scene files have.
 void swAddCountedFields(swTree* tree, int parent, const swFields* fields, const void* def);
+// A list of [x, z] or of mappings, in the order of the text's.
+void swAddPointTrees(swTree* tree, int parent, int count, const swInputPoint* points, int valueCount);
+void swAddShoreTrees(swTree* tree, int parent, int count, const swVec2* points);
+void swAddTideTrees(swTree* tree, int parent, const swTideConstituent tide[SW_MAX_TIDE], bool isFlow);
 // An item for each input, and for each body of water.
 void swAddInputTrees(swTree* tree, int list, const swScene* scene);
 void swAddBodyTrees(swTree* tree, int list, const swScene* scene);

@@ -2,6 +2,7 @@
 target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/exact_number.c
     ${CMAKE_CURRENT_LIST_DIR}/field_tree.c
+    ${CMAKE_CURRENT_LIST_DIR}/inputs_tree.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_bodies.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_components.c
@@ -10,9 +11,11 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/scene_inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_lists.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_measured.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_motion.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_octaves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_read.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_resources.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_sea.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_source.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_stale.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_tide.c
