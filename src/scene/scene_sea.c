@@ -119,9 +119,12 @@ swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
     sea->world = world;
     sea->scene = scene;
     sea->origin = swWorld_GetOrigin(world);
-    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? createInputs(world, scene, sea) : result;
+    if (result == SW_SUCCESS) // all three, so that each that is refused is told
+    {
+        result = swCreateSceneWindSeas(world, scene, sea);
+        result = swKeepFailure(result, swCreateSceneBodies(world, scene, sea));
+        result = swKeepFailure(result, createInputs(world, scene, sea));
+    }
     if (result != SW_SUCCESS)
     {
         removeAll(world, sea);

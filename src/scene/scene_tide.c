@@ -9,6 +9,21 @@
 #include "scene/exact_number.h"
 #include "scene/scene_lists.h"
 
+const char* swFindTideName(float speed)
+{
+    static const char* const names[] = {"Q1", "O1",  "P1", "S1", "K1", "J1", "OO1", "2N2", "MU2",
+                                        "N2", "NU2", "M2", "L2", "T2", "S2", "K2",  "M3",  "MN4",
+                                        "M4", "MS4", "S4", "M6", "M8", "MF", "MM",  "SSA", "SA"};
+    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); ++i)
+    {
+        if (speed > 0.0f && swGetTideSpeed(names[i]) == speed)
+        {
+            return names[i];
+        }
+    }
+    return NULL;
+}
+
 static swResult readName(swYaml* yaml, yaml_node_t* node, swTideConstituent* constituent)
 {
     char name[16] = "";

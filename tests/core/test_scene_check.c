@@ -321,6 +321,8 @@ static const struct
      FINE "splines: [{name: a, points: [{x_m: 0}, {x_m: 9}]}]\n"
           "inputs:\n  - {field: waves, shape: spline, spline: a, along_spline: true, blend: max}\n"},
     {"refused", 5, FINE "inputs:\n  - {field: level}\n  - {field: foam, weight: 2}\n"},
+    {"refused", 6, // also behind a body that is refused
+     FINE "water_bodies:\n  - {points: [[0, 0], [9, 9], [9, 0], [0, 9]]}\ninputs:\n  - {field: level, shape: box}\n"},
 };
 
 static void EveryMistakeIsToldOfItsScene(void** state)
