@@ -161,6 +161,18 @@ static swSkyDef FindFrameSky(const Render* render, int frame)
     return sky;
 }
 
+static bool MovesFloor(const swScene* scene)
+{
+    for (int i = 0; i < scene->inputCount; ++i)
+    {
+        if (scene->inputs[i].def.field == SW_INPUT_FLOOR && swSceneInput_IsMoving(&scene->inputs[i]))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void JumpTo(Render* render, double time)
 {
     swWorld_SetTime(render->world, time);
@@ -256,6 +268,10 @@ static bool DrawFrame(Render* render, int frame, double time)
     int factor = (int)lround(sqrt((double)options->samples));
     shot.camera.width *= (uint32_t)factor;
     shot.camera.height *= (uint32_t)factor;
+    if (frame > 0 && MovesFloor(render->scene))
+    {
+        ForgetPictureLand(render->maker);
+    }
     return MakePicture(render->maker, &shot, (float)dt, frame == 0);
 }
 

@@ -181,6 +181,11 @@ bool SetPictureMarks(PictureMaker* maker, uint32_t marks)
     return result == SW_SUCCESS;
 }
 
+void ForgetPictureLand(PictureMaker* maker)
+{
+    swStageTerrain_Refresh(maker->terrain);
+}
+
 bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst)
 {
     swStageFrame frame;

@@ -37,6 +37,9 @@ bool AdvancePicture(PictureMaker* maker);
 // Lines over the pictures that are made from now on: bits of swStageMarks. False after a sentence.
 bool SetPictureMarks(PictureMaker* maker, uint32_t marks);
 
+// The sea floor is another now: pictures show it from the next one on.
+void ForgetPictureLand(PictureMaker* maker);
+
 // Run the passes of the world's last step and draw. `dt` is the time since the last picture, for exposure;
 // `isFirst` jumps to the measured exposure.
 bool MakePicture(PictureMaker* maker, const swShot* shot, float dt, bool isFirst);

@@ -43,6 +43,7 @@ typedef struct App
     uint32_t marks;       // what: bits of swStageMarks
     swStageTerrain* land; // of the sea's world
     int landVersion;      // of the sea's floor that it was sampled from
+    double landAge;       // s since then, of the clock on the wall
     int64_t sceneStamp;   // when the scene file was last written
     double nextStampCheck;
     bool wantsReload;    // with the next frame

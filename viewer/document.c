@@ -93,6 +93,7 @@ static bool OpenLand(App* app)
 void ForgetLand(App* app)
 {
     app->landVersion = app->sea.floorVersion;
+    app->landAge = 0.0;
     if (app->land != NULL)
     {
         swStageTerrain_Refresh(app->land);

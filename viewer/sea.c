@@ -326,6 +326,7 @@ bool AdvanceSea(Sea* sea, double time)
             FollowReplay(waves);
         }
     }
+    MoveInputs(sea, time);
     return true;
 }
 

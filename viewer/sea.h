@@ -92,6 +92,7 @@ typedef struct Sea
     SeaInput* inputs;    // as many as the scene has
     SeaBody* bodies;
     int floorVersion;  // counts what may have changed the sea floor
+    bool movesFloor;   // a part of the floor moves by itself
     float transition;  // s of the sea that a change of its waves takes
     double nextChange; // when the next one may begin, s of the sea
 
@@ -115,7 +116,7 @@ void CloseSea(Sea* sea);
 // refuses, the host's log says why and the settings are those of the world again.
 void ApplyChanges(Sea* sea, bool isPaused);
 
-// Set replays to a time, before the step to it.
+// Set replays, and what moves by itself, to a time, before the step to it.
 bool AdvanceSea(Sea* sea, double time);
 
 // Let a replay run at another speed from now on, or from another moment of its records.
@@ -168,6 +169,9 @@ void ApplyInputs(Sea* sea);
 
 // Of inputs and bodies that have to do with waves that are about to go, or that came back.
 void FollowWaves(Sea* sea, int waves);
+
+// Those that move by themselves, and tides by a table, to a time. AdvanceSea() calls it.
+void MoveInputs(Sea* sea, double time);
 
 // Everything as the file has it.
 void ResetInputs(Sea* sea);

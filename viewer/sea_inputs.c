@@ -94,6 +94,46 @@ static void FollowNest(Sea* sea, const swSceneInput* input, int first, const swI
     }
 }
 
+// Where an input of the panel is at a time, and what it says then, as the world has it.
+static void FollowMotion(const Sea* sea, int index, double time, swInputDef* def)
+{
+    swSceneInput now = sea->scene->inputs[index];
+    now.def = *def;
+    if (!swSceneInput_GetPlace(&now, time, &def->position, &def->rotation))
+    {
+        def->position = now.def.position; // it has left the sea
+    }
+    swSceneInput_GetValue(&now, time, def->value);
+    def->position = PlaceInWorld(sea, def->position);
+}
+
+void MoveInputs(Sea* sea, double time)
+{
+    for (int i = 0; i < CountInputs(sea); i++)
+    {
+        const swSceneInput* input = &sea->scene->inputs[i];
+        swInputId id = sea->authored.inputs[i];
+        swInputDef def = sea->inputs[i].takenDef;
+        if (!swInput_IsValid(sea->world, id) || !(swSceneInput_IsMoving(input) || swSceneInput_IsChanging(input)))
+        {
+            continue;
+        }
+        FollowMotion(sea, i, time, &def);
+        swInput_Move(sea->world, id, def.position, def.rotation);
+        swInput_SetValue(sea->world, id, def.value);
+        sea->movesFloor = sea->movesFloor || (def.field == SW_INPUT_FLOOR && def.isEnabled);
+    }
+    for (int i = 0; i < CountBodies(sea); i++)
+    {
+        swSceneWaterBody now = sea->scene->waterBodies[i];
+        now.def = sea->bodies[i].takenDef;
+        if (now.tide.count > 0)
+        {
+            swWaterBody_SetLevel(sea->world, sea->authored.waterBodies[i], swSceneWaterBody_GetLevel(&now, time));
+        }
+    }
+}
+
 static void ApplyInput(Sea* sea, int index, int firstNested)
 {
     SeaInput* input = &sea->inputs[index];
@@ -106,7 +146,7 @@ static void ApplyInput(Sea* sea, int index, int firstNested)
         return; // left out
     }
     def.isEnabled = FindWaves(sea, filed->waves, &def.system) && def.isEnabled;
-    def.position = PlaceInWorld(sea, def.position);
+    FollowMotion(sea, index, swWorld_GetTime(sea->world), &def);
     if (filed->nest != NULL)
     {
         swInputDef now = swInput_Get(sea->world, id); // its raster, and a feather that suits the nest
@@ -130,7 +170,10 @@ static void ApplyBody(Sea* sea, int index)
     swWaterBodyDef def = body->def;
     body->hasChanged = false;
     FindWaves(sea, sea->scene->waterBodies[index].waves, &def.waves);
+    swSceneWaterBody now = sea->scene->waterBodies[index];
+    now.def = def;
     def.position = PlaceInWorld(sea, def.position);
+    def.position.y = swSceneWaterBody_GetLevel(&now, swWorld_GetTime(sea->world));
     if (swWaterBody_Set(sea->world, sea->authored.waterBodies[index], &def) != SW_SUCCESS)
     {
         body->def = body->takenDef;

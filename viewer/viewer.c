@@ -21,6 +21,7 @@
 
 #define TEST_STEP (1.0 / 30.0) // s of the sea per frame when frames are counted
 #define LONGEST_STEP 0.25      // a frame that took longer slows the sea instead of making it jump
+#define LAND_AGE 0.5           // s after which land whose floor moves is sampled anew
 #define NEAR_ORIGIN 4096.0     // m from the host's origin that the camera may be
 #define MAX_WORKERS 15
 
@@ -188,7 +189,9 @@ static bool StepSea(App* app, double passed)
     {
         return false;
     }
-    if (app->landVersion != app->sea.floorVersion)
+    app->landAge += app->wallPassed;
+    bool isLate = app->sea.movesFloor && !app->clock.isPaused && app->landAge > LAND_AGE;
+    if (app->landVersion != app->sea.floorVersion || isLate)
     {
         ForgetLand(app);
     }

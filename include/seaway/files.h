@@ -78,8 +78,9 @@ typedef struct swRasterFileDef
     /// or topo. Of an EXR or PNG image: the channel, such as "R". Default NULL: the only one, or Y, or Z, or R.
     const char* variable;
 
-    /// A number n of the file is `offset` + `scale` n metres: of a PNG image of 16 bits, n is 0 to 65535. Ranges
-    /// [-1e6, 1e6]. Default 0 and 1.
+    /// A number n of the file is `offset` + `scale` n metres: of a PNG image of 16 bits, n is 0 to 65535; of netCDF and
+    /// GeoTIFF n has the scale and offset that the file tells already. A scale other than 1 counts instead of a unit
+    /// that the file tells, such as cm. Ranges [-1e6, 1e6]. Default 0 and 1.
     double offset, scale;
 
     /// The number by which the file means that nothing is known, beside what it says itself. Default NaN: none.

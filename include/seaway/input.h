@@ -43,7 +43,7 @@ typedef enum swInputField
 {
     SW_INPUT_FLOOR,        ///< height of the sea floor, m, absolute as positions are. Below: none, the water is deep
     SW_INPUT_LEVEL,        ///< height of still water above the world's sea level, m. Below: 0
-    SW_INPUT_FLOW,         ///< velocity of the water along x and z, m/s. Below: 0, 0
+    SW_INPUT_FLOW,         ///< velocity of the water along x and z, m/s, see docs/flow.md. Below: 0, 0
     SW_INPUT_WAVES,        ///< weight of the waves of one system, see swInputDef::system. Below: 1; 0 of a local system
     SW_INPUT_DISPLACEMENT, ///< added to where the water rests, along x, y, z, m. Below: 0, 0, 0
     SW_INPUT_CLIP,         ///< above 0.5 there is no water, else there is. Below: 0. See docs/clip.md

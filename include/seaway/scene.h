@@ -108,6 +108,42 @@ typedef struct swSceneSpline
     int line;         ///< of the file, where it begins; 0: none
 } swSceneSpline;
 
+/// Points of a path, and lines of a tide table.
+#define SW_MAX_SCENE_PATH 4096
+#define SW_MAX_SCENE_TIDE 65536
+
+/// Where something that follows a path is at a time.
+typedef struct swScenePathPoint
+{
+    double time;     ///< s, counted from swSceneMotion::startTime
+    swVec3 moved;    ///< from its place, m
+    swAngles turned; ///< beside its own turn, radians
+} swScenePathPoint;
+
+/// How an input of a scene moves: a function of time, the same on every machine. What its parts give adds up, from the
+/// place and turn of the input's def on.
+typedef struct swSceneMotion
+{
+    double startTime;       ///< s of the sea; it stands before
+    swVec3 velocity;        ///< along the world's axes, m/s
+    swAngles turnRate;      ///< of yaw, pitch and roll, radians/s
+    float orbitRadius;      ///< of a circle around its place, m; 0: none
+    float orbitPeriod;      ///< s for a turn of it, from +x towards +z; below 0 the other way round
+    float orbitPhase;       ///< where on the circle it sets out, radians from +x towards +z
+    bool isSmooth;          ///< it comes to rest at each point of the path instead of running evenly between them
+    bool loops;             ///< the path begins anew behind its last point; else it rests there
+    int pathCount;          ///< 0: no path
+    swScenePathPoint* path; ///< in ascending times; the scene's
+} swSceneMotion;
+
+/// A tide by a table, see swGetTideOfTable(): of a level, or of a flow along x and along z.
+typedef struct swSceneTide
+{
+    int count;           ///< 0: none
+    swTideLevel* along;  ///< of a level, m, or of a flow along x, m/s; the scene's
+    swTideLevel* across; ///< of a flow along z; NULL of a level
+} swSceneTide;
+
 /// An input of a scene. Its system is that of the scene's waves, see `waves`; what it names is the scene's.
 typedef struct swSceneInput
 {
@@ -119,6 +155,8 @@ typedef struct swSceneInput
     int pointCount;
     const swRaster** nest; ///< rasters of a nest, see swCreateNest(); NULL if it is none
     int nestCount;         ///< those that are there
+    swSceneMotion motion;  ///< see swSceneInput_GetPlace()
+    swSceneTide tide;      ///< by a table; see swSceneInput_GetValue()
     int item;              ///< which of the file's inputs it is, from 1 on
     int line;              ///< of the file, where it begins; 0: none
 } swSceneInput;
@@ -130,8 +168,9 @@ typedef struct swSceneWaterBody
     int waves;      ///< index of the scene's waves that it has; -1: none of its own
     swVec2* points; ///< def.points points here
     int pointCount;
-    int item; ///< which of the file's bodies of water it is, from 1 on
-    int line; ///< of the file, where it begins; 0: none
+    swSceneTide tide; ///< by a table; see swSceneWaterBody_GetLevel()
+    int item;         ///< which of the file's bodies of water it is, from 1 on
+    int line;         ///< of the file, where it begins; 0: none
 } swSceneWaterBody;
 
 /// A sea by a map of the wind, see swCreateWindSea(). The scene owns it.
@@ -203,6 +242,13 @@ SW_API swResult swReadSceneText(const swHost* host, const char* text, size_t siz
 
 /// NULL is allowed.
 SW_API void swDestroyScene(swScene* scene);
+
+/// Fastest that an input goes by its motion, m/s: along, on its orbit and along its path together.
+SW_API float swSceneMotion_GetSpeed(const swSceneMotion* motion);
+
+/// Tables of keys of what moves.
+SW_API const swFields* swGetSceneMotionFields(void);
+SW_API const swFields* swGetScenePathFields(void);
 
 /// @name Changing a scene
 /// Plain values are changed where they stand: scene->sky.haze, scene->waves[i].def.chop, scene->waves[i].record,
@@ -290,7 +336,10 @@ typedef struct swSceneSea
     int windSeaCount;
     swWindSea* windSeas; ///< in the scene's order; NULL if there are none
     int inputRoom, nestedRoom, waterBodyRoom, windSeaRoom;
-    swHost host; ///< who gave the memory of inputs and bodies
+    swWorld* world;       ///< that they are in
+    const swScene* scene; ///< that they are of
+    swPosXZ origin;       ///< of the world when they were made: the scene's coordinates are those
+    swHost host;          ///< who gave the memory of inputs and bodies
 } swSceneSea;
 
 /// Add the scene's wave systems, bodies of water and inputs to a world; replays begin at the world's present time. The
@@ -303,9 +352,31 @@ SW_API swResult swCreateSceneSea(swWorld* world, const swScene* scene, swSceneSe
 SW_API swResult swCreateSceneInputs(swWorld* world, const swScene* scene, const swWaveSystemId* systems,
                                     swSceneSea* sea);
 
-/// Set replayed systems to a time; call it before each step to that time. Does nothing for a scene without replays.
-/// @return as swSeaReplay_Advance()
+/// Set replayed systems to a time, and moving inputs and tides by a table to where and how they are then; call it
+/// before each step to that time. Does nothing for a scene without any of these. It takes the scene's defs as they are
+/// now. An input whose motion has brought it beyond 1e9 m stays where it was.
+/// @return as swSeaReplay_Advance(); SW_ERROR_INVALID for such an input, which the host's log names
 SW_API swResult swSceneSea_Advance(swSceneSea* sea, double time);
+
+/// @name What moves in a scene at a time, s
+/// The functions of time that swSceneSea_Advance() follows, for hosts that move a scene's inputs themselves.
+/// @{
+
+/// Whether an input moves by itself, and whether what it says changes by a table.
+SW_API bool swSceneInput_IsMoving(const swSceneInput* input);
+SW_API bool swSceneInput_IsChanging(const swSceneInput* input);
+
+/// Where an input is and how it is turned, as for swInput_Move(), in the scene's coordinates.
+/// @return false if its motion has brought it beyond 1e9 m, where no input can be
+SW_API bool swSceneInput_GetPlace(const swSceneInput* input, double time, swPos* position, swAngles* rotation);
+
+/// What it says: swInputDef::value with what a tide by a table adds.
+SW_API void swSceneInput_GetValue(const swSceneInput* input, double time, float value[4]);
+
+/// Height of the still water of a body, as for swWaterBody_SetLevel().
+SW_API double swSceneWaterBody_GetLevel(const swSceneWaterBody* body, double time);
+
+/// @}
 
 /// Stop the replays, while the world is still there. Wave systems and inputs stay as they are. NULL is allowed.
 SW_API void swDestroySceneSea(swSceneSea* sea);

@@ -110,7 +110,8 @@ typedef struct swWaveSystemDef
 
     /// Velocity of a current that carries all of the system's waves, m/s along x and z: their frequencies become
     /// omega + k . U, exactly, and a wave that runs against it stands still where U is its speed. The waves and the
-    /// foam: the water's own velocity is what SW_INPUT_FLOW says, see docs/flow.md. A change of the current never moves
+    /// foam: the water's own velocity is what SW_INPUT_FLOW says, which carries waves as well, exactly where it is the
+    /// same everywhere; one current is given in one of both ways, see docs/flow.md. A change of the current never moves
     /// the waves, whether it takes time or none; afterwards the sea depends on when it came. A sea with a loop loops as
     /// seen from the moving water. Range [-SW_MAX_CURRENT, SW_MAX_CURRENT]. Default 0, 0.
     float currentX, currentZ;

@@ -59,6 +59,7 @@ shared uint leastDepth;
 shared uint leastShore;
 shared uint systems;
 shared uint flags;
+shared uint foam;
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
@@ -120,7 +121,7 @@ uint findDisplaced(ivec2 low, ivec2 high)
 // Likewise.
 uint findFoam(ivec2 low, ivec2 high)
 {
-    return touchesInputs(SW_FIELD_OF_FOAM, low - 1, high + 1) ? 1u : 0u;
+    return touchesInputs(SW_FIELD_OF_FOAM, low - 1, high + 1) ? SW_BLOCK_MAKES_FOAM : 0u;
 }
 
 void store(ivec3 texel, Fields fields)
@@ -209,7 +210,7 @@ void main()
             // Inputs of waves, of displacement and of foam may have changed all the same.
             blocks[block].systems = findSystems(low, high);
             blocks[block].flags = (blocks[block].flags & SW_BLOCK_FLOWS) | findDisplaced(low, high);
-            blocks[block].hasFoam = findFoam(low, high);
+            blocks[block].foam = (blocks[block].foam & SW_BLOCK_CARRIES_FOAM) | findFoam(low, high);
         }
         return;
     }
@@ -221,10 +222,11 @@ void main()
         leastShore = floatBitsToUint(SW_NO_DEPTH);
         systems = findSystems(low, high);
         flags = findDisplaced(low, high);
+        foam = findFoam(low, high);
     }
     barrier();
     float least = SW_NO_DEPTH, shore = SW_NO_DEPTH;
-    bool flows = false;
+    bool flows = false, carries = false;
     for (uint row = first.y; row < first.y + SW_SLICE_HEIGHT && column < resolution; ++row)
     {
         ivec3 texel = ivec3(column, row, at);
@@ -241,7 +243,8 @@ void main()
         least = min(least, fields.ground.depth);
         vec2 slope = fields.ground.slope;
         shore = min(shore, swFindShoreDistance(fields.ground.depth, slope.x, slope.y));
-        flows = flows || isMoved(fields.flow);
+        flows = flows || isMoved(besideEven(fields.flow));
+        carries = carries || isMoved(fields.flow);
         if (isMade || shift != ivec2(0))
         {
             store(texel, fields);
@@ -251,12 +254,15 @@ void main()
     {
         atomicOr(flags, SW_BLOCK_FLOWS);
     }
+    if (carries)
+    {
+        atomicOr(foam, SW_BLOCK_CARRIES_FOAM);
+    }
     atomicMin(leastDepth, floatBitsToUint(max(least, 0.0)));
     atomicMin(leastShore, floatBitsToUint(shore));
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
-        blocks[block] =
-            swFieldBlock(uintBitsToFloat(leastDepth), systems, flags, uintBitsToFloat(leastShore), findFoam(low, high));
+        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flags, uintBitsToFloat(leastShore), foam);
     }
 }

@@ -11,39 +11,6 @@ swInputSample sampleAt(swInputRecord record, SeaPlace place)
     return swSampleInput(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y, 0.0);
 }
 
-// The waves' displacement and its derivatives at a rest place, once all inputs that follow the waves have joined them.
-swInputValue displacedAt(SeaPlace rest, swDisplaceRange range, swInputValue waves)
-{
-    uint i = findInput(SW_FIELD_OF_DISPLACEMENT, rest.cell, rest.cell, 0);
-    while (i != SW_NO_RECORD)
-    {
-        swInputRecord record = inputRecords[i];
-        if (swIsDisplacing(record, range, true))
-        {
-            waves = swDisplaceAtRest(record, range, waves, sampleAt(record, rest));
-        }
-        i = findInput(SW_FIELD_OF_DISPLACEMENT, rest.cell, rest.cell, i + 1);
-    }
-    return waves;
-}
-
-// The height of a particle above still water and its derivatives by the place, once all inputs that stay put have
-// joined it. `level` is that of still water there.
-swInputChannel raisedAt(SeaPlace place, swDisplaceRange range, swInputChannel level, swInputChannel height)
-{
-    uint i = findInput(SW_FIELD_OF_DISPLACEMENT, place.cell, place.cell, 0);
-    while (i != SW_NO_RECORD)
-    {
-        swInputRecord record = inputRecords[i];
-        if (swIsDisplacing(record, range, false))
-        {
-            height = swDisplaceHeight(record, height, level, sampleAt(record, place));
-        }
-        i = findInput(SW_FIELD_OF_DISPLACEMENT, place.cell, place.cell, i + 1);
-    }
-    return height;
-}
-
 // Derivatives by the place of a height whose derivatives along rest are given: `x` and `z` are those of sideways
 // displacement along x and z. Where the surface folds they have none.
 swInputChannel heightByPlace(float height, vec2 along, vec2 x, vec2 z)

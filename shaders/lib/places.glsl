@@ -71,6 +71,14 @@ Flow flowOf(swInputValue value)
     return Flow(value.value.xy, vec4(value.alongX.x, value.alongZ.x, value.alongX.y, value.alongZ.y));
 }
 
+// What carries copies of waves, beside the flow that carries all of them.
+Flow besideEven(Flow flow)
+{
+    flow.velocity =
+        vec2(swGetCarriedSpeed(flow.velocity.x, inputHead.evenX), swGetCarriedSpeed(flow.velocity.y, inputHead.evenZ));
+    return flow;
+}
+
 bool isMoved(Flow flow)
 {
     return flow.velocity != vec2(0.0) || flow.slopes != vec4(0.0);

@@ -25,8 +25,9 @@ swWaveLooks looksAt(uint field, uint system, SeaPlace place)
         swInputRecord record = inputRecords[i];
         if (swHasSay(record, system))
         {
-            looks = swJoinLooks(record.firstWord, record, system, looks, place.cell.x, place.cell.y, place.rest.x,
-                                place.rest.y);
+            swLookSay say =
+                swSampleLook(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y);
+            looks = swJoinLooks(record.firstWord, record, system, looks, say);
         }
         i = findInput(field, place.cell, place.cell, i + 1);
     }

@@ -95,8 +95,6 @@ shared uint isBusy[2]; // whether a ray goes on; in turns, so that one can be re
 #include "query/query_place.glsl"
 #include "query/surface_search.glsl"
 
-#include "lib/holes.glsl"
-
 const uint MOST_REFINEMENTS = 60;
 
 struct Ray
@@ -268,16 +266,12 @@ bool advanceMarch(Ray ray, Sum surface, inout March march)
 }
 
 // Whether the water is cut away where the ray met it; of a sphere, where it touches.
-bool isInHole(Ray ray, March march, Sum surface)
+Ask askHoleOfHit(Ray ray, March march, Sum surface)
 {
-    if (!WITH_INPUTS)
-    {
-        return false;
-    }
     Place place = placeAt(ray, march.at);
     float back = ray.radius > 0.0 ? gapOf(ray, march.at, surface) : 0.0;
     vec2 rest = place.rest - back * normalOf(surface).xz;
-    return clipAt(seaPlaceAt(place.cell, rest), surface.value.y) < 0.0;
+    return askHole(seaPlaceAt(place.cell, rest), surface.value.y);
 }
 
 // Goes on behind a crossing in a hole, on the other side: farther than the crossing is exact, and than a sphere
@@ -350,6 +344,107 @@ void store(uint point, Ray ray, March march, Search search, uint lane)
     }
 }
 
+// ---- a turn ----
+
+Ask askFor(uint what, Ray ray, March march, Search search, Sum sum)
+{
+    switch (what)
+    {
+    case ASK_WAVES:
+        return askWaves(search, sum);
+    case ASK_HEIGHT:
+        return askHeight(search);
+    case ASK_HOLE:
+        return askHoleOfHit(ray, march, surfaceOf(search));
+    default:
+        return askElement(search, what);
+    }
+}
+
+// A lane's part of a turn: takes in what was summed up, goes on along the ray once a search is done, and asks for what
+// inputs say where the search goes next. `isFirst`: nothing was summed up yet. Returns whether the ray goes on.
+bool takeTurn(bool isFirst, Ray ray, inout March march, inout Search search, uint lane)
+{
+    bool isMarching = true, isSearching = true;
+    float from = march.at; // where the ray has looked last
+    Sum sum = NO_WATER;
+    uint systems = 0, what = ASK_WAVES;
+    if (!isFirst)
+    {
+        sum = gatherSum();
+    }
+    else if (WITH_INPUTS)
+    {
+        systems = weighedSystems(search);
+        what = nextElement(search, systems, ASK_ELEMENTS + lane);
+    }
+    else
+    {
+        what = ASK_END;
+    }
+    while (what != ASK_END)
+    {
+        Ask ask;
+        bool isAnything = WITH_INPUTS && (what >= ASK_HOLE || WITH_DISPLACEMENT);
+        if (isAnything)
+        {
+            ask = askFor(what, ray, march, search, sum);
+            answer(ask);
+        }
+        uint done = what;
+        bool looksAgain = false, begins = false;
+        what = ASK_END;
+        if (done == ASK_WAVES)
+        {
+            if (WITH_DISPLACEMENT)
+            {
+                sum = sumOf(ask);
+            }
+            search.hasPlace = true;
+            isSearching = advance(search, sum);
+            what = ASK_HEIGHT;
+        }
+        else if (done == ASK_HEIGHT)
+        {
+            if (WITH_DISPLACEMENT)
+            {
+                search.raised = raisedBy(ask, search.best);
+            }
+            if (!isSearching || isNearEnough(ray, march, search))
+            {
+                isMarching = advanceMarch(ray, surfaceOf(search), march);
+                looksAgain = isMarching;
+                what = WITH_INPUTS && march.isHit ? ASK_HOLE : ASK_END;
+            }
+            else
+            {
+                begins = true;
+            }
+        }
+        else if (done == ASK_HOLE)
+        {
+            isMarching = ask.said.plain.value.x < 0.0 && passHole(ray, march);
+            looksAgain = isMarching;
+        }
+        else if (WITH_INPUTS)
+        {
+            keepElement(ask);
+            what = nextElement(search, systems, done + SW_QUERY_LANES);
+        }
+        if (looksAgain)
+        {
+            search = searchAgain(ray, march, from, search);
+            begins = true;
+        }
+        if (WITH_INPUTS && begins)
+        {
+            systems = weighedSystems(search);
+            what = nextElement(search, systems, ASK_ELEMENTS + lane);
+        }
+    }
+    return isMarching;
+}
+
 void main()
 {
     uint lane = gl_LocalInvocationIndex % SW_QUERY_LANES;
@@ -359,56 +454,38 @@ void main()
     March march;
     bool isMarching = beginMarch(ray, march) && !ray.place.isBad && point < params.source.count;
     Search search = beginSearch(placeAt(ray, march.at));
+    querySystems = WITH_INPUTS ? systemsOfQuery() : 0u;
     if (gl_LocalInvocationIndex == 0)
     {
         isBusy[0] = 0;
     }
+    barrier();
+    bool isFirst = true;
     for (uint turn = 0;; turn ^= 1)
     {
-        if (WITH_INPUTS)
-        {
-            if (isMarching)
-            {
-                askSearched(search, lane);
-            }
-            barrier();
-        }
         if (isMarching)
         {
-            share(addSearched(search, lane));
+            isMarching = takeTurn(isFirst, ray, march, search, lane);
         }
-        barrier();
-        bool isSearching = isMarching && advance(search, displaced(search, gatherSum()));
-        if (isMarching)
-        {
-            raise(search);
-        }
-        if (isMarching && (!isSearching || isNearEnough(ray, march, search)))
-        {
-            float from = march.at;
-            isMarching = advanceMarch(ray, surfaceOf(search), march);
-            if (march.isHit && isInHole(ray, march, surfaceOf(search)))
-            {
-                isMarching = passHole(ray, march);
-            }
-            if (isMarching)
-            {
-                search = searchAgain(ray, march, from, search);
-            }
-        }
+        isFirst = false;
         if (isMarching)
         {
             isBusy[turn] = 1;
-        }
-        if (gl_LocalInvocationIndex == 0)
-        {
-            isBusy[turn ^ 1] = 0;
         }
         barrier();
         if (isBusy[turn] == 0)
         {
             break;
         }
+        if (isMarching)
+        {
+            share(addSearched(search, lane));
+        }
+        if (gl_LocalInvocationIndex == 0)
+        {
+            isBusy[turn ^ 1] = 0;
+        }
+        barrier();
     }
     if (point < params.source.count)
     {

@@ -104,8 +104,6 @@ shared uint isBusy[2]; // whether a point goes on; in turns, so that one can be 
 #include "query/query_points.glsl"
 #include "query/surface_search.glsl"
 
-#include "lib/holes.glsl"
-
 // ---- motion ----
 
 // Velocity and acceleration of a particle. Of a lane: its share.
@@ -242,7 +240,7 @@ void addLookedWavesMotion(Look look, Flow flow, Ground ground, uint first, uint 
 void addRibbonMotion(Shaper shaper, uint lane, vec4 cubic, inout Motion motion)
 {
     uint tileCount = params.water.tileCount, waveCount = params.water.waveCount;
-    uint systems = ribbonSystemsOf(shaper, tileCount, waveCount);
+    uint systems = ribbonSystemsOf(shaper);
     for (; systems != 0; systems &= systems - 1)
     {
         uint system = findLSB(systems);
@@ -271,8 +269,7 @@ void addRibbonMotion(Shaper shaper, uint lane, vec4 cubic, inout Motion motion)
     }
 }
 
-// The same where inputs shape waves, which they do as at the rest place that was tried last. How a particle's place
-// changes makes no part of how it moves.
+// The same where inputs shape waves. How a particle's place changes makes no part of how it moves.
 Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
 {
     vec4 cubic = splineCubic(lane);
@@ -310,38 +307,10 @@ Motion addShapedMotion(Shaper shaper, ivec2 cell, vec2 rest, uint lane)
     return motion;
 }
 
-// What inputs that displace the water do to a rate of displacement at a rest place: they stand still, so only what
-// scales the waves counts, none of them being of this part of the waves.
-vec3 rateAt(SeaPlace rest, vec3 rate)
-{
-    if (WITH_DISPLACEMENT)
-    {
-        swInputValue value = swInputValue(vec4(rate, 0.0), vec4(0.0), vec4(0.0));
-        return displacedAt(rest, swDisplaceRange(params.water.minWavelength, 3e38, 0.0), value).value.xyz;
-    }
-    return rate;
-}
-
 // ---- answers ----
 
-// The level of still water above the point, and how far from holes the particle is that was found there.
-vec2 stillOf(Search search)
-{
-    if (!WITH_INPUTS)
-    {
-        return vec2(0.0, SW_CLIP_FAR);
-    }
-    float hole = SW_CLIP_FAR;
-    if ((params.outputs & SW_QUERY_WANTS_SIDEWAYS) != 0)
-    {
-        vec2 place = search.place + search.bestOffset + search.best.value.xz;
-        hole = clipAt(seaPlaceAt(search.cell, place), surfaceOf(search).value.y);
-    }
-    return vec2(askedOf(ASKED_PLACE_LEVEL).x, hole);
-}
-
-// One lane for each output.
-void store(uint point, Search search, uint lane)
+// One lane for each output. `hole` is how far from holes the particle is that was found.
+void store(uint point, Search search, float hole, uint lane)
 {
     if (lane == 0)
     {
@@ -357,7 +326,7 @@ void store(uint point, Search search, uint lane)
     }
     else if (lane == 3 && (params.outputs & SW_QUERY_WANTS_STILL) != 0)
     {
-        stills[point] = stillOf(search);
+        stills[point] = vec2(WITH_INPUTS ? askedOf(ASKED_PLACE_LEVEL).x : 0.0, hole);
     }
 }
 
@@ -396,30 +365,133 @@ Motion findMotion(ivec2 cell, vec2 rest, uint lane)
     return addMotion(cell, rest, lane);
 }
 
-// How the particle that was found moves. All threads of the workgroup call it together.
-void storeMotion(uint point, bool isBad, Search search, uint lane)
+// How the particle that was found moves. `rate` is that of its displacement, of lane 0 the velocity, of lane 1 the
+// acceleration.
+void storeMotion(uint point, bool isBad, vec3 rate, uint lane)
 {
-    vec2 rest = search.place + search.bestOffset;
-    Motion motion = findMotion(search.cell, rest, lane);
-    shareVector(0, motion.velocity);
-    shareVector(3, motion.acceleration);
-    barrier();
-    bool isVelocity = lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0;
-    bool isAcceleration = lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0;
-    if (point >= params.source.count || !(isVelocity || isAcceleration))
-    {
-        return;
-    }
-    vec3 rate = rateAt(seaPlaceAt(search.cell, rest), gatherVector(isVelocity ? 0 : 3));
-    if (isVelocity)
+    if (lane == 0 && (params.outputs & SW_QUERY_WANTS_VELOCITY) != 0)
     {
         vec2 flow = WITH_PLACE_FLOW ? askedOf(ASKED_PLACE_FLOW).xy : vec2(0.0);
         velocities[point] = isBad ? vec4(noNumber()) : vec4(rate.x + flow.x, rate.y, rate.z + flow.y, 0.0);
     }
-    else
+    else if (lane == 1 && (params.outputs & SW_QUERY_WANTS_ACCELERATION) != 0)
     {
         accelerations[point] = isBad ? vec4(noNumber()) : vec4(rate, 0.0);
     }
+}
+
+// ---- a turn ----
+
+// What a turn begins with.
+#define BEGINS_WITH_NOTHING 0u // nothing is known yet
+#define BEGINS_WITH_WAVES 1u   // the waves at the tried offset
+#define BEGINS_WITH_MOTION 2u  // how the particle that was found moves
+
+bool wantsHole(uint lane)
+{
+    return lane == 3 && (params.outputs & SW_QUERY_WANTS_STILL) != 0 && (params.outputs & SW_QUERY_WANTS_SIDEWAYS) != 0;
+}
+
+Ask askFor(uint what, Search search, Sum sum, vec3 rate)
+{
+    switch (what)
+    {
+    case ASK_WAVES:
+        return askWaves(search, sum);
+    case ASK_RATE:
+        return askRate(search, rate);
+    case ASK_HEIGHT:
+        return askHeight(search);
+    case ASK_HOLE:
+        return askHole(seaPlaceAt(search.cell, foundPlace(search)), surfaceOf(search).value.y);
+    default:
+        return askElement(search, what);
+    }
+}
+
+// Whether there is anything to ask.
+bool isAnything(uint what, uint lane)
+{
+    return WITH_INPUTS && (what >= ASK_ELEMENTS || (what == ASK_HOLE ? wantsHole(lane) : WITH_DISPLACEMENT));
+}
+
+// A lane's part of a turn: takes in what was summed up, and asks for what inputs say where the search goes next, or
+// about what it has found. Returns whether the point goes on.
+bool takeTurn(uint beginning, inout Search search, uint point, bool isBad, uint lane)
+{
+    bool isSearching = true;
+    Sum sum = NO_WATER;
+    vec3 rate = vec3(0.0);
+    uint systems = 0, what = ASK_WAVES;
+    if (beginning == BEGINS_WITH_WAVES)
+    {
+        sum = gatherSum();
+    }
+    else if (WITH_MOTION && beginning == BEGINS_WITH_MOTION)
+    {
+        what = ASK_RATE;
+        rate = gatherVector(lane == 1 ? 3 : 0);
+    }
+    else if (WITH_INPUTS)
+    {
+        systems = weighedSystems(search);
+        what = nextElement(search, systems, ASK_ELEMENTS + lane);
+    }
+    else
+    {
+        what = ASK_END;
+    }
+    while (what != ASK_END)
+    {
+        Ask ask;
+        if (isAnything(what, lane))
+        {
+            ask = askFor(what, search, sum, rate);
+            answer(ask);
+        }
+        uint done = what;
+        what = ASK_END;
+        if (done == ASK_WAVES)
+        {
+            if (WITH_DISPLACEMENT)
+            {
+                sum = sumOf(ask);
+            }
+            isSearching = advance(search, sum);
+            what = isSearching ? ASK_END : ASK_HEIGHT;
+        }
+        else if (WITH_MOTION && done == ASK_RATE)
+        {
+            storeMotion(point, isBad, WITH_DISPLACEMENT ? ask.said.plain.value.xyz : rate, lane);
+        }
+        else if (done == ASK_HEIGHT)
+        {
+            if (WITH_DISPLACEMENT)
+            {
+                search.raised = raisedBy(ask, search.best);
+            }
+            what = ASK_HOLE;
+        }
+        else if (done == ASK_HOLE)
+        {
+            store(point, search, WITH_INPUTS && wantsHole(lane) ? ask.said.plain.value.x : SW_CLIP_FAR, lane);
+        }
+        else if (WITH_INPUTS)
+        {
+            keepElement(ask);
+            what = nextElement(search, systems, done + SW_QUERY_LANES);
+        }
+        // What was tried last may be another place than the best one, of which the motion is.
+        bool begins = done == ASK_WAVES ? isSearching : WITH_MOTION && done == ASK_HOLE && search.reach < 1.0;
+        if (WITH_INPUTS && begins)
+        {
+            search.hasPlace = true;
+            search.offset = isSearching ? search.offset : search.bestOffset;
+            systems = weighedSystems(search);
+            what = nextElement(search, systems, ASK_ELEMENTS + lane);
+        }
+    }
+    return isSearching;
 }
 
 void main()
@@ -428,56 +500,55 @@ void main()
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint point = group * SW_QUERY_POINTS + gl_LocalInvocationIndex / SW_QUERY_LANES;
     Place place = readPlace(min(point, params.source.count - 1));
-    bool isSearching = point < params.source.count && !place.isBad;
-    if (point < params.source.count && place.isBad)
+    bool isThere = point < params.source.count, isSearching = isThere && !place.isBad;
+    if (isThere && place.isBad)
     {
         storeBad(point, lane);
     }
     Search search = beginSearch(place);
+    querySystems = WITH_INPUTS ? systemsOfQuery() : 0u;
     if (gl_LocalInvocationIndex == 0)
     {
         isBusy[0] = 0;
     }
+    barrier();
+    uint beginning = BEGINS_WITH_NOTHING;
     for (uint turn = 0;; turn ^= 1)
     {
-        if (WITH_INPUTS)
+        bool isMoving = WITH_MOTION && beginning == BEGINS_WITH_MOTION;
+        if (isMoving ? isThere : isSearching)
         {
-            if (isSearching)
-            {
-                askSearched(search, lane);
-            }
-            barrier();
+            isSearching = takeTurn(beginning, search, point, place.isBad, lane);
         }
-        if (isSearching)
+        if (isMoving)
         {
-            share(addSearched(search, lane));
-        }
-        barrier();
-        if (isSearching)
-        {
-            isSearching = advance(search, displaced(search, gatherSum()));
-            if (!isSearching)
-            {
-                raise(search);
-                store(point, search, lane);
-            }
+            break;
         }
         if (isSearching)
         {
             isBusy[turn] = 1;
+        }
+        barrier();
+        beginning = BEGINS_WITH_WAVES;
+        if (isBusy[turn] == 0)
+        {
+            if (!WITH_MOTION)
+            {
+                break;
+            }
+            beginning = BEGINS_WITH_MOTION;
+            Motion motion = findMotion(search.cell, search.place + search.bestOffset, lane);
+            shareVector(0, motion.velocity);
+            shareVector(3, motion.acceleration);
+        }
+        else if (isSearching)
+        {
+            share(addSearched(search, lane));
         }
         if (gl_LocalInvocationIndex == 0)
         {
             isBusy[turn ^ 1] = 0;
         }
         barrier();
-        if (isBusy[turn] == 0)
-        {
-            break;
-        }
-    }
-    if (WITH_MOTION)
-    {
-        storeMotion(point, place.isBad, search, lane);
     }
 }

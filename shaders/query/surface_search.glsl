@@ -31,6 +31,7 @@
 #include "lib/inputs.glsl"
 
 #include "lib/displaced.glsl"
+#include "shared/clip.h"
 #include "lib/likeness.glsl"
 #include "lib/places.glsl"
 #include "lib/ribbons.glsl"
@@ -253,50 +254,22 @@ Look askedLook(uint system, uint l)
     return lookOf(swRibbonLook(swInputChannel(weight.x, weight.y, weight.z), source));
 }
 
-// A field at a place; the looks at a system's waves are kept.
-swInputValue askField(uint field, uint system, SeaPlace place)
+// Bits of the systems of the query's waves.
+uint systemsOfQuery()
 {
-    if (!WITH_RIBBONS)
+    uint systems = 0;
+    for (uint i = 0; i < params.water.tileCount; ++i)
     {
-        return fieldAt(field, system, place);
+        systems |= 1u << tiles[i].system;
     }
-    swWaveLooks looks = looksAt(field, system, place);
-    bool isKept = field == SW_FIELD_OF_WAVES && (inputHead.ribbonSystems >> system & 1u) != 0;
-    if (isKept && slotOf(system) < SW_QUERY_RIBBON_SYSTEMS)
+    for (uint i = 0; i < params.water.waveCount; i = waves[i].groupEnd)
     {
-        keepLook(slotOf(system) * 8, looks.ribbons.first);
-        keepLook(slotOf(system) * 8 + 4, looks.ribbons.second);
+        systems |= 1u << waves[i].system;
     }
-    return looks.plain;
+    return systems;
 }
 
-// A lane's part of what is asked for a point of a cell, at a place in it and a rest place. Lanes meet before they read.
-void askInputs(ivec2 cell, vec2 place, vec2 rest, uint lane)
-{
-    SeaPlace atRest = seaPlaceAt(cell, rest);
-    uint count = areSystemsWeighted(atRest) ? ASKED_SYSTEMS + SW_LIMIT_SYSTEMS : ASKED_SYSTEMS;
-    for (uint i = lane; i < count; i += SW_QUERY_LANES)
-    {
-        uint field = i < ASKED_FLOOR     ? SW_FIELD_OF_LEVEL
-                     : i == ASKED_FLOOR  ? SW_FIELD_OF_FLOOR
-                     : i < ASKED_SYSTEMS ? SW_FIELD_OF_FLOW
-                                         : SW_FIELD_OF_WAVES;
-        if (field == SW_FIELD_OF_FLOW && (!WITH_FLOW || (i == ASKED_PLACE_FLOW && !WITH_PLACE_FLOW)))
-        {
-            continue;
-        }
-        bool isAtPlace = i == ASKED_PLACE_LEVEL || i == ASKED_PLACE_FLOW;
-        SeaPlace asked = atRest;
-        if (isAtPlace)
-        {
-            asked = seaPlaceAt(cell, place);
-        }
-        swInputValue value = askField(field, i - ASKED_SYSTEMS, asked);
-        placeValues[i][gl_LocalInvocationIndex / SW_QUERY_LANES] = i == ASKED_FLOW_Z       ? secondOf(value)
-                                                                   : i == ASKED_PLACE_FLOW ? value.value.xyz
-                                                                                           : firstOf(value);
-    }
-}
+uint querySystems; // once main() has found them
 
 vec3 askedOf(uint i)
 {
@@ -315,7 +288,7 @@ struct Shaper
 Flow askedFlow()
 {
     vec3 x = askedOf(ASKED_FLOW_X), z = askedOf(ASKED_FLOW_Z);
-    return Flow(vec2(x.x, z.x), vec4(x.yz, z.yz));
+    return besideEven(Flow(vec2(x.x, z.x), vec4(x.yz, z.yz)));
 }
 
 Shaper shaperAt(SeaPlace place)
@@ -451,21 +424,6 @@ vec2 queryRestOf(SeaPlace place)
     return place.rest - vec2(params.sea.restX, params.sea.restZ);
 }
 
-// Bits of the systems of the first tiles and free waves.
-uint systemsOf(uint tileCount, uint waveCount)
-{
-    uint systems = 0;
-    for (uint i = 0; i < tileCount; ++i)
-    {
-        systems |= 1u << tiles[i].system;
-    }
-    for (uint i = 0; i < waveCount; i = waves[i].groupEnd)
-    {
-        systems |= 1u << waves[i].system;
-    }
-    return systems;
-}
-
 // The copies of a tile that a flow carries, and their part of the shape: a single one where it does not.
 Carry carriedCopies(swQueryTile tile, Flow flow, inout Shape shape)
 {
@@ -531,10 +489,10 @@ void addLookedWaves(Look look, Flow flow, Ground ground, uint first, uint end, i
     }
 }
 
-// Bits of the systems among the first tiles and free waves some of whose waves run along splines here.
-uint ribbonSystemsOf(Shaper shaper, uint tileCount, uint waveCount)
+// Bits of the query's systems some of whose waves run along splines here.
+uint ribbonSystemsOf(Shaper shaper)
 {
-    uint systems = shaper.ribbonSystems & systemsOf(tileCount, waveCount);
+    uint systems = shaper.ribbonSystems & querySystems;
     for (uint bits = systems; bits != 0; bits &= bits - 1)
     {
         systems &= slotOf(findLSB(bits)) < SW_QUERY_RIBBON_SYSTEMS ? ~0u : ~(1u << findLSB(bits));
@@ -545,7 +503,7 @@ uint ribbonSystemsOf(Shaper shaper, uint tileCount, uint waveCount)
 // Adds waves along splines. Groups of free waves go round the lanes.
 void addRibbonWater(Shaper shaper, uint tileCount, uint waveCount, uint lane, vec4 cubic, inout Sum sum)
 {
-    uint systems = ribbonSystemsOf(shaper, tileCount, waveCount);
+    uint systems = ribbonSystemsOf(shaper);
     for (; systems != 0; systems &= systems - 1)
     {
         uint system = findLSB(systems);
@@ -658,7 +616,8 @@ struct Search
     float bestSquare;
     vec2 bestOffset;
     Sum best;
-    Sum raised; // best with what displaces heights where they are, see raise()
+    Sum raised;    // best with what displaces heights where they are
+    bool hasPlace; // the level and the flow at the place are known
     Smooth part;
 };
 
@@ -672,6 +631,8 @@ Search beginSearch(Place place)
     search.reach = 1.0;
     search.bestSquare = 3e38;
     search.bestOffset = vec2(0.0);
+    search.best = NO_WATER;
+    search.hasPlace = false;
     search.part.tileCount = 0;
     return search;
 }
@@ -742,12 +703,6 @@ Sum addSearched(inout Search search, uint lane)
     return sum;
 }
 
-// A lane's part of what inputs say for the tried offset.
-void askSearched(Search search, uint lane)
-{
-    askInputs(search.cell, search.place, search.place + search.offset, lane);
-}
-
 // Takes in the surface at the tried offset and chooses the next. False when done.
 bool advance(inout Search search, Sum sum)
 {
@@ -773,39 +728,257 @@ bool advance(inout Search search, Sum sum)
     return search.bestSquare > params.water.toleranceSquare && search.iteration < params.water.maxIterations;
 }
 
-// Where inputs displace the water: the sum of the waves at the tried offset once those have joined it that follow them.
-Sum displaced(Search search, Sum sum)
+// ---- what inputs are asked ----
+
+// Compilers write out all shapes wherever an input is sampled, and they are most of a query's code. So inputs are
+// sampled in one place, answer(), and a lane asks there for one thing after the other: `what` it is, where, and what it
+// begins with, which answers join. An element of placeValues is asked for as ASK_ELEMENTS and its number.
+#define ASK_WAVES 0u  // what follows the waves joins their sum at rest
+#define ASK_RATE 1u   // the same of a rate of displacement: inputs stand still, so only what scales the waves counts
+#define ASK_HEIGHT 2u // what stays put changes the height where that has brought the particle
+#define ASK_HOLE 3u   // how far the edge of holes is
+#define ASK_ELEMENTS 4u
+#define ASK_END (ASK_ELEMENTS + ASKED_SYSTEMS + SW_LIMIT_SYSTEMS)
+
+struct Ask
 {
-    if (WITH_DISPLACEMENT)
+    uint what, field, system;
+    SeaPlace place;
+    swDisplaceRange range;
+    swInputChannel level; // of still water, for ASK_HEIGHT
+    float y;              // of the surface, m above sea level, for ASK_HOLE
+    swWaveLooks said;     // so far; of a height or a distance the first number
+};
+
+bool hasSay(Ask ask, swInputRecord record)
+{
+    if (WITH_DISPLACEMENT && ask.field == SW_FIELD_OF_DISPLACEMENT)
     {
-        swInputValue value =
-            swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(xAlongZOf(sum), sum.alongZ, 0.0));
-        value = displacedAt(seaPlaceAt(search.cell, search.place + search.offset),
-                            swDisplaceRange(params.water.minWavelength, 0.0, 0.0), value);
-        return Sum(value.value.xyz, value.alongX.xyz, value.alongZ.yz, value.alongZ.x - value.alongX.z);
+        return swIsDisplacing(record, ask.range, ask.what != ASK_HEIGHT) && swDoesJoinPart(record, ask.range);
     }
-    return sum;
+    return swHasSay(record, ask.system);
 }
 
-// And the height that was found once the others have joined it, before anyone reads it.
-void raise(inout Search search)
+// What a record says in its own coordinates, but for its weight; of one whose waves run along its spline their foot.
+swLookSay sayOf(swInputRecord record, vec2 own)
 {
-    if (WITH_DISPLACEMENT)
+    swLookSay say;
+    say.waves.foot = swBeginFoot();
+    say.waves.share = swKeepChannel(0.0);
+    if (WITH_RIBBONS && swRunsAlong(record))
     {
-        Sum sum = search.best;
-        vec2 x = sum.alongX.xz, z = vec2(xAlongZOf(sum), sum.alongZ.y);
-        SeaPlace place = seaPlaceAt(search.cell, search.place + search.bestOffset + sum.value.xz);
-        vec3 level = askedOf(ASKED_PLACE_LEVEL);
-        swInputChannel before = heightByPlace(sum.value.y, vec2(sum.alongX.y, sum.alongZ.x), x, z);
-        swInputChannel after = raisedAt(place, swDisplaceRange(params.water.minWavelength, 0.0, 0.0),
-                                        swMakeChannel(level.x, level.y, level.z), before);
-        vec2 slope = slopeByRest(before, after, x, z);
-        sum.value.y = after.value;
-        sum.alongX.y += slope.x;
-        sum.alongZ.x += slope.y;
-        search.raised = sum;
+        say.waves = swFindRibbonWaves(record.firstWord, record, own.x, own.y);
+        say.says = swSayRibbonWaves(record, say.waves);
+    }
+    else
+    {
+        say.says = swSampleShape(record.firstWord, record, vec3(own.x, -record.size.w, own.y));
+    }
+    return say;
+}
+
+void join(inout Ask ask, swInputRecord record)
+{
+    vec2 own = swPlaceInInput(record, ask.place.cell.x, ask.place.cell.y, ask.place.rest.x, ask.place.rest.y);
+    if (ask.what == ASK_HOLE && swHasClipEdge(record.shape))
+    {
+        ask.said.plain.value.x = swJoinClipEdge(ask.said.plain.value.x, record.firstWord, record, own.x, ask.y, own.y);
+        return;
+    }
+    swLookSay say = sayOf(record, own);
+    if (ask.what == ASK_HOLE)
+    {
+        ask.said.plain.value.x = swJoinClipValue(ask.said.plain.value.x, record, own.x, own.y, say.says);
+        return;
+    }
+    say.says = swFinishInputSample(record, say.says);
+    if (WITH_DISPLACEMENT && ask.what == ASK_HEIGHT)
+    {
+        swInputChannel height =
+            swMakeChannel(firstOf(ask.said.plain).x, firstOf(ask.said.plain).y, firstOf(ask.said.plain).z);
+        height = swDisplaceHeight(record, height, ask.level, say.says);
+        ask.said.plain.value.x = height.value;
+        ask.said.plain.alongX.x = height.alongX;
+        ask.said.plain.alongZ.x = height.alongZ;
+        return;
+    }
+    if (WITH_DISPLACEMENT && ask.field == SW_FIELD_OF_DISPLACEMENT)
+    {
+        say.says = swSampleOfPart(record, ask.range, say.says);
+    }
+    ask.said = swJoinLooks(record.firstWord, record, ask.system, ask.said, say);
+}
+
+// The one place where inputs are sampled.
+void answer(inout Ask ask)
+{
+    uint i = findInput(ask.field, ask.place.cell, ask.place.cell, 0);
+    while (i != SW_NO_RECORD)
+    {
+        swInputRecord record = inputRecords[i];
+        if (hasSay(ask, record))
+        {
+            join(ask, record);
+        }
+        i = findInput(ask.field, ask.place.cell, ask.place.cell, i + 1);
     }
 }
+
+// Whether an element of placeValues is asked for where the search is. `systems` are those that inputs weigh there. Of
+// the flow both numbers come at once.
+bool isAsked(Search search, uint systems, uint element)
+{
+    if (element >= ASKED_SYSTEMS)
+    {
+        return (systems >> (element - ASKED_SYSTEMS) & 1u) != 0;
+    }
+    bool isOfPlace = element == ASKED_PLACE_LEVEL || element == ASKED_PLACE_FLOW;
+    bool isOfFlow = element == ASKED_FLOW_X || (WITH_PLACE_FLOW && element == ASKED_PLACE_FLOW);
+    return (!isOfPlace || !search.hasPlace) && (element < ASKED_FLOW_X || (WITH_FLOW && isOfFlow));
+}
+
+// The next element from `what` on that a lane asks for, of every fourth one; or ASK_END.
+uint nextElement(Search search, uint systems, uint what)
+{
+    while (what < ASK_END && !isAsked(search, systems, what - ASK_ELEMENTS))
+    {
+        what += SW_QUERY_LANES;
+    }
+    return min(what, ASK_END);
+}
+
+// Systems that inputs weigh where the search tries.
+uint weighedSystems(Search search)
+{
+    return areSystemsWeighted(seaPlaceAt(search.cell, search.place + search.offset)) ? querySystems : 0u;
+}
+
+Ask askNothing(uint what)
+{
+    Ask ask;
+    ask.what = what;
+    ask.system = SW_ALL_SYSTEMS;
+    ask.range = swDisplaceRange(params.water.minWavelength, 0.0, 0.0);
+    ask.level = swKeepChannel(0.0);
+    ask.y = 0.0;
+    ask.said.ribbons = swBeginLooks();
+    return ask;
+}
+
+Ask askElement(Search search, uint what)
+{
+    uint element = what - ASK_ELEMENTS;
+    Ask ask = askNothing(what);
+    ask.field = element < ASKED_FLOOR     ? SW_FIELD_OF_LEVEL
+                : element == ASKED_FLOOR  ? SW_FIELD_OF_FLOOR
+                : element < ASKED_SYSTEMS ? SW_FIELD_OF_FLOW
+                                          : SW_FIELD_OF_WAVES;
+    ask.system = element - ASKED_SYSTEMS;
+    bool isOfPlace = element == ASKED_PLACE_LEVEL || element == ASKED_PLACE_FLOW;
+    ask.place = seaPlaceAt(search.cell, isOfPlace ? search.place : search.place + search.offset);
+    ask.said.plain = swGetFieldBelow(ask.field);
+    bool isLocal = ask.field == SW_FIELD_OF_WAVES && isLocalSystem(ask.system);
+    ask.said.plain.value.x = isLocal ? 0.0 : ask.said.plain.value.x;
+    return ask;
+}
+
+void keep(uint element, vec3 value)
+{
+    placeValues[element][gl_LocalInvocationIndex / SW_QUERY_LANES] = value;
+}
+
+// Keeps an element, and looks at a system's waves.
+void keepElement(Ask ask)
+{
+    uint element = ask.what - ASK_ELEMENTS;
+    keep(element, element == ASKED_PLACE_FLOW ? ask.said.plain.value.xyz : firstOf(ask.said.plain));
+    if (element == ASKED_FLOW_X)
+    {
+        keep(ASKED_FLOW_Z, secondOf(ask.said.plain));
+    }
+    bool isKept = WITH_RIBBONS && ask.field == SW_FIELD_OF_WAVES && (inputHead.ribbonSystems >> ask.system & 1u) != 0;
+    if (isKept && slotOf(ask.system) < SW_QUERY_RIBBON_SYSTEMS)
+    {
+        keepLook(slotOf(ask.system) * 8, ask.said.ribbons.first);
+        keepLook(slotOf(ask.system) * 8 + 4, ask.said.ribbons.second);
+    }
+}
+
+// The sum of the waves at the tried offset, for inputs to join that follow them.
+Ask askWaves(Search search, Sum sum)
+{
+    Ask ask = askNothing(ASK_WAVES);
+    ask.field = SW_FIELD_OF_DISPLACEMENT;
+    ask.place = seaPlaceAt(search.cell, search.place + search.offset);
+    ask.said.plain = swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(xAlongZOf(sum), sum.alongZ, 0.0));
+    return ask;
+}
+
+Sum sumOf(Ask ask)
+{
+    swInputValue value = ask.said.plain;
+    return Sum(value.value.xyz, value.alongX.xyz, value.alongZ.yz, value.alongZ.x - value.alongX.z);
+}
+
+// A rate of the displacement of what was found. None of the inputs' own displacement is of this part of the waves.
+Ask askRate(Search search, vec3 rate)
+{
+    Ask ask = askNothing(ASK_RATE);
+    ask.field = SW_FIELD_OF_DISPLACEMENT;
+    ask.range.shortest = 3e38;
+    ask.place = seaPlaceAt(search.cell, search.place + search.bestOffset);
+    ask.said.plain = swInputValue(vec4(rate, 0.0), vec4(0.0), vec4(0.0));
+    return ask;
+}
+
+// The height of what was found, by the place where it is.
+swInputChannel heightOf(Sum sum)
+{
+    return heightByPlace(sum.value.y, vec2(sum.alongX.y, sum.alongZ.x), sum.alongX.xz,
+                         vec2(xAlongZOf(sum), sum.alongZ.y));
+}
+
+vec2 foundPlace(Search search)
+{
+    return search.place + search.bestOffset + search.best.value.xz;
+}
+
+Ask askHeight(Search search)
+{
+    Ask ask = askNothing(ASK_HEIGHT);
+    vec3 level = askedOf(ASKED_PLACE_LEVEL);
+    swInputChannel height = heightOf(search.best);
+    ask.field = SW_FIELD_OF_DISPLACEMENT;
+    ask.place = seaPlaceAt(search.cell, foundPlace(search));
+    ask.level = swMakeChannel(level.x, level.y, level.z);
+    ask.said.plain =
+        swInputValue(vec4(height.value, vec3(0.0)), vec4(height.alongX, vec3(0.0)), vec4(height.alongZ, vec3(0.0)));
+    return ask;
+}
+
+// What was found, with the height that inputs make of it.
+Sum raisedBy(Ask ask, Sum found)
+{
+    vec3 raised = firstOf(ask.said.plain);
+    swInputChannel after = swMakeChannel(raised.x, raised.y, raised.z);
+    vec2 slope = slopeByRest(heightOf(found), after, found.alongX.xz, vec2(xAlongZOf(found), found.alongZ.y));
+    found.value.y = after.value;
+    found.alongX.y += slope.x;
+    found.alongZ.x += slope.y;
+    return found;
+}
+
+Ask askHole(SeaPlace place, float y)
+{
+    Ask ask = askNothing(ASK_HOLE);
+    ask.field = SW_FIELD_OF_CLIP;
+    ask.place = place;
+    ask.y = y;
+    ask.said.plain = swInputValue(vec4(SW_CLIP_FAR, vec3(0.0)), vec4(0.0), vec4(0.0));
+    return ask;
+}
+
+// ---- what was found ----
 
 // What was found, as the surface stands on its level. Chain rule: the level is a function of where particles are,
 // derivatives are by where they rest.

@@ -21,6 +21,14 @@
 #define SW_CARRY_ABS abs
 #endif
 
+// Of a speed of the water, what it is beside that of the flow that is the same everywhere and carries all waves. Where
+// nothing else flows it is 0, also where the sum was rounded in another way.
+SW_FORMULA float swGetCarriedSpeed(float speed, float even)
+{
+    float beside = speed - even;
+    return SW_CARRY_ABS(beside) <= 1e-6f * SW_CARRY_ABS(even) ? 0.0f : beside;
+}
+
 // Periods of the waves in a period of the copies: copies are half a wavelength apart where the flow has a quarter of
 // the waves' speed, beyond which waves cannot run against it.
 #define SW_CARRY_WAVES 4.0f

@@ -97,24 +97,21 @@ SW_FORMULA float swClipEdgeDistance(SW_WORDS words, swInputRecord record, float 
     return swSolidDistance(words, record, x, y - record.size.w, z);
 }
 
-// What the distance is once a record has joined it. `x` and `z` are own coordinates, `y` is the height of the surface
-// above sea level.
-SW_FORMULA float swJoinClip(float below, SW_WORDS words, swInputRecord record, float x, float y, float z)
+// What the distance is once a record has joined it whose shape has an edge of its own. `x` and `z` are own coordinates,
+// `y` is the height of the surface above sea level.
+SW_FORMULA float swJoinClipEdge(float below, SW_WORDS words, swInputRecord record, float x, float y, float z)
 {
-    if (swHasClipEdge(record.shape))
+    if (record.weight <= 0.5f)
     {
-        if (record.weight <= 0.5f)
-        {
-            return below;
-        }
-        float distance = swClipEdgeDistance(words, record, x, y, z);
-        return record.value.x * record.weight > 0.5f ? swSolidLeast(below, distance) : swSolidMost(below, -distance);
+        return below;
     }
-    sw_vec3 own;
-    own.x = x;
-    own.y = y - record.size.w;
-    own.z = z;
-    swInputSample s = swSampleShape(words, record, own);
+    float distance = swClipEdgeDistance(words, record, x, y, z);
+    return record.value.x * record.weight > 0.5f ? swSolidLeast(below, distance) : swSolidMost(below, -distance);
+}
+
+// The same of any other shape, by what swSampleShape() says there.
+SW_FORMULA float swJoinClipValue(float below, swInputRecord record, float x, float z, swInputSample s)
+{
     s.share = s.share * record.weight;
     s.shareX = s.shareX * record.weight;
     s.shareZ = s.shareZ * record.weight;
@@ -127,5 +124,19 @@ SW_FORMULA float swJoinClip(float below, SW_WORDS words, swInputRecord record, f
         leaves = swSolidMost(leaves, rim);
     }
     return s.value.x > 0.0f ? swSolidLeast(below, cuts) : swSolidMost(below, -leaves);
+}
+
+// Of all shapes.
+SW_FORMULA float swJoinClip(float below, SW_WORDS words, swInputRecord record, float x, float y, float z)
+{
+    if (swHasClipEdge(record.shape))
+    {
+        return swJoinClipEdge(below, words, record, x, y, z);
+    }
+    sw_vec3 own;
+    own.x = x;
+    own.y = y - record.size.w;
+    own.z = z;
+    return swJoinClipValue(below, record, x, z, swSampleShape(words, record, own));
 }
 #endif

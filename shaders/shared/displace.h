@@ -35,22 +35,34 @@ SW_FORMULA bool swIsOfPart(swInputRecord record, swDisplaceRange range)
     return (range.shortest <= 0.0f || length > range.shortest) && (range.longest <= 0.0f || length <= range.longest);
 }
 
-// At rest: the waves' displacement and its derivatives, once a record has joined them.
-SW_FORMULA swInputValue swDisplaceAtRest(swInputRecord record, swDisplaceRange range, swInputValue waves,
-                                         swInputSample s)
+// At rest: whether a record joins this part of the waves. Which of two is greater is for the whole to say.
+SW_FORMULA bool swDoesJoinPart(swInputRecord record, swDisplaceRange range)
 {
     bool isPart = range.shortest > 0.0f || range.longest > 0.0f;
-    if (isPart && (record.blend == SW_JOIN_MIN || record.blend == SW_JOIN_MAX))
-    {
-        return waves; // which of the two is greater is for the whole to say
-    }
+    return !isPart || (record.blend != SW_JOIN_MIN && record.blend != SW_JOIN_MAX);
+}
+
+// What of it joins.
+SW_FORMULA swInputSample swSampleOfPart(swInputRecord record, swDisplaceRange range, swInputSample s)
+{
     if (!swIsOfPart(record, range) && record.blend != SW_JOIN_MULTIPLY)
     {
         s.value = swNoValue();
         s.valueX = swNoValue();
         s.valueZ = swNoValue();
     }
-    return swBlendInput(record, waves, s);
+    return s;
+}
+
+// The waves' displacement and its derivatives, once a record has joined them at rest.
+SW_FORMULA swInputValue swDisplaceAtRest(swInputRecord record, swDisplaceRange range, swInputValue waves,
+                                         swInputSample s)
+{
+    if (!swDoesJoinPart(record, range))
+    {
+        return waves;
+    }
+    return swBlendInput(record, waves, swSampleOfPart(record, range, s));
 }
 
 // Where a particle is: its height above still water, once a record has joined it. `level` is that of still water there,

@@ -122,21 +122,25 @@ SW_PARAMS(swWaveLooks)
     swRibbonLooks ribbons;
 };
 
-// A record of waves that has a say in a system's joins them, at a place in cells.
-SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint system, swWaveLooks looks,
-                                   sw_int cellX, sw_int cellZ, float restX, float restZ)
+// What a record says at a place: finished, and of one whose waves run along its spline the foot that counts, found once
+// for what is taken from below and for what is added.
+SW_PARAMS(swLookSay)
 {
-    bool isAlong = swRunsAlong(record);
-    sw_vec2 across = swPlaceInInput(record, cellX, cellZ, restX, restZ);
+    swInputSample says;
     swRibbonWaves waves;
-    waves.foot = swBeginFoot();
-    waves.share = swKeepChannel(0.0f);
-    swInputSample s;
-    if (isAlong)
+};
+
+SW_FORMULA swLookSay swSampleLook(SW_WORDS words, swInputRecord record, sw_int cellX, sw_int cellZ, float restX,
+                                  float restZ)
+{
+    sw_vec2 across = swPlaceInInput(record, cellX, cellZ, restX, restZ);
+    swLookSay say;
+    say.waves.foot = swBeginFoot();
+    say.waves.share = swKeepChannel(0.0f);
+    if (swRunsAlong(record))
     {
-        // Found once, for what is taken from below and for what is added.
-        waves = swFindRibbonWaves(words, record, across.x, across.y);
-        s = swFinishInputSample(record, swSayRibbonWaves(record, waves));
+        say.waves = swFindRibbonWaves(words, record, across.x, across.y);
+        say.says = swSayRibbonWaves(record, say.waves);
     }
     else
     {
@@ -144,8 +148,18 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint
         own.x = across.x;
         own.y = -record.size.w;
         own.z = across.y;
-        s = swFinishInputSample(record, swSampleShape(words, record, own));
+        say.says = swSampleShape(words, record, own);
     }
+    say.says = swFinishInputSample(record, say.says);
+    return say;
+}
+
+// A record that has a say in a field, of waves in those of a system, joins what is below it.
+SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint system, swWaveLooks looks,
+                                   swLookSay say)
+{
+    bool isAlong = swRunsAlong(record);
+    swInputSample s = say.says;
     if (s.share <= 0.0f)
     {
         return looks;
@@ -167,7 +181,7 @@ SW_FORMULA swWaveLooks swJoinLooks(SW_WORDS words, swInputRecord record, sw_uint
     {
         return looks;
     }
-    looks.ribbons = swLookAlong(words, record, looks.ribbons, waves);
+    looks.ribbons = swLookAlong(words, record, looks.ribbons, say.waves);
     return looks;
 }
 #endif

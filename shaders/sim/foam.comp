@@ -65,7 +65,7 @@ vec2 upstreamOf(ivec3 at, swFoamSliceParams slice)
     }
     vec2 velocity = vec2(slice.currentX, slice.currentZ);
     vec4 slopes = vec4(0.0);
-    if (WITH_FLOW && (blocks[fieldBlockOf(gl_WorkGroupID, uint(resolution))].flags & SW_BLOCK_FLOWS) != 0)
+    if (WITH_FLOW && (blocks[fieldBlockOf(gl_WorkGroupID, uint(resolution))].foam & SW_BLOCK_CARRIES_FOAM) != 0)
     {
         velocity += imageLoad(flow, at).xy;
         slopes = imageLoad(flowSlopes, at);

@@ -91,7 +91,7 @@ vec2 upstreamOf(ivec3 at)
     }
     vec2 velocity = vec2(params.currentX, params.currentZ);
     vec4 slopes = vec4(0.0);
-    if (WITH_FLOW && (blocks[blockHere()].flags & SW_BLOCK_FLOWS) != 0)
+    if (WITH_FLOW && (blocks[blockHere()].foam & SW_BLOCK_CARRIES_FOAM) != 0)
     {
         velocity += imageLoad(flow, at).xy;
         slopes = imageLoad(flowSlopes, at);
@@ -111,7 +111,7 @@ float birthAt(ivec3 at)
         vec4 place = imageLoad(places, at);
         return swFindShoreBirth(swFindShoreDistance(place.x, place.y, place.z), params.shoreWidth, params.shoreRate);
     }
-    if (!WITH_INPUTS || blocks[blockHere()].hasFoam == 0)
+    if (!WITH_INPUTS || (blocks[blockHere()].foam & SW_BLOCK_MAKES_FOAM) == 0)
     {
         return 0.0;
     }

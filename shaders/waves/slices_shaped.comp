@@ -141,7 +141,7 @@ bool doesCarry()
 Flow flowAt(uint column, uint row)
 {
     ivec3 texel = ivec3(column, row, gl_WorkGroupID.z);
-    return Flow(imageLoad(flow, texel).xy, imageLoad(flowSlopes, texel));
+    return besideEven(Flow(imageLoad(flow, texel).xy, imageLoad(flowSlopes, texel)));
 }
 
 // Adds waves of one shape.

@@ -27,6 +27,12 @@ bool swHasFile(const char* path)
     return file != NULL;
 }
 
+bool swIsDevice(const char* path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
 static swResult growText(const swHost* host, swFileText* text)
 {
     size_t capacity = text->capacity > 0 ? 2 * text->capacity : FIRST_CAPACITY;

@@ -26,6 +26,9 @@ void swFreeText(const swHost* host, swFileText* text);
 // Whether there is a file that can be opened for reading.
 bool swHasFile(const char* path);
 
+// Whether a path leads to what has no end of its own, such as a pipe or /dev/zero.
+bool swIsDevice(const char* path);
+
 // Whether two paths lead to one file or folder that is there, however they are spelled.
 bool swIsSameFile(const char* a, const char* b);
 

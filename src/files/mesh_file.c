@@ -7,6 +7,7 @@
 #include "core/base/host.h"
 #include "core/base/misuse.h"
 #include "files/file_text.h"
+#include "files/polygon_ears.h"
 #include "seaway/files.h"
 
 swMeshFileDef swDefaultMeshFileDef(void)
@@ -31,6 +32,7 @@ typedef struct MeshFile
     swVec3* vertices;
     uint32_t* indices;
     float* values;
+    int crossedCount; // faces of more than three corners that cannot be divided for sure
 } MeshFile;
 
 // What Assimp takes a file for depends on its name, so only such names are passed on.
@@ -67,13 +69,35 @@ static const struct aiScene* import(const char* path)
         return NULL;
     }
     aiSetImportPropertyInteger(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const struct aiScene* scene =
-        aiImportFileExWithProperties(path,
-                                     aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices |
-                                         aiProcess_ValidateDataStructure,
-                                     NULL, properties);
+    const struct aiScene* scene = aiImportFileExWithProperties(
+        path, aiProcess_SortByPType | aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure, NULL,
+        properties);
     aiReleasePropertyStore(properties);
     return scene;
+}
+
+// Assimp's own triangles of concave faces may lie outside of them.
+static swResult countTriangles(const MeshFile* file, const struct aiMesh* mesh, size_t* triangles)
+{
+    for (unsigned i = 0; i < mesh->mNumFaces; ++i)
+    {
+        const struct aiFace* face = &mesh->mFaces[i];
+        if (face->mNumIndices > SW_MAX_FACE_CORNERS)
+        {
+            return swFail(file->host, SW_ERROR_LIMIT, "%s has a face of %u corners; at most %d are read. Divide it.",
+                          file->path, face->mNumIndices, SW_MAX_FACE_CORNERS);
+        }
+        for (unsigned k = 0; k < face->mNumIndices; ++k)
+        {
+            if (face->mNumIndices < 3 || face->mIndices[k] >= mesh->mNumVertices)
+            {
+                return swFail(file->host, SW_ERROR_FORMAT, "%s has a face %u that is not made of its vertices.",
+                              file->path, i);
+            }
+        }
+        *triangles += face->mNumIndices > 2 ? face->mNumIndices - 2 : 0;
+    }
+    return SW_SUCCESS;
 }
 
 static swResult count(MeshFile* file)
@@ -84,8 +108,12 @@ static swResult count(MeshFile* file)
     {
         const struct aiMesh* mesh = file->scene->mMeshes[i];
         vertices += mesh->mNumVertices;
-        triangles += mesh->mNumFaces;
         hasColors = hasColors && mesh->mColors[0] != NULL;
+        swResult result = countTriangles(file, mesh, &triangles);
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
     }
     if (triangles == 0 || vertices == 0)
     {
@@ -109,49 +137,60 @@ static swVec3 place(const MeshFile* file, struct aiVector3D v)
     return isZUp ? (swVec3){scale * v.x, scale * v.z, -scale * v.y} : (swVec3){scale * v.x, scale * v.y, scale * v.z};
 }
 
-static swResult keepMesh(MeshFile* file, const struct aiMesh* mesh, uint32_t firstVertex, uint32_t* indices)
+// The triangles of a face. Returns where the next ones go.
+static uint32_t* keepFace(MeshFile* file, const struct aiFace* face, uint32_t firstVertex, uint32_t* indices)
 {
-    for (unsigned i = 0; i < mesh->mNumVertices; ++i)
+    int corners = (int)face->mNumIndices;
+    if (corners == 3)
     {
-        file->vertices[firstVertex + i] = place(file, mesh->mVertices[i]);
-        if (file->channelCount > 0)
+        for (int k = 0; k < 3; ++k)
         {
-            struct aiColor4D c = mesh->mColors[0][i];
-            memcpy(file->values + 4 * (size_t)(firstVertex + i), (float[]){c.r, c.g, c.b, c.a}, 4 * sizeof(float));
+            indices[k] = firstVertex + face->mIndices[k];
         }
+        return indices + 3;
     }
-    for (unsigned i = 0; i < mesh->mNumFaces; ++i)
+    swVec3 places[SW_MAX_FACE_CORNERS];
+    for (int k = 0; k < corners; ++k)
     {
-        const struct aiFace* face = &mesh->mFaces[i];
-        for (unsigned k = 0; k < 3; ++k)
-        {
-            if (face->mNumIndices != 3 || face->mIndices[k] >= mesh->mNumVertices)
-            {
-                return swFail(file->host, SW_ERROR_FORMAT, "%s has a face %u that is no triangle of its vertices.",
-                              file->path, i);
-            }
-            indices[3 * i + k] = firstVertex + face->mIndices[k];
-        }
+        places[k] = file->vertices[firstVertex + face->mIndices[k]];
     }
-    return SW_SUCCESS;
+    file->crossedCount += !swDivideFace(corners, places, indices);
+    for (int k = 0; k < 3 * (corners - 2); ++k)
+    {
+        indices[k] = firstVertex + face->mIndices[indices[k]];
+    }
+    return indices + 3 * (corners - 2);
 }
 
-static swResult keepMeshes(MeshFile* file)
+static void keepMeshes(MeshFile* file)
 {
     uint32_t vertex = 0;
     uint32_t* indices = file->indices;
     for (unsigned i = 0; i < file->scene->mNumMeshes; ++i)
     {
         const struct aiMesh* mesh = file->scene->mMeshes[i];
-        swResult result = keepMesh(file, mesh, vertex, indices);
-        if (result != SW_SUCCESS)
+        for (unsigned k = 0; k < mesh->mNumVertices; ++k)
         {
-            return result;
+            file->vertices[vertex + k] = place(file, mesh->mVertices[k]);
+            if (file->channelCount > 0)
+            {
+                struct aiColor4D c = mesh->mColors[0][k];
+                memcpy(file->values + 4 * (size_t)(vertex + k), (float[]){c.r, c.g, c.b, c.a}, 4 * sizeof(float));
+            }
+        }
+        for (unsigned k = 0; k < mesh->mNumFaces; ++k)
+        {
+            indices = keepFace(file, &mesh->mFaces[k], vertex, indices);
         }
         vertex += mesh->mNumVertices;
-        indices += 3 * (size_t)mesh->mNumFaces;
     }
-    return SW_SUCCESS;
+    if (file->crossedCount > 0)
+    {
+        swLog(file->host, SW_LOG_WARNING,
+              "%s has %d faces of more than three corners that cross themselves or have no area; what they cover is a "
+              "guess. Divide them into triangles.",
+              file->path, file->crossedCount);
+    }
 }
 
 static swResult make(MeshFile* file, swMesh** mesh)
@@ -166,11 +205,7 @@ static swResult make(MeshFile* file, swMesh** mesh)
     {
         return swFail(file->host, SW_ERROR_NO_MEMORY, "No memory for the triangles of %s.", file->path);
     }
-    swResult result = keepMeshes(file);
-    if (result != SW_SUCCESS)
-    {
-        return result;
-    }
+    keepMeshes(file);
     swMeshDef def = swDefaultMeshDef();
     def.name = file->path;
     def.highest = file->def->highest;
@@ -180,7 +215,7 @@ static swResult make(MeshFile* file, swMesh** mesh)
     def.triangleCount = file->triangleCount;
     def.values = file->values;
     def.channelCount = file->channelCount;
-    result = swCreateMesh(file->host, &def, mesh);
+    swResult result = swCreateMesh(file->host, &def, mesh);
     return result == SW_ERROR_INVALID ? SW_ERROR_FORMAT : result;
 }
 

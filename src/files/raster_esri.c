@@ -92,6 +92,12 @@ static swResult readKey(EsriGrid* esri, swToken key)
     if (isKey(key, "nodata_value"))
     {
         esri->hasMissing = true;
+        if (swHasPrefix(&esri->text, "nan") || swHasPrefix(&esri->text, "NaN"))
+        {
+            esri->missing = (double)NAN;
+            esri->text.at += 3;
+            return SW_SUCCESS;
+        }
         return swReadNumber(&esri->text, "NODATA_value", false, &esri->missing);
     }
     if (isKey(key, "dx") || isKey(key, "cellsize"))
@@ -134,6 +140,13 @@ static swResult readHeading(EsriGrid* esri)
             break;
         }
         result = readKey(esri, swNextToken(&esri->text));
+        if (result == SW_SUCCESS && swPeekChar(&esri->text) != '\0')
+        {
+            result = swFail(esri->text.host, SW_ERROR_FORMAT,
+                            "%s:%d: a line of the heading is a key and a number, and nothing behind them; decimals "
+                            "follow a point, not a comma.",
+                            esri->text.name, esri->text.line);
+        }
         if (result != SW_SUCCESS)
         {
             return result;
@@ -186,7 +199,8 @@ static swResult readCell(EsriGrid* esri, float* value)
         return swFail(text->host, SW_ERROR_FORMAT, "%s:%d: '%.*s' should be a height.", text->name, text->line,
                       token.size, token.text);
     }
-    *value = esri->hasMissing && number == esri->missing ? NAN : (float)number;
+    bool isMissing = esri->hasMissing && (number == esri->missing || (float)number == (float)esri->missing);
+    *value = isMissing ? NAN : (float)number;
     return SW_SUCCESS;
 }
 

@@ -163,6 +163,10 @@ swResult swReadRaster(const swHost* host, const char* path, const swRasterFileDe
     {
         return result;
     }
+    if (swIsDevice(path))
+    {
+        return swFail(host, SW_ERROR_FILE, "Cannot read %s: it is a pipe or a device, and no file.", path);
+    }
     if (def->rawWidth > 0)
     {
         return swReadRawGrid(host, path, def, raster);

@@ -99,8 +99,9 @@ static void warnOfLatitudes(const swRasterGrid* grid)
     double north = grid->north.first + grid->north.spacing * (grid->north.end - 1);
     double here = cos(grid->originNorth * DEGREE);
     double off = fmax(fabs(cos(south * DEGREE) / here - 1.0), fabs(cos(north * DEGREE) / here - 1.0));
-    double west = grid->east.first + grid->east.spacing * grid->east.begin;
-    double east = grid->east.first + grid->east.spacing * (grid->east.end - 1);
+    const swRasterAxis* axis = swGetKeptEast(grid);
+    double west = axis->first + axis->spacing * axis->begin;
+    double east = axis->first + axis->spacing * (axis->end - 1);
     double reach = fmax(fabs(west - grid->originEast), fabs(east - grid->originEast)) * grid->metresEast;
     if (off > LATITUDE_SLACK)
     {
@@ -121,9 +122,16 @@ swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
     {
         return result;
     }
-    crop(&grid->east, grid->originEast, grid->metresEast, def->west, def->east);
+    swFindRasterRing(grid);
+    swRasterAxis* east = grid->isRing ? &grid->ring : &grid->east;
+    crop(east, grid->originEast, grid->metresEast, def->west, def->east);
+    if (grid->isRing)
+    {
+        grid->east.begin = 0;
+        grid->east.end = grid->ring.count;
+    }
     crop(&grid->north, grid->originNorth, grid->metresNorth, -def->south, -def->north); // z is south
-    int width = grid->east.end - grid->east.begin, height = grid->north.end - grid->north.begin;
+    int width = east->end - east->begin, height = grid->north.end - grid->north.begin;
     if (width < 1 || height < 1)
     {
         return swFail(
@@ -131,8 +139,7 @@ swResult swPlaceRasterGrid(swRasterGrid* grid, char unit)
             "%s has no cell between x = %g and %g, z = %g and %g m; it reaches from x = %g to %g and from z = "
             "%g to %g.",
             grid->name, def->west, def->east, def->north, def->south,
-            grid->metresEast * (grid->east.first - grid->originEast),
-            grid->metresEast * (getEnd(&grid->east) - grid->originEast),
+            grid->metresEast * (east->first - grid->originEast), grid->metresEast * (getEnd(east) - grid->originEast),
             -grid->metresNorth * (getEnd(&grid->north) - grid->originNorth),
             -grid->metresNorth * (grid->north.first - grid->originNorth));
     }
@@ -255,17 +262,23 @@ swResult swMakeGridRaster(const swRasterGrid* grid, float* values, swRaster** ra
         swapRows(grid, values);
     }
     scaleCells(grid, values);
+    swResult result = grid->isRing ? swTurnRingRows(grid, values) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    const swRasterAxis* east = swGetKeptEast(grid);
     swRasterDef def = swDefaultRasterDef();
     def.name = grid->name;
-    def.width = grid->east.end - grid->east.begin;
+    def.width = east->end - east->begin;
     def.height = grid->north.end - grid->north.begin;
-    def.spacingX = grid->metresEast * grid->east.spacing;
+    def.spacingX = grid->metresEast * east->spacing;
     def.spacingZ = grid->metresNorth * grid->north.spacing;
-    double west = grid->east.first + grid->east.spacing * grid->east.begin;
+    double west = east->first + east->spacing * east->begin;
     double north = grid->north.first + grid->north.spacing * (grid->north.end - 1);
     def.x = grid->metresEast * (west - grid->originEast);
     def.z = -grid->metresNorth * (north - grid->originNorth);
     def.values = values;
-    swResult result = swCreateRaster(grid->host, &def, raster);
+    result = swCreateRaster(grid->host, &def, raster);
     return result == SW_ERROR_INVALID ? SW_ERROR_FORMAT : result;
 }

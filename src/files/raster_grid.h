@@ -20,7 +20,10 @@ typedef struct swRasterGrid
     const swHost* host;
     const char* name; // for messages
     const swRasterFileDef* def;
-    swRasterAxis east, north;
+    swRasterAxis east, north; // as the file has them
+    bool isRing;              // columns go all the way round, and what is kept runs over the file's seam:
+    swRasterAxis ring;        // the axis of what is kept, beginning at the file's column ringFirst
+    int ringFirst;
     bool isDegrees;
     bool isDepth;
     bool isNorthFirst; // the values run from north to south
@@ -56,7 +59,25 @@ void swFreeCells(const swRasterGrid* grid, float* values);
 // Longitudes in the order of a file that run over 180 or 360 degrees: each at most half a turn from the one before.
 void swUnwrapLongitudes(double* places, size_t count);
 
-// Kept cells.
+// Raster columns that go all the way round the earth, where the wanted ones run over both ends of a row. Readers read
+// whole rows then (`east` keeps all columns but those that stand twice), and swTurnRingRows() puts them in order.
+void swFindRasterRing(swRasterGrid* grid);
+swResult swTurnRingRows(const swRasterGrid* grid, float* values);
+
+// The axis towards the east of what is kept.
+static inline const swRasterAxis* swGetKeptEast(const swRasterGrid* grid)
+{
+    return grid->isRing ? &grid->ring : &grid->east;
+}
+
+// What one of a unit is: metres of a length, metres a second of a speed, 1 of what is no unit. NaN if it is not known.
+double swFindRasterUnit(const char* text);
+
+// The same for the values of a file. One that is not known counts as 1, which the log tells. So does any where the def
+// has a scale of its own: the host has looked.
+double swKnowRasterUnit(const swRasterGrid* grid, const char* text);
+
+// Cells that are read.
 static inline size_t swCountGridCells(const swRasterGrid* grid)
 {
     return (size_t)(grid->east.end - grid->east.begin) * (size_t)(grid->north.end - grid->north.begin);

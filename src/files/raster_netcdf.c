@@ -23,6 +23,8 @@ typedef struct NetcdfGrid
     bool isEastFirst;                 // the first dimension is x
     bool isFalling[2];                // of east and north
     char unit;
+    double size;        // metres of one of the values' units
+    double least, most; // what the file says that its values lie between
 } NetcdfGrid;
 
 static bool isAxis(const swNetcdfFile* file, const swNetcdfVariable* axis, bool isEast)
@@ -34,12 +36,20 @@ static bool isAxis(const swNetcdfFile* file, const swNetcdfVariable* axis, bool 
     return swIsOneOf(name, isEast ? easts : norths);
 }
 
+// The last two dimensions; those before them, such as a time, have one place each.
 static bool findAxes(NetcdfGrid* reader, const swNetcdfVariable* variable, swNetcdfVariable axes[2], bool* isEastFirst)
 {
     static const char* const none[] = {NULL};
-    if (variable->dimensionCount != 2 ||
-        !swFindNetcdfCoordinate(&reader->file, variable->dimensions[0], none, &axes[0]) ||
-        !swFindNetcdfCoordinate(&reader->file, variable->dimensions[1], none, &axes[1]))
+    int first = variable->dimensionCount - 2;
+    for (int i = 0; i < first; ++i)
+    {
+        if (swGetNetcdfLength(&reader->file, variable->dimensions[i]) != 1)
+        {
+            return false;
+        }
+    }
+    if (first < 0 || !swFindNetcdfCoordinate(&reader->file, variable->dimensions[first], none, &axes[0]) ||
+        !swFindNetcdfCoordinate(&reader->file, variable->dimensions[first + 1], none, &axes[1]))
     {
         return false;
     }
@@ -113,6 +123,25 @@ static bool isLongitude(const NetcdfGrid* reader, const swNetcdfVariable* axis)
     return strncmp(unit, "deg", 3) == 0 || (unit[0] == '\0' && strncmp(name, "lon", 3) == 0);
 }
 
+// Metres of one of an axis' units, 1 of degrees and where nothing is said.
+static swResult findAxisSize(NetcdfGrid* reader, const swNetcdfVariable* axis, const char* side, double* size)
+{
+    char unit[64];
+    swGetNetcdfText(&reader->file, axis->id, "units", true, unit, sizeof(unit));
+    double known = swFindRasterUnit(unit);
+    *size = known > 0.0 ? known : 1.0;
+    bool isMetric = known > 0.0 || strncmp(unit, "met", 3) == 0 || strncmp(unit, "deg", 3) == 0;
+    if (!isMetric && reader->grid.def->coordinates == SW_RASTER_BY_FILE)
+    {
+        return swFail(reader->file.host, SW_ERROR_FORMAT,
+                      "%s: the axis towards the %s counts in '%s', which is neither a length nor degrees that are "
+                      "known here; convert it, or say by swRasterFileDef::coordinates (in scenes coordinates) what it "
+                      "counts.",
+                      reader->file.name, side, unit);
+    }
+    return SW_SUCCESS;
+}
+
 static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, bool isEast)
 {
     const swHost* host = reader->file.host;
@@ -134,6 +163,12 @@ static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, b
     {
         swUnwrapLongitudes(places, count);
     }
+    double size = 1.0;
+    result = result != SW_SUCCESS ? result : findAxisSize(reader, variable, side, &size);
+    for (size_t i = 0; i < count && size != 1.0; ++i)
+    {
+        places[i] *= size;
+    }
     double step = count > 1 ? (places[count - 1] - places[0]) / (double)(count - 1) : 1.0;
     if (result == SW_SUCCESS && !(isfinite(places[0]) && isfinite(step) && step != 0.0))
     {
@@ -153,14 +188,54 @@ static void findUnits(NetcdfGrid* reader)
     char unit[64], positive[64];
     const swNetcdfVariable* east = &reader->axes[reader->isEastFirst ? 0 : 1];
     swGetNetcdfText(&reader->file, east->id, "units", true, unit, sizeof(unit));
-    reader->unit = strncmp(unit, "deg", 3) == 0                             ? 'd'
-                   : strcmp(unit, "m") == 0 || strncmp(unit, "met", 3) == 0 ? 'm'
-                                                                            : 0;
+    bool isMetric =
+        strncmp(unit, "met", 3) == 0 || (unit[0] != '\0' && strcmp(unit, "1") != 0 && swFindRasterUnit(unit) > 0.0);
+    reader->unit = strncmp(unit, "deg", 3) == 0 ? 'd' : isMetric ? 'm' : 0;
     char name[257];
     swGetNetcdfVariableName(&reader->file, east->id, name);
     reader->unit = reader->unit == 0 && (strncmp(name, "lon", 3) == 0) ? 'd' : reader->unit;
     swGetNetcdfText(&reader->file, reader->values.id, "positive", true, positive, sizeof(positive));
     reader->grid.isDepth = reader->grid.def->isDepth || strcmp(positive, "down") == 0;
+    swGetNetcdfText(&reader->file, reader->values.id, "units", true, unit, sizeof(unit));
+    reader->size = swKnowRasterUnit(&reader->grid, unit);
+}
+
+static bool getRange(const NetcdfGrid* reader, const char* attribute, size_t count, double* numbers)
+{
+    nc_type type = NC_NAT;
+    size_t length = 0;
+    int file = reader->file.id, variable = reader->values.id;
+    return nc_inq_att(file, variable, attribute, &type, &length) == NC_NOERR && length == count && type != NC_CHAR &&
+           type <= NC_UINT64 && type != NC_STRING && nc_get_att_double(file, variable, attribute, numbers) == NC_NOERR;
+}
+
+// valid_range, or valid_min and valid_max: what lies outside is not known. They count as the values are stored, but
+// for those of whole numbers that are given as floats.
+static void findRange(NetcdfGrid* reader)
+{
+    double range[2] = {-(double)INFINITY, (double)INFINITY};
+    reader->least = range[0];
+    reader->most = range[1];
+    const char* attribute = "valid_range";
+    if (!getRange(reader, attribute, 2, range))
+    {
+        bool hasLeast = getRange(reader, "valid_min", 1, &range[0]);
+        bool hasMost = getRange(reader, "valid_max", 1, &range[1]);
+        if (!hasLeast && !hasMost)
+        {
+            return;
+        }
+        attribute = hasLeast ? "valid_min" : "valid_max";
+    }
+    nc_type stored = NC_NAT, type = NC_NAT;
+    nc_inq_vartype(reader->file.id, reader->values.id, &stored);
+    nc_inq_atttype(reader->file.id, reader->values.id, attribute, &type);
+    bool isMeant = (type == NC_FLOAT || type == NC_DOUBLE) && stored != NC_FLOAT && stored != NC_DOUBLE;
+    double scale = isMeant ? 1.0 : reader->values.scale, offset = isMeant ? 0.0 : reader->values.offset;
+    double a = offset + scale * range[0], b = offset + scale * range[1];
+    double slack = 1e-6 * fabs(scale);
+    reader->least = fmin(a, b) - slack;
+    reader->most = fmax(a, b) + slack;
 }
 
 // From the file's order of rows to south first, west first.
@@ -179,7 +254,9 @@ static void keepRows(const NetcdfGrid* reader, size_t firstRow, size_t rowCount,
         {
             size_t column = isColumnFalling ? columnCount - 1 - j : j;
             size_t at = reader->isEastFirst ? column * width + row : row * width + column;
-            values[at] = (float)block[i * columnCount + j];
+            double value = block[i * columnCount + j];
+            bool isKnown = value >= reader->least && value <= reader->most;
+            values[at] = isKnown ? (float)(reader->size == 1.0 ? value : reader->size * value) : NAN;
         }
     }
 }
@@ -198,9 +275,16 @@ static swResult readRows(NetcdfGrid* reader, double* block, float* values)
     for (size_t first = 0; first < rowCount; first += ROWS_AT_ONCE)
     {
         size_t part = rowCount - first < ROWS_AT_ONCE ? rowCount - first : ROWS_AT_ONCE;
-        size_t start[2] = {getStart(rows, reader->isFalling[reader->isEastFirst ? 0 : 1]) + first,
-                           getStart(columns, reader->isFalling[reader->isEastFirst ? 1 : 0])};
-        size_t count[2] = {part, (size_t)(columns->end - columns->begin)};
+        size_t start[SW_NETCDF_MAX_DIMENSIONS] = {0}, count[SW_NETCDF_MAX_DIMENSIONS];
+        int last = reader->values.dimensionCount - 1;
+        for (int i = 0; i < last - 1; ++i)
+        {
+            count[i] = 1;
+        }
+        start[last - 1] = getStart(rows, reader->isFalling[reader->isEastFirst ? 0 : 1]) + first;
+        start[last] = getStart(columns, reader->isFalling[reader->isEastFirst ? 1 : 0]);
+        count[last - 1] = part;
+        count[last] = (size_t)(columns->end - columns->begin);
         swResult result = swReadNetcdfBlock(&reader->file, &reader->values, start, count, block);
         if (result != SW_SUCCESS)
         {
@@ -243,6 +327,7 @@ static swResult read(NetcdfGrid* reader, swRaster** raster)
         return result;
     }
     findUnits(reader);
+    findRange(reader);
     result = swPlaceRasterGrid(&reader->grid, reader->unit);
     return result != SW_SUCCESS ? result : readCells(reader, raster);
 }

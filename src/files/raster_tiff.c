@@ -16,10 +16,12 @@
 #define TAG_TIE_POINTS 33922
 #define TAG_TRANSFORMATION 34264
 #define TAG_GEO_KEYS 34735
-#define TAG_NO_DATA 42113 // GDAL's
+#define TAG_METADATA 42112 // GDAL's, as the next
+#define TAG_NO_DATA 42113
 
 #define KEY_MODEL_TYPE 1024
 #define KEY_RASTER_TYPE 1025
+#define KEY_PROJECTION 3072
 #define KEY_LINEAR_UNITS 3076
 #define UNIT_METRE 9001
 
@@ -30,10 +32,12 @@ typedef struct TiffGrid
     char message[200];
     uint32_t width, height;
     uint16_t bits, format, samples;
-    bool isPoint; // a pixel's place is its middle
+    bool isPoint;      // a pixel's place is its middle
+    bool isSouthFirst; // the rows run northwards
     char unit;
     double noData;
     bool hasNoData;
+    double scale, offset; // a number n of the file means offset + scale n
 } TiffGrid;
 
 // libtiff's own complaints, of which the first is told.
@@ -97,6 +101,18 @@ static int findKey(const uint16_t* keys, uint32_t count, int key)
     return -1;
 }
 
+// Web Mercator's metres are longer than real ones by 1 over the cosine of the latitude.
+static void warnOfProjection(const TiffGrid* reader, int projection)
+{
+    if (projection == 3857 || projection == 3785)
+    {
+        swLog(reader->grid.host, SW_LOG_WARNING,
+              "%s is in Web Mercator (EPSG %d), whose metres are no true ones away from the equator: twice as long at "
+              "60 degrees north. Warp it to UTM or to degrees first.",
+              reader->grid.name, projection);
+    }
+}
+
 static swResult readKeys(TiffGrid* reader)
 {
     uint32_t count = 0;
@@ -115,6 +131,7 @@ static swResult readKeys(TiffGrid* reader)
             "%s has coordinates of unit %d (EPSG); only metres (9001) and degrees are read. Convert it first.",
             reader->grid.name, unit);
     }
+    warnOfProjection(reader, findKey(keys, count, KEY_PROJECTION));
     return SW_SUCCESS;
 }
 
@@ -135,16 +152,17 @@ static swResult readPlace(TiffGrid* reader, double spacing[2], double first[2])
     }
     else if (turn != NULL && turnCount >= 16)
     {
-        if (turn[1] != 0.0 || turn[4] != 0.0 || !(turn[5] < 0.0))
+        if (turn[1] != 0.0 || turn[4] != 0.0 || !(turn[5] != 0.0))
         {
             return swFail(reader->grid.host, SW_ERROR_FORMAT,
                           "%s is turned against north; a raster's rows run eastwards. Warp it first.",
                           reader->grid.name);
         }
+        reader->isSouthFirst = turn[5] > 0.0;
         spacing[0] = turn[0];
-        spacing[1] = -turn[5];
+        spacing[1] = fabs(turn[5]);
         first[0] = turn[3] + half * turn[0];
-        first[1] = turn[7] + half * turn[5];
+        first[1] = turn[7] + turn[5] * (half + (reader->isSouthFirst ? reader->height - 1.0 : 0.0));
     }
     return SW_SUCCESS;
 }
@@ -164,6 +182,91 @@ static void readNoData(TiffGrid* reader)
     reader->hasNoData = end != copy;
 }
 
+// What stands between `begin` and the next '<' in GDAL's XML, in lower case; false if it does not fit.
+static bool copyItem(const char* begin, const char* end, char* text, size_t size)
+{
+    size_t count = 0;
+    while (begin + count < end && begin[count] != '<')
+    {
+        count += 1;
+    }
+    for (size_t i = 0; i < count && count < size; ++i)
+    {
+        char c = begin[i] >= 'A' && begin[i] <= 'Z' ? (char)(begin[i] - 'A' + 'a') : begin[i];
+        text[i] = c == '-' || c == '_' ? ' ' : c;
+    }
+    text[count < size ? count : 0] = '\0';
+    return count > 0 && count < size;
+}
+
+// An item of the first channel with a role, such as <Item name="SCALE" sample="0" role="scale">0.1</Item>.
+static bool findItem(const char* xml, const char* role, char* text, size_t size)
+{
+    const char* all = xml + strlen(xml);
+    for (const char* item = strstr(xml, "<Item "); item != NULL; item = strstr(item + 1, "<Item "))
+    {
+        const char* close = strchr(item, '>');
+        const char* sample = strstr(item, "sample=\"0\"");
+        const char* found = strstr(item, role);
+        if (close != NULL && sample != NULL && sample < close && found != NULL && found < close)
+        {
+            return copyItem(close + 1, all, text, size);
+        }
+    }
+    return false;
+}
+
+// GDAL writes scale, offset and unit of the numbers into a tag of its own.
+static swResult readMetadata(TiffGrid* reader)
+{
+    uint32_t count = 0;
+    const char* tag = findTag(reader->tiff, TAG_METADATA, TIFF_ASCII, &count);
+    reader->scale = 1.0;
+    if (tag == NULL || count == 0)
+    {
+        return SW_SUCCESS;
+    }
+    char* xml = swAllocate(reader->grid.host, (size_t)count + 1);
+    if (xml == NULL)
+    {
+        return swFail(reader->grid.host, SW_ERROR_NO_MEMORY, "No memory for a tag of %s.", reader->grid.name);
+    }
+    memcpy(xml, tag, count);
+    xml[count] = '\0';
+    char text[64];
+    reader->scale = findItem(xml, "role=\"scale\"", text, sizeof(text)) ? strtod(text, NULL) : 1.0;
+    reader->offset = findItem(xml, "role=\"offset\"", text, sizeof(text)) ? strtod(text, NULL) : 0.0;
+    if (findItem(xml, "role=\"unittype\"", text, sizeof(text)))
+    {
+        double size = swKnowRasterUnit(&reader->grid, text);
+        reader->scale *= size;
+        reader->offset *= size;
+    }
+    swFree(reader->grid.host, xml, (size_t)count + 1);
+    return SW_SUCCESS;
+}
+
+// A second image may say which pixels are known.
+static void warnOfMask(TiffGrid* reader)
+{
+    bool hasMask = false;
+    while (TIFFReadDirectory(reader->tiff) != 0 && !hasMask)
+    {
+        uint32_t kind = 0;
+        TIFFGetField(reader->tiff, TIFFTAG_SUBFILETYPE, &kind);
+        hasMask = (kind & FILETYPE_MASK) != 0;
+    }
+    if (hasMask)
+    {
+        swLog(reader->grid.host, SW_LOG_WARNING,
+              "%s has a mask of the pixels that are known, which is not read: all count. Write a number for unknown "
+              "ones into it, as gdalwarp -dstnodata does.",
+              reader->grid.name);
+    }
+    reader->message[0] = '\0';
+    TIFFSetDirectory(reader->tiff, 0);
+}
+
 static bool isKnownSample(const TiffGrid* reader)
 {
     bool isFloat = reader->format == SAMPLEFORMAT_IEEEFP;
@@ -176,6 +279,7 @@ static swResult readHeading(TiffGrid* reader)
 {
     TIFF* tiff = reader->tiff;
     uint16_t planes = PLANARCONFIG_CONTIG;
+    warnOfMask(reader);
     if (!TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &reader->width) ||
         !TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &reader->height))
     {
@@ -199,6 +303,7 @@ static swResult readHeading(TiffGrid* reader)
     swResult result = readKeys(reader);
     result = result != SW_SUCCESS ? result : readPlace(reader, spacing, first);
     readNoData(reader);
+    result = result != SW_SUCCESS ? result : readMetadata(reader);
     return result != SW_SUCCESS
                ? result
                : swPlaceImageGrid(&reader->grid, (int)reader->width, (int)reader->height, spacing, first, reader->unit);
@@ -230,7 +335,9 @@ static float decode(const TiffGrid* reader, const unsigned char* at)
                  : reader->bits == 16 ? (isSigned ? (double)i16 : (double)u16)
                                       : (isSigned ? (double)i32 : (double)u32);
     }
-    return reader->hasNoData && number == reader->noData ? NAN : (float)number;
+    bool isScaled = reader->scale != 1.0 || reader->offset != 0.0;
+    bool isMissing = reader->hasNoData && (number == reader->noData || (float)number == (float)reader->noData);
+    return isMissing ? NAN : (float)(isScaled ? reader->offset + reader->scale * number : number);
 }
 
 // A piece of the image, whose first pixel is at (column, row), into what is kept of it.
@@ -246,6 +353,7 @@ static void keepPiece(const TiffGrid* reader, const unsigned char* bytes, uint32
         for (uint32_t i = 0; i < pieceWidth; ++i)
         {
             int x = (int)(column + i), y = (int)(row + j);
+            y = reader->isSouthFirst ? (int)reader->height - 1 - y : y;
             if (x >= grid->east.begin && x < grid->east.end && y >= rows.first && y < rows.end)
             {
                 values[(size_t)(y - rows.first) * width + (size_t)(x - grid->east.begin)] =
@@ -255,9 +363,17 @@ static void keepPiece(const TiffGrid* reader, const unsigned char* bytes, uint32
     }
 }
 
-static swResult readStrips(TiffGrid* reader, unsigned char* bytes, float* values)
+// The rows that are kept, as the file counts them.
+static swImageRows getFileRows(const TiffGrid* reader)
 {
     swImageRows rows = swGetImageRows(&reader->grid);
+    int height = (int)reader->height;
+    return reader->isSouthFirst ? (swImageRows){height - rows.end, height - rows.first} : rows;
+}
+
+static swResult readStrips(TiffGrid* reader, unsigned char* bytes, float* values)
+{
+    swImageRows rows = getFileRows(reader);
     for (uint32_t row = 0; row < (uint32_t)rows.end; ++row) // some compressions know no other order
     {
         if (TIFFReadScanline(reader->tiff, bytes, row, 0) < 0)
@@ -272,7 +388,7 @@ static swResult readStrips(TiffGrid* reader, unsigned char* bytes, float* values
 static swResult readTiles(TiffGrid* reader, unsigned char* bytes, float* values)
 {
     const swRasterGrid* grid = &reader->grid;
-    swImageRows rows = swGetImageRows(grid);
+    swImageRows rows = getFileRows(reader);
     uint32_t width = 0, height = 0;
     TIFFGetField(reader->tiff, TIFFTAG_TILEWIDTH, &width);
     TIFFGetField(reader->tiff, TIFFTAG_TILELENGTH, &height);

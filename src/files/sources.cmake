@@ -4,10 +4,13 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/file_text.c
     ${CMAKE_CURRENT_LIST_DIR}/measured_file.c
     ${CMAKE_CURRENT_LIST_DIR}/mesh_file.c
+    ${CMAKE_CURRENT_LIST_DIR}/polygon_ears.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_esri.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_file.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_grid.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_raw.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_ring.c
+    ${CMAKE_CURRENT_LIST_DIR}/raster_units.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_write.c
     ${CMAKE_CURRENT_LIST_DIR}/raster_xyz.c)
 

@@ -33,6 +33,8 @@ SW_REMARK(LEVEL_OVER_BODY, "level_over_body", WARNING,
           "give the body a higher order than the input")
 SW_REMARK(FAST_FLOW, "fast_flow", WARNING, "an input gives a current of more than 10 m/s, faster than any at sea",
           "give its value in m/s")
+SW_REMARK(FAST_MOTION, "fast_motion", WARNING, "an input moves by more than 50 m/s, faster than any ship",
+          "give its velocity in m/s, or its path more time")
 SW_REMARK(WIND_OF_QUERIES, "wind_of_queries", INFO,
           "an input of wind changes what queries answer, and neither waves nor whitecaps",
           "list waves that follow a map of the wind under wind_seas")

@@ -81,7 +81,10 @@ static swResult readBody(swYaml* yaml, yaml_node_t* node, const swSceneReader* r
                                                                "the body of water has no points; give it its shore."));
     result = swKeepFailure(result, checkLook(yaml, &mapping, reader->scene, body->def.look));
     yaml_node_t* tide = swGetYamlNode(&mapping, "tide");
-    result = tide != NULL ? swKeepFailure(result, swReadTide(yaml, tide, false, body->def.tide)) : result;
+    const float height = (float)body->def.position.y;
+    const swTideReader tideReader = {
+        .reader = reader, .value = &height, .constituents = body->def.tide, .table = &body->tide};
+    result = tide != NULL ? swKeepFailure(result, swReadTide(yaml, tide, &tideReader)) : result;
     return waves != NULL ? swKeepFailure(result, swReadWavesNumber(yaml, waves, reader->scene, &body->waves)) : result;
 }
 
@@ -115,6 +118,7 @@ void swFreeWaterBodies(swScene* scene)
     {
         swSceneWaterBody* body = &scene->waterBodies[i];
         swFree(&scene->host, body->points, (size_t)body->pointCount * sizeof(swVec2));
+        swFreeTide(&scene->host, &body->tide);
     }
     swFree(&scene->host, scene->waterBodies, (size_t)scene->waterBodyCount * sizeof(swSceneWaterBody));
     swFree(&scene->host, scene->looks, (size_t)scene->lookCount * sizeof(swWaterDef));
@@ -130,6 +134,7 @@ swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* s
     for (int i = 0; i < scene->waterBodyCount; ++i)
     {
         swWaterBodyDef def = scene->waterBodies[i].def;
+        def.position.y = swSceneWaterBody_GetLevel(&scene->waterBodies[i], swWorld_GetTime(world));
         def.waves = scene->waterBodies[i].waves >= 0 ? sea->systems[scene->waterBodies[i].waves] : def.waves;
         swResult own = swCreateWaterBody(world, &def, &sea->waterBodies[i]);
         int line = scene->waterBodies[i].line;

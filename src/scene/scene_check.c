@@ -34,6 +34,7 @@ static const struct
 
 #define LEAST_HEIGHT 1e-6f // m; waves lower than that are none
 #define FAST 10.0f         // m/s
+#define FASTEST_SHIP 50.0f // m/s
 #define FEW_CELLS 4
 #define FEW_TEXELS 128
 #define NARROW_BODY 2.0f // m
@@ -212,20 +213,33 @@ static bool hasHeight(swInputShape shape)
            shape == SW_SHAPE_CAPSULE || shape == SW_SHAPE_HULL;
 }
 
+static bool isTilted(const swSceneInput* input)
+{
+    const swAngles *own = &input->def.rotation, *rate = &input->motion.turnRate;
+    bool isEver = own->pitch != 0.0f || own->roll != 0.0f || rate->pitch != 0.0f || rate->roll != 0.0f;
+    for (int i = 0; i < input->motion.pathCount; ++i)
+    {
+        isEver = isEver || input->motion.path[i].turned.pitch != 0.0f || input->motion.path[i].turned.roll != 0.0f;
+    }
+    return isEver;
+}
+
 static bool bringsValues(swInputShape shape)
 {
     return shape == SW_SHAPE_RASTER || shape == SW_SHAPE_SPLINE || shape == SW_SHAPE_MESH ||
            shape == SW_SHAPE_FUNCTION || shape == SW_SHAPE_POLYLINE || shape == SW_SHAPE_PARTICLES;
 }
 
-static bool saysNothing(const swInputDef* def)
+static bool saysNothing(const swSceneInput* input)
 {
+    const swInputDef* def = &input->def;
     bool isZero = def->value[0] == 0.0f && def->value[1] == 0.0f && def->value[2] == 0.0f && def->value[3] == 0.0f;
     for (int i = 0; i < SW_MAX_TIDE; ++i)
     {
         isZero = isZero && def->tide[i].amplitude == 0.0f && def->tide[i].amplitudeAcross == 0.0f;
     }
-    return def->weight <= 0.0f || (def->blend == SW_BLEND_ADD && isZero && !bringsValues(def->shape));
+    return def->weight <= 0.0f ||
+           (def->blend == SW_BLEND_ADD && isZero && input->tide.count == 0 && !bringsValues(def->shape));
 }
 
 // An input after this one that leaves nothing of what is below it.
@@ -292,11 +306,12 @@ static void checkInput(Checker* checker, int index)
         Remark remark;
     } found[] = {
         {!def->isEnabled, REMARK_DISABLED_INPUT},
-        {def->isEnabled && saysNothing(def), REMARK_EMPTY_INPUT},
-        {!hasHeight(def->shape) && (def->rotation.pitch != 0.0f || def->rotation.roll != 0.0f), REMARK_TILTED_INPUT},
+        {def->isEnabled && saysNothing(input), REMARK_EMPTY_INPUT},
+        {!hasHeight(def->shape) && isTilted(input), REMARK_TILTED_INPUT},
         {isCovered(checker->scene, index), REMARK_COVERED_INPUT},
-        {isOverBody(checker->scene, def) && !saysNothing(def), REMARK_LEVEL_OVER_BODY},
+        {isOverBody(checker->scene, def) && !saysNothing(input), REMARK_LEVEL_OVER_BODY},
         {def->field == SW_INPUT_FLOW && speed > FAST, REMARK_FAST_FLOW},
+        {swSceneMotion_GetSpeed(&input->motion) > FASTEST_SHIP, REMARK_FAST_MOTION},
         {def->field == SW_INPUT_WIND, REMARK_WIND_OF_QUERIES},
         {hasSpareChannels(def, &raster), REMARK_SPARE_CHANNELS},
         {raster.frames > 1 && def->framesPerSecond == 0.0f, REMARK_STANDING_FRAMES},

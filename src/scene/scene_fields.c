@@ -93,7 +93,7 @@ static const swField rasterFields[] = {
     SW_NUMBER(def.offset, "m", SW_WITHIN(-1e6, 1e6), 0.0, .key = "offset_m", .label = "offset",
               .tip = "A number n of the file is offset plus scale times n"),
     SW_NUMBER(def.scale, "m", SW_WITHIN(-1e6, 1e6), 1.0, .key = "scale_m", .label = "scale"),
-    SW_NUMBER(def.missing, "", SW_WITHIN(-1e30, 1e30), (double)NAN, .key = "missing", .label = "missing",
+    SW_NUMBER(def.missing, "", SW_WITHIN(-3.5e38, 3.5e38), (double)NAN, .key = "missing", .label = "missing",
               .tip = "The number by which the file means that nothing is known"),
     SW_NUMBER(def.spacingEast, "", SW_ABOVE(0.0, 1e6), (double)NAN, .key = "spacing_east", .label = "spacing east",
               .tip = "Of images and files without a heading, in the file's coordinates"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inputs of a scene file, and in its world.
+// Inputs of a scene file.
 
 #include "scene/scene_inputs.h"
 
@@ -223,16 +223,50 @@ static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene
     return nest != NULL ? swKeepFailure(result, readNest(yaml, nest, scene, keys->input)) : result;
 }
 
+// A key that only some inputs can have.
+static swResult refuseKey(swYaml* yaml, const yaml_node_t* node, const char* key, const char* where)
+{
+    return swFailYaml(yaml, node, SW_MISTAKE_NO_EFFECT, "%s has %s; remove it.", key, where);
+}
+
 // The tide of a level or a flow.
-static swResult readTide(swYaml* yaml, const InputKeys* keys)
+static swResult readTide(swYaml* yaml, const InputKeys* keys, const swSceneReader* reader)
 {
     swInputDef* def = &keys->input->def;
-    yaml_node_t* tide = swGetYamlNode(&keys->mapping, "tide");
-    if (tide != NULL && def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    yaml_node_t* node = swGetYamlNode(&keys->mapping, "tide");
+    const swTideReader tide = {.reader = reader,
+                               .isFlow = def->field == SW_INPUT_FLOW,
+                               .value = def->value,
+                               .constituents = def->tide,
+                               .table = &keys->input->tide};
+    if (node == NULL)
     {
-        return swFailYaml(yaml, tide, SW_MISTAKE_NO_EFFECT, "tide has an effect on level and flow alone; remove it.");
+        return SW_SUCCESS;
     }
-    return tide != NULL ? swReadTide(yaml, tide, def->field == SW_INPUT_FLOW, def->tide) : SW_SUCCESS;
+    if (def->field != SW_INPUT_LEVEL && def->field != SW_INPUT_FLOW)
+    {
+        return refuseKey(yaml, node, "tide", "an effect on level and flow alone");
+    }
+    swResult result = swReadTide(yaml, node, &tide);
+    return result == SW_SUCCESS && keys->input->tide.count > 0 && hasKey(keys, "nest")
+               ? swFailYaml(yaml, node, SW_MISTAKE_CONFLICT, "a tide by a table stands beside nest; remove one.")
+               : result;
+}
+
+static swResult readMotion(swYaml* yaml, const InputKeys* keys)
+{
+    yaml_node_t* node = swGetYamlNode(&keys->mapping, "motion");
+    const swFields* fields = swGetInputFields();
+    if (node == NULL)
+    {
+        return SW_SUCCESS;
+    }
+    if (!swFields_Counts(fields, swFields_Find(fields, "position"), &keys->input->def))
+    {
+        return refuseKey(yaml, node, "motion", "no effect on what is everywhere");
+    }
+    return hasKey(keys, "nest") ? swFailYaml(yaml, node, SW_MISTAKE_CONFLICT, "motion stands beside nest; remove one.")
+                                : swReadMotion(yaml, node, &keys->input->motion);
 }
 
 static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader, int index)
@@ -246,14 +280,12 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     swBeginYamlMapping(&keys.mapping, "an input");
     swAddYamlKey(&keys.mapping, "value", swKeepYamlNode);
     swAddYamlFields(&keys.mapping, swGetInputFields(), 0, "inputs");
-    swAddYamlKey(&keys.mapping, "waves", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "raster", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "nest", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "mesh", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "hull", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "spline", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "tide", swKeepYamlNode);
-    swAddYamlKey(&keys.mapping, "points", swKeepYamlNode);
+    static const char* const others[] = {"waves",  "raster", "nest",   "mesh",  "hull",
+                                         "spline", "tide",   "points", "motion"};
+    for (size_t i = 0; i < sizeof(others) / sizeof(others[0]); ++i)
+    {
+        swAddYamlKey(&keys.mapping, others[i], swKeepYamlNode);
+    }
     swResult result = swReadYamlMapping(yaml, node, &keys.mapping, &input->def);
     if (node->type != YAML_MAPPING_NODE || swIsYamlOver(yaml, result))
     {
@@ -267,7 +299,6 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     result = swKeepFailure(result, checkKeys(yaml, node, &keys));
     result = swKeepFailure(result, readWaves(yaml, &keys, reader->scene));
     result = swKeepFailure(result, findResources(yaml, &keys, reader->scene));
-    result = swKeepFailure(result, readTide(yaml, &keys));
     yaml_node_t *value = swGetYamlNode(&keys.mapping, "value"), *points = swGetYamlNode(&keys.mapping, "points");
     if (value != NULL)
     {
@@ -275,6 +306,8 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
             swKeepFailure(result, swReadYamlNumbers(yaml, value, "value", swInputField_CountNumbers(input->def.field),
                                                     input->def.value));
     }
+    result = swKeepFailure(result, readTide(yaml, &keys, reader));
+    result = swKeepFailure(result, readMotion(yaml, &keys));
     return points != NULL ? swKeepFailure(result, readPoints(yaml, points, input)) : result;
 }
 
@@ -360,129 +393,11 @@ void swFreeInputs(swScene* scene)
     {
         swSceneInput* input = &scene->inputs[i];
         swFree(&scene->host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
+        swFreeTide(&scene->host, &input->tide);
+        swFreeMotion(&scene->host, &input->motion);
         swFree(&scene->host, input->nest, input->nest != NULL ? SW_MAX_NEST * sizeof(*input->nest) : 0);
     }
     swFree(&scene->host, scene->inputs, (size_t)scene->inputCount * sizeof(swSceneInput));
     scene->inputCount = 0;
     scene->inputs = NULL;
-}
-
-// ---- in a world ----
-
-void swFreeSceneSeaInputs(swSceneSea* sea)
-{
-    swFree(&sea->host, sea->inputs, (size_t)sea->inputRoom * sizeof(swInputId));
-    swFree(&sea->host, sea->nested, (size_t)sea->nestedRoom * sizeof(swInputId));
-    swFree(&sea->host, sea->waterBodies, (size_t)sea->waterBodyRoom * sizeof(swWaterBodyId));
-    swFree(&sea->host, sea->windSeas, (size_t)sea->windSeaRoom * sizeof(swWindSea));
-    sea->inputs = sea->nested = NULL;
-    sea->waterBodies = NULL;
-    sea->windSeas = NULL;
-    sea->inputCount = sea->inputRoom = sea->nestedCount = sea->nestedRoom = 0;
-    sea->waterBodyCount = sea->waterBodyRoom = sea->windSeaCount = sea->windSeaRoom = 0;
-}
-
-// NULL for none; `isMissing` becomes true where there is no memory.
-static void* makeRoom(const swScene* scene, int count, size_t size, bool* isMissing)
-{
-    void* room = count > 0 ? swAllocateZero(&scene->host, (size_t)count * size) : NULL;
-    *isMissing = *isMissing || (count > 0 && room == NULL);
-    return room;
-}
-
-static swResult makeRoomForInputs(const swScene* scene, swSceneSea* sea)
-{
-    bool isMissing = false;
-    sea->host = scene->host;
-    sea->inputRoom = scene->inputCount;
-    sea->waterBodyRoom = scene->waterBodyCount;
-    sea->windSeaRoom = scene->windSeaCount;
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        sea->nestedRoom += scene->inputs[i].nestCount > 1 ? scene->inputs[i].nestCount - 1 : 0;
-    }
-    sea->inputs = makeRoom(scene, sea->inputRoom, sizeof(swInputId), &isMissing);
-    sea->nested = makeRoom(scene, sea->nestedRoom, sizeof(swInputId), &isMissing);
-    sea->waterBodies = makeRoom(scene, sea->waterBodyRoom, sizeof(swWaterBodyId), &isMissing);
-    sea->windSeas = makeRoom(scene, sea->windSeaRoom, sizeof(swWindSea), &isMissing);
-    return isMissing
-               ? swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for the inputs of the scene '%s'.", scene->name)
-               : SW_SUCCESS;
-}
-
-static swResult createInput(swWorld* world, const swSceneInput* input, swSceneSea* sea, swInputId* id)
-{
-    swInputDef def = input->def;
-    def.system = input->waves >= 0 ? sea->systems[input->waves] : def.system;
-    if (input->nest == NULL)
-    {
-        return swCreateInput(world, &def, id);
-    }
-    swInputId ids[SW_MAX_NEST];
-    swResult result = swCreateNest(world, &def, input->nestCount, input->nest, ids);
-    for (int i = 0; i < input->nestCount && result == SW_SUCCESS; ++i)
-    {
-        *(i == 0 ? id : &sea->nested[sea->nestedCount++]) = ids[i];
-    }
-    return result;
-}
-
-// All of them, so that each that is refused is told.
-static swResult createInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
-{
-    swResult result = SW_SUCCESS;
-    for (int i = 0; i < scene->inputCount; ++i)
-    {
-        sea->inputCount = i + 1;
-        int waves = scene->inputs[i].waves;
-        if (scene->inputs[i].isLeftOut || (waves >= 0 && SW_IS_NULL(sea->systems[waves])))
-        {
-            continue;
-        }
-        swResult own = createInput(world, &scene->inputs[i], sea, &sea->inputs[i]);
-        result = own != SW_SUCCESS ? swKeepFailure(result, swTellRefused(scene, own, scene->inputs[i].line, "input", i))
-                                   : result;
-    }
-    return result;
-}
-
-static void removeInputs(swWorld* world, int count, const swInputId* ids)
-{
-    for (int i = 0; i < count; ++i)
-    {
-        if (swInput_IsValid(world, ids[i]))
-        {
-            swDestroyInput(world, ids[i]);
-        }
-    }
-}
-
-static void removeAll(swWorld* world, swSceneSea* sea)
-{
-    removeInputs(world, sea->inputCount, sea->inputs);
-    removeInputs(world, sea->nestedCount, sea->nested);
-    for (int i = 0; i < sea->waterBodyCount; ++i)
-    {
-        if (swWaterBody_IsValid(world, sea->waterBodies[i]))
-        {
-            swDestroyWaterBody(world, sea->waterBodies[i]);
-        }
-    }
-    for (int i = 0; i < sea->windSeaCount; ++i)
-    {
-        swDestroyWindSea(world, &sea->windSeas[i]);
-    }
-}
-
-swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea)
-{
-    swResult result = makeRoomForInputs(scene, sea);
-    result = result == SW_SUCCESS ? swCreateSceneWindSeas(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? swCreateSceneBodies(world, scene, sea) : result;
-    result = result == SW_SUCCESS ? createInputs(world, scene, sea) : result;
-    if (result != SW_SUCCESS)
-    {
-        removeAll(world, sea);
-    }
-    return result;
 }

@@ -25,4 +25,6 @@ const swFields* swGetInputPointFields(void);  // of swInputPoint
 swResult swAddSceneInputs(swWorld* world, const swScene* scene, swSceneSea* sea);
 swResult swCreateSceneBodies(swWorld* world, const swScene* scene, swSceneSea* sea);
 swResult swCreateSceneWindSeas(swWorld* world, const swScene* scene, swSceneSea* sea);
+// Move those that move by themselves to where they are at a time.
+swResult swAdvanceSceneInputs(const swSceneSea* sea, double time);
 void swFreeSceneSeaInputs(swSceneSea* sea);

@@ -74,19 +74,27 @@ swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* m
                : SW_SUCCESS;
 }
 
-// A number of a list that is no field by itself.
-static swResult readNumber(swYaml* yaml, const yaml_node_t* node, const char* what, float* number)
+swResult swReadYamlNumber(swYaml* yaml, const yaml_node_t* node, const char* what, double most, double* number)
 {
     double value = 0.0;
     bool isNumber = node->type == YAML_SCALAR_NODE &&
                     swParseExactNumber((const char*)node->data.scalar.value, (int)node->data.scalar.length, &value);
-    if (!isNumber || !(value >= -1e6 && value <= 1e6))
+    if (!isNumber || !(value >= -most && value <= most))
     {
         return swFailYaml(yaml, node, isNumber ? SW_MISTAKE_OUT_OF_RANGE : SW_MISTAKE_WRONG_FORM,
-                          "%s must be a number from -1e+06 to 1e+06.", what);
+                          "%s must be a number from %g to %g.", what, -most, most);
     }
-    *number = (float)value;
+    *number = value;
     return SW_SUCCESS;
+}
+
+// A number of a list that is no field by itself.
+static swResult readNumber(swYaml* yaml, const yaml_node_t* node, const char* what, float* number)
+{
+    double value = 0.0;
+    swResult result = swReadYamlNumber(yaml, node, what, 1e6, &value);
+    *number = result == SW_SUCCESS ? (float)value : *number;
+    return result;
 }
 
 swResult swReadYamlNumbers(swYaml* yaml, yaml_node_t* node, const char* what, int wanted, float numbers[4])

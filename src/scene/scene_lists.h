@@ -31,6 +31,9 @@ swResult swCheckYamlName(swYaml* yaml, yaml_node_t* node, const swYamlMapping* m
 // One number, or a list of `wanted` (at most 4), which are no field by themselves.
 swResult swReadYamlNumbers(swYaml* yaml, yaml_node_t* node, const char* what, int wanted, float numbers[4]);
 
+// One number within +-most.
+swResult swReadYamlNumber(swYaml* yaml, const yaml_node_t* node, const char* what, double most, double* number);
+
 // The number of one of the scene's wave systems, from 1 on, as an index.
 swResult swReadWavesNumber(swYaml* yaml, yaml_node_t* node, const swScene* scene, int* waves);
 
@@ -50,8 +53,22 @@ void swJoinScenePath(const char* folder, const char* file, char path[SW_MAX_PATH
 swResult swReadHulls(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
 void swFreeHulls(swScene* scene);
 
-// scene_tide.c: the constituents of a level, or of a flow.
-swResult swReadTide(swYaml* yaml, yaml_node_t* node, bool isFlow, swTideConstituent tide[SW_MAX_TIDE]);
+// scene_tide.c: the constituents of a level, or of a flow; or a table, here or in a file.
+typedef struct swTideReader
+{
+    const swSceneReader* reader;
+    bool isFlow;
+    const float* value;              // that the table adds to
+    swTideConstituent* constituents; // [SW_MAX_TIDE]
+    swSceneTide* table;
+} swTideReader;
+
+swResult swReadTide(swYaml* yaml, yaml_node_t* node, const swTideReader* tide);
+void swFreeTide(const swHost* host, swSceneTide* tide);
+
+// scene_motion.c
+swResult swReadMotion(swYaml* yaml, yaml_node_t* node, swSceneMotion* motion);
+void swFreeMotion(const swHost* host, swSceneMotion* motion);
 
 // scene_wind_seas.c
 swResult swReadWindSeas(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);

@@ -92,6 +92,7 @@ void swFreeWindSeas(swScene* scene)
 
 swResult swCreateSceneWindSeas(swWorld* world, const swScene* scene, swSceneSea* sea)
 {
+    swResult result = SW_SUCCESS;
     for (int i = 0; i < scene->windSeaCount; ++i)
     {
         sea->windSeaCount = i + 1;
@@ -99,11 +100,9 @@ swResult swCreateSceneWindSeas(swWorld* world, const swScene* scene, swSceneSea*
         {
             continue;
         }
-        swResult result = swCreateWindSea(world, &scene->windSeas[i].def, &sea->windSeas[i]);
-        if (result != SW_SUCCESS)
-        {
-            return swTellRefused(scene, result, scene->windSeas[i].line, "wind sea", i);
-        }
+        swResult own = swCreateWindSea(world, &scene->windSeas[i].def, &sea->windSeas[i]);
+        int line = scene->windSeas[i].line;
+        result = own != SW_SUCCESS ? swKeepFailure(result, swTellRefused(scene, own, line, "wind sea", i)) : result;
     }
-    return SW_SUCCESS;
+    return result;
 }

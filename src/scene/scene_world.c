@@ -114,7 +114,7 @@ swResult swSceneSea_Advance(swSceneSea* sea, double time)
     {
         result = sea->replays[i] != NULL ? swSeaReplay_Advance(sea->replays[i], time) : SW_SUCCESS;
     }
-    return result;
+    return result == SW_SUCCESS ? swAdvanceSceneInputs(sea, time) : result;
 }
 
 void swDestroySceneSea(swSceneSea* sea)
@@ -155,6 +155,7 @@ swResult swOpenScene(const swHost* host, const swScene* scene, swWorld** world, 
     }
     swWorld_SetTime(made, scene->time);
     result = swCreateSceneSea(made, scene, sea);
+    result = result == SW_SUCCESS ? swAdvanceSceneInputs(sea, scene->time) : result;
     result = result == SW_SUCCESS ? swWorld_Step(made, 0.0) : result;
     if (result != SW_SUCCESS)
     {

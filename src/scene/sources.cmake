@@ -10,9 +10,11 @@ target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/scene_inputs.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_lists.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_measured.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_motion.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_octaves.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_read.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_resources.c
+    ${CMAKE_CURRENT_LIST_DIR}/scene_sea.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_source.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_stale.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_tide.c

@@ -19,6 +19,10 @@ ask() {
         END { exit !found }' out || fail "$what: $3 at $2 is not from $4 to $5"
 }
 
+ask harbour 150,-128 clip 0.9 1
+ask harbour -45,-86 clip 0.9 1
+ask harbour -120,-86 clip 0 0.1
+ask harbour 0,0 level_m -0.01 0.01
 ask main 60,420 depth_m -200 -20
 ask main 42,39 depth_m 5 45
 ask strait 0,0 flow_x_mps 3.19 3.21

@@ -182,12 +182,13 @@ static void PrintSection(FILE* out, const char* section)
 {
     swYamlMapping mapping;
     const swFields* const tables[] = {
-        swGetSceneFields(),      swGetSceneViewFields(),     swGetWavesTextFields(),   swGetMeasuredTextFields(),
-        swGetOctaveTextFields(), swGetOctaveFields(),        swGetOctavesFields(),     swGetWaveSystemFields(),
-        swGetWorldFields(),      swGetWaveComponentFields(), swGetViewFields(),        swGetSkyFields(),
-        swGetWaterFields(),      swGetInputFields(),         swGetSceneRasterFields(), swGetInputPointFields(),
-        swGetSplineFields(),     swGetSplinePointFields(),   swGetWaterBodyFields(),   swGetIslandFields(),
-        swGetSceneMeshFields(),  swGetSceneHullFields(),     swGetTideFields(),        swGetWindSeaFields(),
+        swGetSceneFields(),       swGetSceneViewFields(),     swGetWavesTextFields(),   swGetMeasuredTextFields(),
+        swGetOctaveTextFields(),  swGetOctaveFields(),        swGetOctavesFields(),     swGetWaveSystemFields(),
+        swGetWorldFields(),       swGetWaveComponentFields(), swGetViewFields(),        swGetSkyFields(),
+        swGetWaterFields(),       swGetInputFields(),         swGetSceneRasterFields(), swGetInputPointFields(),
+        swGetSplineFields(),      swGetSplinePointFields(),   swGetWaterBodyFields(),   swGetIslandFields(),
+        swGetSceneMeshFields(),   swGetSceneHullFields(),     swGetTideFields(),        swGetWindSeaFields(),
+        swGetSceneMotionFields(), swGetScenePathFields(),
     };
     swBeginYamlMapping(&mapping, section);
     for (size_t i = 0; i < sizeof(tables) / sizeof(tables[0]); ++i)

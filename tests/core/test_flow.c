@@ -129,6 +129,33 @@ static double FindBreathing(Sea* sea, const Stream* stream)
     return worst;
 }
 
+// Where the water hardly moves the copies lie on each other, and together they are one.
+static void CopiesOfStillWaterAreOne(void** state)
+{
+    (void)state;
+    Sea sea;
+    OpenSea(&sea, SCENARIO_GALE, true);
+    const Stream stream = {1e-7, 0.0, 0.0};
+    const swPlaces places = {.context = &stream, .flow = FindStream};
+    ScatterPoints(points, POINTS, 0.0, 0.0, 400.0);
+    double worst = 0.0;
+    for (int i = 0; i < 8; ++i)
+    {
+        swQuery query;
+        BeginAt(&sea, 100.0 + 0.7 * i, &places, &query);
+        Evaluate(&query, POINTS, points, moved);
+        query.places = NULL;
+        Evaluate(&query, POINTS, points, still);
+        for (int p = 0; p < POINTS; ++p)
+        {
+            worst = fmax(worst, fabs((double)moved[p][1] - (double)still[p][1]));
+        }
+    }
+    print_message("in a flow of 1e-7 m/s heights are off by %.2g m\n", worst);
+    assert_true(worst < 1e-5);
+    DestroyScenario(&sea.scenario);
+}
+
 static void HeightsDoNotBreathe(void** state)
 {
     (void)state;
@@ -304,11 +331,9 @@ static void VelocitiesHaveTheFlow(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(HeightsDoNotBreathe),
-        cmocka_unit_test(HeightsAreTheSameAcrossAnEdge),
-        cmocka_unit_test(NothingJumpsWhenCopiesBeginAnew),
-        cmocka_unit_test(WavesGoWithTheWater),
-        cmocka_unit_test(VelocitiesHaveTheFlow),
+        cmocka_unit_test(CopiesOfStillWaterAreOne),      cmocka_unit_test(HeightsDoNotBreathe),
+        cmocka_unit_test(HeightsAreTheSameAcrossAnEdge), cmocka_unit_test(NothingJumpsWhenCopiesBeginAnew),
+        cmocka_unit_test(WavesGoWithTheWater),           cmocka_unit_test(VelocitiesHaveTheFlow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

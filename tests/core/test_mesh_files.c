@@ -77,6 +77,96 @@ static void ObjIsReadAsTriangles(void** state)
     swDestroyMesh(mesh);
 }
 
+// Whether a point lies inside of a polygon.
+static bool IsInside(int count, const swVec2* polygon, float x, float z)
+{
+    bool isInside = false;
+    for (int i = 0; i < count; ++i)
+    {
+        swVec2 a = polygon[i], b = polygon[(i + 1) % count];
+        if ((a.y > z) != (b.y > z) && x < (b.x - a.x) * (z - a.y) / (b.y - a.y) + a.x)
+        {
+            isInside = !isInside;
+        }
+    }
+    return isInside;
+}
+
+// One face, flat, upright or tilted, is read as what it encloses: seen from above, whichever corner comes first and
+// whichever way it turns.
+static void CheckFace(int count, const swVec2* polygon, float slope)
+{
+    for (int way = 0; way < 2 * count; ++way)
+    {
+        char text[8192] = "", faces[2048] = "f";
+        for (int i = 0; i < count; ++i)
+        {
+            int from = (way / 2 + i) % count;
+            swVec2 p = polygon[way % 2 == 0 ? from : count - 1 - from];
+            snprintf(text + strlen(text), 64, "v %.9g %.9g %.9g\n", (double)p.x, (double)(slope * p.x), (double)p.y);
+            snprintf(faces + strlen(faces), 16, " %d", i + 1);
+        }
+        strcat(strcat(text, faces), "\n");
+        Write("obj", text);
+        swMesh* mesh = Read(NULL);
+        assert_string_equal(s_messages, "");
+        assert_int_equal(swMesh_GetInfo(mesh).triangleCount, count - 2);
+        for (int i = 0; i < 2500; ++i)
+        {
+            float x = -13.0f + 0.613f * (float)(i % 50), z = -13.0f + 0.617f * (float)(i / 50);
+            float height = HeightAt(mesh, x, z);
+            if (isnan(height) == IsInside(count, polygon, x, z) ||
+                (!isnan(height) && fabsf(height - slope * x) > 1e-4f))
+            {
+                fail_msg("way %d: %g at %g, %g", way, (double)height, (double)x, (double)z);
+            }
+        }
+        swDestroyMesh(mesh);
+    }
+}
+
+static void ConcaveFacesAreWhatTheyEnclose(void** state)
+{
+    (void)state;
+    const swVec2 corner[] = {{0, 0}, {12, 0}, {12, 6}, {6, 6}, {6, 12}, {0, 12}};
+    const swVec2 arrow[] = {{0, 0}, {10, 5}, {0, 10}, {3, 5}};
+    const swVec2 docks[] = {{-12, -3}, {12, -3}, {12, 10}, {8, 10}, {8, 0},   {4, 0},
+                            {4, 10},   {0, 10},  {0, 0},   {-4, 0}, {-4, 10}, {-12, 10}};
+    swVec2 star[24];
+    for (int i = 0; i < 24; ++i)
+    {
+        float angle = 6.2831853f * (float)i / 24.0f, radius = i % 2 == 0 ? 11.0f : 3.0f + 0.2f * (float)i;
+        star[i] = (swVec2){radius * cosf(angle), radius * sinf(angle)};
+    }
+    CheckFace(6, corner, 0.0f);
+    CheckFace(6, corner, -3.0f);
+    CheckFace(4, arrow, 0.5f);
+    CheckFace(12, docks, 0.1f);
+    CheckFace(24, star, 0.0f);
+}
+
+static void FacesThatCannotBeDividedAreTold(void** state)
+{
+    (void)state;
+    Write("obj", "v 0 1 0\nv 9 1 9\nv 9 1 0\nv 3 1 7\nv 0 1 12\nf 1 2 3 4 5\n");
+    swMesh* mesh = Read(NULL);
+    assert_non_null(strstr(s_messages, "has 1 faces of more than three corners that cross themselves"));
+    assert_int_equal(swMesh_GetInfo(mesh).triangleCount, 3);
+    swDestroyMesh(mesh);
+    static char text[1 << 18];
+    static char faces[1 << 16] = "f";
+    size_t size = 0, facesSize = 1;
+    for (int i = 0; i < 2049; ++i)
+    {
+        double angle = 6.2831853 * i / 2049.0;
+        size += (size_t)snprintf(text + size, 64, "v %.6f 0 %.6f\n", 100.0 * cos(angle), 100.0 * sin(angle));
+        facesSize += (size_t)snprintf(faces + facesSize, 16, " %d", i + 1);
+    }
+    snprintf(text + size, sizeof(text) - size, "%s\n", faces);
+    Write("obj", text);
+    CheckRefused(NULL, SW_ERROR_LIMIT, "a face of 2049 corners");
+}
+
 static void AxesAndLengthsAreTurned(void** state)
 {
     (void)state;
@@ -201,9 +291,14 @@ static void RealMeshesAreRead(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ObjIsReadAsTriangles),        cmocka_unit_test(AxesAndLengthsAreTurned),
-        cmocka_unit_test(NodesPutMeshesInTheirPlaces), cmocka_unit_test(ColoursOfCornersAreValues),
-        cmocka_unit_test(BadMeshFilesAreNamed),        cmocka_unit_test(RealMeshesAreRead),
+        cmocka_unit_test(ObjIsReadAsTriangles),
+        cmocka_unit_test(ConcaveFacesAreWhatTheyEnclose),
+        cmocka_unit_test(FacesThatCannotBeDividedAreTold),
+        cmocka_unit_test(AxesAndLengthsAreTurned),
+        cmocka_unit_test(NodesPutMeshesInTheirPlaces),
+        cmocka_unit_test(ColoursOfCornersAreValues),
+        cmocka_unit_test(BadMeshFilesAreNamed),
+        cmocka_unit_test(RealMeshesAreRead),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,6 +50,16 @@ static const struct
     {"covered_input", 4,
      FINE "inputs:\n  - {field: level, value: 1, shape: circle}\n  - {field: level, value: 2, blend: replace}\n"},
     {"fast_flow", 4, FINE "inputs:\n  - {field: flow, value: [20, 0]}\n"},
+    {"tilted_input", 4,
+     FINE "inputs:\n  - {field: level, value: 1, shape: circle, motion: {turn_rate_deg_per_s: [0, 10, 0]}}\n"},
+    {"fast_motion", 4,
+     FINE "inputs:\n  - {field: level, value: 1, shape: circle, motion: {velocity_mps: [60, 0, 0]}}\n"},
+    {"fast_motion", 4,
+     FINE "inputs:\n  - {field: level, value: 1, shape: circle,\n"
+          "     motion: {path: [{}, {time_s: 1, moved_m: [0, 0, 40]}], is_smooth: true}}\n"},
+    {NULL, 0,
+     FINE "inputs:\n  - {field: level, value: 1, shape: circle,\n"
+          "     motion: {path: [{}, {time_s: 1, moved_m: [0, 0, 40]}]}}\n"},
     {"wind_of_queries", 4, FINE "inputs:\n  - {field: wind, value: [3, 0], shape: circle}\n"},
     {"spare_channels", 5,
      FINE "rasters: [{name: a, files: [fine.asc, fine.asc], coordinates: metres}]\n"
@@ -311,6 +321,8 @@ static const struct
      FINE "splines: [{name: a, points: [{x_m: 0}, {x_m: 9}]}]\n"
           "inputs:\n  - {field: waves, shape: spline, spline: a, along_spline: true, blend: max}\n"},
     {"refused", 5, FINE "inputs:\n  - {field: level}\n  - {field: foam, weight: 2}\n"},
+    {"refused", 6, // also behind a body that is refused
+     FINE "water_bodies:\n  - {points: [[0, 0], [9, 9], [9, 0], [0, 9]]}\ninputs:\n  - {field: level, shape: box}\n"},
 };
 
 static void EveryMistakeIsToldOfItsScene(void** state)

@@ -9,9 +9,9 @@
 // feature, or `all`, only of that one; with `queries`, slices are left out. Without, few enough for a software device.
 // It needs libc and a Vulkan driver, so that it can be carried to a machine with a GPU.
 //
-// A point is left out if the two halves differ there and it lies within a texel of a place where the surface jumps: a
-// dam, the edge of a hole, a fold, where several particles are above a point and either half may have found another
-// one. Those are counted.
+// A point is left out if the two halves differ there and it, or where its particle rests, lies within a texel of a
+// place where the surface jumps: a dam, the edge of a hole, a fold, where several particles are above a point and
+// either half may have found another one. Those are counted.
 //
 // A slice's texel says where the particle that rests there is. The core is asked for the surface above that place, with
 // the slice's shortest wave. No half filters fields: a texel of any slice reads them as they are where it rests, so
@@ -187,40 +187,64 @@ static void AskCore(const swHost* host, const swMoment* moment, float minWavelen
     swParallelFor(host, AskSome, &job, count, 1024);
 }
 
+enum
+{
+    AROUND = 9
+};
+
+// A place and eight around it, a texel away.
+static void PlaceAround(swPosXZ middle, swPosXZ* points)
+{
+    for (int i = 0; i < AROUND; ++i)
+    {
+        points[i] = (swPosXZ){middle.x + TEXEL * (i % 3 - 1), middle.z + TEXEL * (i / 3 - 1)};
+    }
+}
+
+// Whether the level of still water jumps within a texel of a place.
+static bool IsAtDam(const swMoment* moment, swPosXZ place)
+{
+    swPosXZ points[AROUND];
+    float level[AROUND];
+    PlaceAround(place, points);
+    const swFieldSamples fields = {.level = level};
+    swMoment_QueryFields(moment, AROUND, points, &fields);
+    bool isAt = false;
+    for (int i = 1; i < AROUND; ++i)
+    {
+        isAt = isAt || fabsf(level[i] - level[0]) > 0.5f;
+    }
+    return isAt;
+}
+
 // Whether the surface jumps within a texel of a point, as the core has it.
 static bool DoesJump(const swMoment* moment, float minWavelength, swPosXZ point)
 {
-    enum
-    {
-        AROUND = 9
-    };
     swPosXZ points[AROUND];
-    float jacobian[AROUND], residual[AROUND], level[AROUND];
+    float jacobian[AROUND], residual[AROUND];
     bool isClipped[AROUND];
-    for (int i = 0; i < AROUND; ++i)
-    {
-        points[i] = (swPosXZ){point.x + TEXEL * (i % 3 - 1), point.z + TEXEL * (i / 3 - 1)};
-    }
+    PlaceAround(point, points);
     swQueryDef def = swDefaultQueryDef();
     def.minWavelength = minWavelength;
     def.tolerance = TOLERANCE;
     const swSurfaceSamples samples = {.jacobian = jacobian, .residual = residual, .isClipped = isClipped};
     swMoment_QuerySurface(moment, &def, AROUND, points, &samples, NULL);
-    const swFieldSamples fields = {.level = level};
-    swMoment_QueryFields(moment, AROUND, points, &fields);
-    bool isNear = false;
+    bool isNear = IsAtDam(moment, point);
     for (int i = 0; i < AROUND; ++i)
     {
-        isNear = isNear || jacobian[i] < LEAST_JACOBIAN || residual[i] > TOLERANCE || isClipped[i] != isClipped[0] ||
-                 fabsf(level[i] - level[0]) > 0.5f;
+        isNear = isNear || jacobian[i] < LEAST_JACOBIAN || residual[i] > TOLERANCE || isClipped[i] != isClipped[0];
     }
     return isNear;
 }
 
-// Whether a point where the halves differ may be left out. No more of them are looked at than are allowed.
-static bool MayLeaveOut(const swMoment* moment, float minWavelength, swPosXZ point, const Worst* worst)
+// Whether a point where the halves differ may be left out. `way` is the displacement of the particle that one of them
+// found: where a particle rests at a dam, the depth jumps that shapes its waves, and another one from the other side of
+// the dam may be above the same point. No more points are looked at than are allowed.
+static bool MayLeaveOut(const swMoment* moment, float minWavelength, swPosXZ point, swVec3 way, const Worst* worst)
 {
-    return worst->leftOut <= MOST_LEFT_OUT * worst->count && DoesJump(moment, minWavelength, point);
+    const swPosXZ rest = {point.x - (double)way.x, point.z - (double)way.z};
+    return worst->leftOut <= MOST_LEFT_OUT * worst->count &&
+           (DoesJump(moment, minWavelength, point) || IsAtDam(moment, rest));
 }
 
 // ---- a world on both halves ----
@@ -301,7 +325,7 @@ static Worst CompareAnswers(Sides* sides, int count, const swPosXZ* points, cons
     Worst worst = {.count = count};
     for (int i = 0; i < count; ++i)
     {
-        if (!IsSame(core, gpu, i) && MayLeaveOut(sides->moment, 0.0f, points[i], &worst))
+        if (!IsSame(core, gpu, i) && MayLeaveOut(sides->moment, 0.0f, points[i], core->way[i], &worst))
         {
             worst.leftOut += 1;
             continue;
@@ -372,7 +396,7 @@ static Worst CompareSlice(Sides* sides, const swView* view, int index, float* te
         double height = fabs((double)core.height[i] - (double)drawn.height[i]);
         double way = LengthOf(core.way[i], drawn.way[i]);
         if (!(height < MOST_OFF_M && way < 5.0 * MOST_OFF_M) &&
-            MayLeaveOut(sides->moment, slice.minWavelength, points[i], &worst))
+            MayLeaveOut(sides->moment, slice.minWavelength, points[i], drawn.way[i], &worst))
         {
             worst.leftOut += 1;
             continue;

@@ -238,6 +238,20 @@ static Parity MakeSea(void** state, bool enableQueries)
     return parity;
 }
 
+// A tidal stream in which all of it is: it carries the waves by its path, and the other flows only beside it.
+static void AddTidalStream(Parity* parity)
+{
+    swInputDef def = swDefaultInputDef();
+    def.field = SW_INPUT_FLOW;
+    def.shape = SW_SHAPE_EVERYWHERE;
+    def.order = -1;
+    def.value[0] = 1.7f;
+    def.value[1] = -0.6f;
+    def.tide[0] = (swTideConstituent){
+        .speed = 0.05f, .amplitude = 0.9f, .phase = 0.4f, .amplitudeAcross = 0.3f, .phaseAcross = 2.0f};
+    AddInput(parity, &def);
+}
+
 static Parity MakeWater(void** state)
 {
     Parity parity = MakeSea(state, true);
@@ -273,12 +287,16 @@ static Difference CompareFlow(Parity* parity, swLayer layer)
     return difference;
 }
 
-static void LayersAgree(void** state)
+static void CompareLayers(void** state, bool isTidal)
 {
     Parity parity = MakeWater(state);
+    if (isTidal)
+    {
+        AddTidalStream(&parity);
+    }
     AddParityView(&parity, 4, 64, (swPos){0.0, 8.0, 0.0});
     int wrong = 0;
-    for (int i = 0; i < SPOTS; ++i)
+    for (int i = isTidal ? 2 : 0; i < (isTidal ? 6 : SPOTS); ++i) // in the tide a stream and an eddy do
     {
         swPosXZ spot = GetSpot(i);
         swView_SetViewpoint(parity.view, (swPos){spot.x, 8.0, spot.z});
@@ -296,6 +314,16 @@ static void LayersAgree(void** state)
     }
     FreeParity(&parity);
     assert_int_equal(wrong, 0);
+}
+
+static void LayersAgree(void** state)
+{
+    CompareLayers(state, false);
+}
+
+static void LayersAgreeInATidalStream(void** state)
+{
+    CompareLayers(state, true);
 }
 
 // ---- queries ----
@@ -354,9 +382,13 @@ static bool CompareQueries(int spot)
     return isRight;
 }
 
-static void QueriesAgree(void** state)
+static void CompareAllQueries(void** state, bool isTidal)
 {
     Parity parity = MakeWater(state);
+    if (isTidal)
+    {
+        AddTidalStream(&parity);
+    }
     swGpuQueryDef gpuDef = swDefaultGpuQueryDef();
     gpuDef.capacity = SPOTS * POINTS;
     gpuDef.tolerance = TOLERANCE;
@@ -384,6 +416,16 @@ static void QueriesAgree(void** state)
     swDestroyGpuQuery(query);
     FreeParity(&parity);
     assert_int_equal(wrong, 0);
+}
+
+static void QueriesAgree(void** state)
+{
+    CompareAllQueries(state, false);
+}
+
+static void QueriesAgreeInATidalStream(void** state)
+{
+    CompareAllQueries(state, true);
 }
 
 static void AskHeights(Parity* parity, float* heights)
@@ -471,10 +513,9 @@ static void RaysAgree(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(LayersAgree),
-        cmocka_unit_test(QueriesAgree),
-        cmocka_unit_test(RaysAgree),
-        cmocka_unit_test(AWorldWithoutQueriesOfItsOwnCarriesWavesToo),
+        cmocka_unit_test(LayersAgree),  cmocka_unit_test(LayersAgreeInATidalStream),
+        cmocka_unit_test(QueriesAgree), cmocka_unit_test(QueriesAgreeInATidalStream),
+        cmocka_unit_test(RaysAgree),    cmocka_unit_test(AWorldWithoutQueriesOfItsOwnCarriesWavesToo),
     };
     return cmocka_run_group_tests_name("flow and displacement: CPU and GPU", tests, OpenParityGpu, CloseParityGpu);
 }

@@ -532,6 +532,41 @@ static void InputsFollowThePanel(void** state)
     CloseSea(&sea);
 }
 
+static float GetLevelAt(const Sea* sea, double x, double z)
+{
+    const swPosXZ place = {x, z};
+    float level = NAN;
+    const swFieldSamples samples = {.level = &level};
+    swMoment_QueryFields(swWorld_GetMoment(sea->world), 1, &place, &samples);
+    return level;
+}
+
+// A dock goes east by 1 m/s, on a tide by a table; changing its place moves where it sets out.
+static void WhatMovesByItselfMovesInTheViewer(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(BREEZE "inputs:\n"
+                              "  - {field: level, value: 1, shape: circle, size_m: [10, 0, 10],\n"
+                              "     tide: [[0, 0], [100, 2]], motion: {velocity_mps: [1, 0, 0]}}\n"
+                              "  - {field: floor, value: -9, shape: circle, motion: {velocity_mps: [1, 0, 0]}}\n"
+                              "water_bodies: [{position_m: [0, 5, 400], points: [[-9, -9], [9, -9], [0, 9]],\n"
+                              "  tide: [[0, 0], [100, 2]]}]\n");
+    StepTo(&sea, 0.0);
+    assert_float_equal(GetLevelAt(&sea, 0.0, 0.0), 1.0f, 1e-6f);
+    StepTo(&sea, 50.0);
+    assert_true(sea.movesFloor);
+    assert_float_equal(GetLevelAt(&sea, 50.0, 0.0), 2.0f, 1e-6f);
+    assert_float_equal(GetLevelAt(&sea, 0.0, 400.0), 6.0f, 1e-6f);
+    sea.inputs[0].def.position.z = 100.0;
+    sea.inputs[0].hasChanged = true;
+    swWorld_SetOrigin(sea.world, (swPosXZ){10.0, 20.0});
+    ApplyChanges(&sea, true);
+    assert_true(AdvanceSea(&sea, 50.0));
+    assert_int_equal(swWorld_Step(sea.world, 0.0), SW_SUCCESS);
+    assert_float_equal(GetLevelAt(&sea, 40.0, 80.0), 2.0f, 1e-6f);
+    CloseSea(&sea);
+}
+
 static void InputsOfRemovedWavesAreNotThere(void** state)
 {
     (void)state;
@@ -621,6 +656,7 @@ int main(void)
         cmocka_unit_test(RemovedSystemsLeaveTheFile),
         cmocka_unit_test(AnOpenSeaWithoutAFileIsSavedAsANewScene),
         cmocka_unit_test(InputsFollowThePanel),
+        cmocka_unit_test(WhatMovesByItselfMovesInTheViewer),
         cmocka_unit_test(InputsOfRemovedWavesAreNotThere),
         cmocka_unit_test(ChangedInputsAreSaved),
         cmocka_unit_test(WhatCannotBeSavedLeavesTheFile),

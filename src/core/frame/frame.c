@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/frame/frame.h"
 
+#include "core/math/scalar.h"
 #include "shared/carry.h"
 
 static const swLayerInfo layers[SW_LAYERS] = {
@@ -46,6 +47,32 @@ swMadeFoamParams swGetMadeFoamParams(const swFrame* frame, int layer, float seco
         .currentZ = frame->foamLaw.currentZ,
     };
 }
+
+// ---- a flow that is the same everywhere ----
+
+// What one wave of a tide adds to the path between two times: the integrals of cos and sin, as products, which are as
+// good over a short way as over a long one.
+static void addSwing(const swEvenSwing* swing, double from, double to, swPosXZ* path)
+{
+    double half = swSin(0.5 * swing->speed * (to - from)) * 2.0 / swing->speed;
+    double middle = 0.5 * swing->speed * (from + to);
+    double cosine = half * swCos(middle), sine = half * swSin(middle);
+    path->x += (double)swing->cosineX * cosine + (double)swing->sineX * sine;
+    path->z += (double)swing->cosineZ * cosine + (double)swing->sineZ * sine;
+}
+
+swPosXZ swIntegrateEvenFlow(const swEvenFlow* flow, int64_t ticks)
+{
+    double from = (double)flow->begin / SW_TICKS_PER_SECOND, to = (double)ticks / SW_TICKS_PER_SECOND;
+    swPosXZ path = {flow->x + (double)flow->velocityX * (to - from), flow->z + (double)flow->velocityZ * (to - from)};
+    for (int i = 0; i < flow->swingCount; ++i)
+    {
+        addSwing(&flow->swings[i], from, to, &path);
+    }
+    return path;
+}
+
+// ---- copies of waves in a flow ----
 
 // Octaves begin anew at different times: none of them is seen to.
 #define OCTAVE_TURNS 0x9e3779b9u // of 2^32: the golden section

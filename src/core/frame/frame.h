@@ -47,7 +47,8 @@ typedef struct swStrain
     float cccc, cccs, ccss, csss, ssss;
 } swStrain;
 
-#define SW_TICKS_PER_SECOND 16777216.0 // 2^24; SW_LARGEST_TIME is less than 2^62 of them
+#define SW_TICKS_PER_SECOND 16777216.0      // 2^24
+#define SW_LARGEST_TICKS ((int64_t)1 << 62) // more than those of SW_LARGEST_TIME
 
 // Ticks from one time to another. Two legal times may lie almost 2^63 ticks apart.
 static inline int64_t swGetTicksBetween(int64_t from, int64_t to)
@@ -103,6 +104,51 @@ static inline swPosXZ swFindDrift(const swDrift* drift, int64_t ticks)
     return path;
 }
 
+// A flow that is the same everywhere and swings with the tides carries all waves by its path, as a drift does:
+// velocity + sum of cosine cos(speed t) + sine sin(speed t), integrated in a closed form from the tick `begin` on, so
+// that the path does not depend on steps. See core/input/even_flow.h.
+#define SW_MAX_EVEN_SWINGS 48
+
+typedef struct swEvenSwing
+{
+    double speed; // rad/s, above 0
+    float cosineX, cosineZ, sineX, sineZ;
+} swEvenSwing;
+
+typedef struct swEvenFlow
+{
+    int64_t begin; // in ticks
+    double x, z;   // of the path then, m
+    float velocityX, velocityZ;
+    int swingCount;
+    swEvenSwing swings[SW_MAX_EVEN_SWINGS];
+    int64_t ticks; // of the step, for which the path is known
+    swPosXZ path;
+} swEvenFlow;
+
+static inline bool swIsEvenFlowStill(const swEvenFlow* flow)
+{
+    return flow->x == 0.0 && flow->z == 0.0 && flow->velocityX == 0.0f && flow->velocityZ == 0.0f &&
+           flow->swingCount == 0;
+}
+
+SW_SEAM_BEGIN
+
+// The path of a flow at a time, m.
+swPosXZ swIntegrateEvenFlow(const swEvenFlow* flow, int64_t ticks);
+
+SW_SEAM_END
+
+// The same, by what is known; 0 with no flow.
+static inline swPosXZ swFindEvenPath(const swEvenFlow* flow, int64_t ticks)
+{
+    if (flow == NULL || swIsEvenFlowStill(flow))
+    {
+        return (swPosXZ){0.0, 0.0};
+    }
+    return ticks == flow->ticks ? flow->path : swIntegrateEvenFlow(flow, ticks);
+}
+
 typedef struct swTile
 {
     int system;        // index of the wave system, of several that share the tile the first
@@ -118,8 +164,9 @@ typedef struct swTile
     swStrain strain;                      // with weight
     float depth;                          // m, of the waves' dispersion
     swDrift drift;
-    double shiftX, shiftZ;     // its path at the time of the texels, m, in [0, side)
-    swAttenuation attenuation; // over a floor
+    const swEvenFlow* evenFlow; // which carries it as well, or NULL
+    double shiftX, shiftZ;      // the path of both at the time of the texels, m, in [0, side)
+    swAttenuation attenuation;  // over a floor
     int modeCount;
     const swMode* modes;      // ordered by qz, then qx
     uint32_t spectrumVersion; // changes when modes do
@@ -147,6 +194,7 @@ typedef struct swFreeWave
     swAttenuation attenuation;
     int system;
     swDrift drift;
+    const swEvenFlow* evenFlow; // which carries it as well, or NULL
 } swFreeWave;
 
 // One slice of a view, snapped. See swSliceInfo.
@@ -268,18 +316,23 @@ static inline uint32_t swGetFractionOfTurn(double turns)
 static inline uint32_t swGetPassedTurns(const swFreeWave* wave, int64_t ticks)
 {
     uint32_t passed = (uint32_t)((wave->frequency * (uint64_t)swGetFreeWaveTicks(wave, ticks)) >> 32);
-    if (swIsDriftStill(&wave->drift))
+    bool isCarried = wave->evenFlow != NULL && !swIsEvenFlowStill(wave->evenFlow);
+    if (swIsDriftStill(&wave->drift) && !isCarried)
     {
         return passed;
     }
-    swPosXZ path = swFindDrift(&wave->drift, ticks);
+    swPosXZ path = swFindDrift(&wave->drift, ticks), even = swFindEvenPath(wave->evenFlow, ticks);
+    path.x += even.x;
+    path.z += even.z;
     return passed + swGetFractionOfTurn(wave->turnsX * path.x + wave->turnsZ * path.z);
 }
 
-// Where a current has carried a tile's waves at a time, in [0, side).
+// Where a current and the flow that is the same everywhere have carried a tile's waves at a time, in [0, side).
 static inline swPosXZ swGetTileShift(const swTile* tile, int64_t ticks)
 {
-    swPosXZ path = swFindDrift(&tile->drift, ticks);
+    swPosXZ path = swFindDrift(&tile->drift, ticks), even = swFindEvenPath(tile->evenFlow, ticks);
+    path.x += even.x;
+    path.z += even.z;
     return (swPosXZ){path.x - floor(path.x / tile->side) * tile->side,
                      path.z - floor(path.z / tile->side) * tile->side};
 }

@@ -39,6 +39,10 @@ typedef struct swInputSet
     float weightReach, displacementReach; // no weight of waves is larger, nor a displacement by inputs, m
     double time;                          // s, of values that change with time
     uint32_t ribbonSystems;               // bit of each wave system's slot of which some waves run along splines
+    // The flow that is the same everywhere, m/s: it carries all waves alike, see swEvenFlow, and only what other flows
+    // are beside it carries copies of them, if there are any.
+    float evenX, evenZ;
+    bool hasEvenFlow, hasOtherFlows;
     uint32_t localSystems; // bit of each wave system's slot whose waves have no weight where no input gives them one
 } swInputSet;
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/input/even_flow.h"
+
 typedef struct Room
 {
     void** place;
@@ -144,6 +146,7 @@ void swFindSetReaches(swInputArrays* arrays)
     findRange(arrays, SW_INPUT_WAVES, 1.0f, &low, &high);
     set->weightReach = fmaxf(fabsf(low), fabsf(high));
     set->displacementReach = findDisplacement(arrays);
+    swFindSetFlow(set);
     set->ribbonSystems = 0;
     for (int i = 0; i < set->recordCount; ++i)
     {

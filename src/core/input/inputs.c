@@ -435,6 +435,27 @@ void swFillInputArrays(const swInputs* inputs, double time, uint32_t localSystem
     swFindSetReaches(arrays);
 }
 
+// ---- the flow that is the same everywhere ----
+
+typedef struct Sources
+{
+    const swInputs* inputs;
+    const swInputArrays* arrays;
+} Sources;
+
+static const swInputDef* getRecordDef(const void* context, int record)
+{
+    const Sources* sources = context;
+    return &getSlot(sources->inputs, sources->arrays->sources[record])->def;
+}
+
+void swFindEvenFlow(const swInputs* inputs, const swInputArrays* arrays, int64_t ticks, swEvenFlow* flow)
+{
+    const Sources sources = {inputs, arrays};
+    *flow = inputs->evenFlow;
+    swPlanEvenFlow(&arrays->set, getRecordDef, &sources, inputs->ticks, ticks, flow);
+}
+
 // ---- where it has changed ----
 
 // Of too many, those of earlier versions are forgotten, and if that is not enough all.
@@ -515,7 +536,7 @@ static void noteTimes(swInputs* inputs, uint32_t version)
     }
 }
 
-void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
+void swStepInputs(swInputs* inputs, double time, int64_t ticks, uint32_t localSystems)
 {
     if (inputs->isChanged || localSystems != inputs->arrays.set.localSystems)
     {
@@ -534,4 +555,8 @@ void swStepInputs(swInputs* inputs, double time, uint32_t localSystems)
     {
         moveTime(inputs, time);
     }
+    swEvenFlow flow;
+    swFindEvenFlow(inputs, &inputs->arrays, ticks, &flow);
+    inputs->evenFlow = flow;
+    inputs->ticks = ticks;
 }

@@ -7,6 +7,7 @@
 #include "core/base/array.h"
 #include "core/base/id_pool.h"
 #include "core/base/memory.h"
+#include "core/input/even_flow.h"
 #include "core/input/input_arrays.h"
 #include "core/input/input_record.h"
 
@@ -34,6 +35,8 @@ typedef struct swInputs
 
     uint32_t* order; // [orderCapacity] slots by field, order and serial
     int orderCapacity;
+    int64_t ticks;        // of the last step, from where changes begin
+    swEvenFlow evenFlow;  // as it was then
     swInputArrays arrays; // as the last step made them
     swInputChanges changes;
 } swInputs;
@@ -66,5 +69,8 @@ void swSetInputPoints(swInputs* inputs, swInput* input, int count, const swInput
 // `localSystems` as swInputSet has it.
 void swFillInputArrays(const swInputs* inputs, double time, uint32_t localSystems, swInputArrays* arrays);
 
+// The flow that is the same everywhere under the inputs that `arrays` were just filled with, at a time.
+void swFindEvenFlow(const swInputs* inputs, const swInputArrays* arrays, int64_t ticks, swEvenFlow* flow);
+
 // The world's own set, anew where something changed. Allocates nothing.
-void swStepInputs(swInputs* inputs, double time, uint32_t localSystems);
+void swStepInputs(swInputs* inputs, double time, int64_t ticks, uint32_t localSystems);

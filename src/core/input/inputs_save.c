@@ -83,6 +83,27 @@ static void streamPoint(swStream* stream, swInputPoint* point)
     swStreamFloats(stream, point->value, 4);
 }
 
+// The path of the flow that is the same everywhere has a past.
+static void streamEvenFlow(swStream* stream, swEvenFlow* flow)
+{
+    swStreamI64(stream, &flow->begin);
+    swStreamF64(stream, &flow->x);
+    swStreamF64(stream, &flow->z);
+    swStreamF32(stream, &flow->velocityX);
+    swStreamF32(stream, &flow->velocityZ);
+    swStreamRange(stream, &flow->swingCount, 0, SW_MAX_EVEN_SWINGS);
+    for (int i = 0; i < flow->swingCount && !stream->isBroken; ++i)
+    {
+        swEvenSwing* swing = &flow->swings[i];
+        swStreamF64(stream, &swing->speed);
+        swStreamF32(stream, &swing->cosineX);
+        swStreamF32(stream, &swing->cosineZ);
+        swStreamF32(stream, &swing->sineX);
+        swStreamF32(stream, &swing->sineZ);
+    }
+    stream->isBroken = stream->isBroken || !swIsEvenFlowGood(flow);
+}
+
 // ---- reading into a new world ----
 
 static swResult refuseMissing(const swHost* host, const char* what, const Saved* saved, uint64_t hash, uint64_t given)
@@ -217,8 +238,11 @@ swResult swStreamInputs(swInputs* inputs, swStream* stream, const swRestoreDef* 
     int count = (int)inputs->slots.count;
     swStreamRange(stream, &count, 0, SW_MAX_INPUTS);
     swStreamU64(stream, &inputs->serials);
+    swEvenFlow flow = swIsReading(stream) ? (swEvenFlow){0} : inputs->evenFlow;
+    streamEvenFlow(stream, &flow);
     if (swIsReading(stream))
     {
+        inputs->evenFlow = flow;
         bool isThere = swStreamHasLeft(stream, (size_t)count, 5); // of a free slot, which takes the least
         return isThere && !stream->isBroken ? readSlots(inputs, stream, find, count) : SW_ERROR_FORMAT;
     }
@@ -253,6 +277,8 @@ swResult swCheckInputs(const swInputs* inputs, swStream* stream)
     uint64_t serials = 0;
     swStreamRange(stream, &count, 0, SW_MAX_INPUTS);
     swStreamU64(stream, &serials);
+    swEvenFlow flow = {0};
+    streamEvenFlow(stream, &flow);
     for (int slot = 0; slot < count && !stream->isBroken; ++slot)
     {
         Saved saved = {.def = swDefaultInputDef()};
@@ -290,6 +316,9 @@ void swRewindInputs(swInputs* inputs, swStream* stream)
     int count = 0;
     swStreamRange(stream, &count, 0, SW_MAX_INPUTS);
     swStreamU64(stream, &inputs->serials);
+    swEvenFlow flow = {0};
+    streamEvenFlow(stream, &flow);
+    inputs->evenFlow = flow;
     for (int slot = 0; slot < (int)inputs->slots.count; ++slot)
     {
         swInput* input = (swInput*)inputs->slots.data + slot;
@@ -335,12 +364,33 @@ static void hashInput(swHash* hash, const swInput* input)
     }
 }
 
+static void hashEvenFlow(swHash* hash, const swEvenFlow* flow)
+{
+    if (swIsEvenFlowStill(flow))
+    {
+        return;
+    }
+    const float speeds[2] = {flow->velocityX, flow->velocityZ};
+    swAddHash(hash, (uint64_t)flow->begin);
+    swAddHashDouble(hash, flow->x);
+    swAddHashDouble(hash, flow->z);
+    swAddHashFloats(hash, speeds, 2);
+    for (int i = 0; i < flow->swingCount; ++i)
+    {
+        const swEvenSwing* swing = &flow->swings[i];
+        const float parts[4] = {swing->cosineX, swing->cosineZ, swing->sineX, swing->sineZ};
+        swAddHashDouble(hash, swing->speed);
+        swAddHashFloats(hash, parts, 4);
+    }
+}
+
 void swHashInputs(swHash* hash, const swInputs* inputs)
 {
     for (int i = 0; i < inputs->count; ++i)
     {
         hashInput(hash, swGetInputAt(inputs, i));
     }
+    hashEvenFlow(hash, &inputs->evenFlow);
 }
 
 void swHashFieldInputs(swHash* hash, const swInputs* inputs, swInputField field)

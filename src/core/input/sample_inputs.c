@@ -102,8 +102,10 @@ static void joinValue(const swInputSet* set, uint32_t at, int system, const Plac
 static void joinLooks(const swInputSet* set, uint32_t at, int system, const Place* place, void* below)
 {
     swWaveLooks* looks = below;
-    *looks = swJoinLooks(set->words[at], set->records[at], (sw_uint)system, *looks, place->cellX, place->cellZ,
-                         place->restX, place->restZ);
+    const float* words = set->words[at];
+    const swInputRecord* record = &set->records[at];
+    swLookSay say = swSampleLook(words, *record, place->cellX, place->cellZ, place->restX, place->restZ);
+    *looks = swJoinLooks(words, *record, (sw_uint)system, *looks, say);
 }
 
 static void joinAll(const swInputSet* set, int field, int system, const Place* place, JoinRecord* join, void* below)

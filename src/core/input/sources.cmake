@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 target_sources(seaway_core PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/even_flow.c
     ${CMAKE_CURRENT_LIST_DIR}/hull.c
     ${CMAKE_CURRENT_LIST_DIR}/hull_def.c
     ${CMAKE_CURRENT_LIST_DIR}/hull_grid.c

@@ -50,7 +50,7 @@ static void makeGrounds(const FieldJob* job, int count, const swPosXZ* points, f
 static void makeFlows(const FieldJob* job, int count, const swPosXZ* points, float* flows, float* slopes)
 {
     float velocities[SW_PLACE_BLOCK][2], gradients[SW_PLACE_BLOCK][4];
-    job->places.flow(job->places.context, 0, count, points, velocities, gradients);
+    job->places.water(job->places.context, 0, count, points, velocities, gradients);
     for (int i = 0; i < count; ++i)
     {
         const float texel[4] = {velocities[i][0], velocities[i][1], 0.0f, 0.0f};

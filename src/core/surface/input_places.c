@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/input/sample_inputs.h"
+#include "shared/carry.h"
 #include "shared/depth_share.h"
 
 // The fields of inputs behind each of the places'.
@@ -12,12 +13,23 @@ static uint32_t findFields(uint32_t touches)
 {
     return ((touches & SW_TOUCHES_LEVEL) != 0 ? SW_FIELD_BIT(SW_INPUT_LEVEL) : 0) |
            ((touches & SW_TOUCHES_DEPTH) != 0 ? SW_FIELD_BIT(SW_INPUT_FLOOR) : 0) |
-           ((touches & (SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP)) != 0 ? SW_FIELD_BIT(SW_INPUT_WAVES) : 0) |
-           ((touches & SW_TOUCHES_FLOW) != 0 ? SW_FIELD_BIT(SW_INPUT_FLOW) : 0);
+           ((touches & (SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP)) != 0 ? SW_FIELD_BIT(SW_INPUT_WAVES) : 0);
 }
 
-static const uint32_t allTouches[4] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP,
-                                       SW_TOUCHES_FLOW};
+static const uint32_t allTouches[3] = {SW_TOUCHES_LEVEL, SW_TOUCHES_DEPTH, SW_TOUCHES_WEIGHT | SW_TOUCHES_WARP};
+
+// Flows beside that which carries all waves alike.
+static bool touchesOtherFlows(const swInputSet* set, const swCellBox* box)
+{
+    bool isFound = false;
+    uint32_t next = set->hasOtherFlows ? swFindNextInput(set, SW_INPUT_FLOW, box, 0) : SW_NO_RECORD;
+    while (next != SW_NO_RECORD && !isFound)
+    {
+        isFound = !set->hasEvenFlow || set->records[next].shape != SW_FORM_EVERYWHERE;
+        next = swFindNextInput(set, SW_INPUT_FLOW, box, next + 1);
+    }
+    return isFound;
+}
 
 static uint32_t findTouched(const void* context, int64_t ticks, int count, const swPosXZ* points, double around)
 {
@@ -37,8 +49,8 @@ static uint32_t findTouched(const void* context, int64_t ticks, int count, const
     {
         return SW_TOUCHES_ALL;
     }
-    uint32_t touched = 0;
-    for (int i = 0; i < 4; ++i)
+    uint32_t touched = touchesOtherFlows(context, &box) ? SW_TOUCHES_FLOW : 0;
+    for (int i = 0; i < 3; ++i)
     {
         touched |= swTouchesInputs(context, findFields(allTouches[i]), &box) ? allTouches[i] : 0;
     }
@@ -166,8 +178,8 @@ static int findWarps(const void* context, int system, int64_t ticks, int count, 
     return warpCount;
 }
 
-static void findFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
-                     float (*gradients)[4])
+static void findWater(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
+                      float (*gradients)[4])
 {
     (void)ticks;
     swInputValue values[SW_PLACE_BLOCK];
@@ -185,6 +197,19 @@ static void findFlow(const void* context, int64_t ticks, int count, const swPosX
             gradients[first + i][2] = v->alongX.y;
             gradients[first + i][3] = v->alongZ.y;
         }
+    }
+}
+
+// What carries copies of waves: how the water moves beside the flow that carries all of them.
+static void findFlow(const void* context, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[2],
+                     float (*gradients)[4])
+{
+    const swInputSet* set = context;
+    findWater(context, ticks, count, points, velocities, gradients);
+    for (int i = 0; i < count; ++i)
+    {
+        velocities[i][0] = swGetCarriedSpeed(velocities[i][0], set->evenX);
+        velocities[i][1] = swGetCarriedSpeed(velocities[i][1], set->evenZ);
     }
 }
 
@@ -211,7 +236,8 @@ bool swMakeInputPlaces(const swInputSet* set, swPlaces* places)
     places->attenuate = hasFloor ? attenuate : NULL;
     places->weight = swHasInputs(set, SW_INPUT_WAVES) ? findWeight : NULL;
     places->warps = set->ribbonSystems != 0 ? findWarps : NULL;
-    places->flow = swHasInputs(set, SW_INPUT_FLOW) ? findFlow : NULL;
-    return places->level != NULL || hasFloor || places->weight != NULL || places->flow != NULL ||
+    places->water = swHasInputs(set, SW_INPUT_FLOW) ? findWater : NULL;
+    places->flow = places->water != NULL && set->hasOtherFlows ? findFlow : NULL;
+    return places->level != NULL || hasFloor || places->weight != NULL || places->water != NULL ||
            set->localSystems != 0;
 }

@@ -359,7 +359,8 @@ void swFindLevels(const swPlaces* places, int64_t ticks, int count, const swPosX
 
 void swAddFlow(const swPlaces* places, int64_t ticks, int count, const swPosXZ* points, float (*velocities)[4])
 {
-    if (places == NULL || places->flow == NULL)
+    swFindFlow* find = places == NULL ? NULL : places->water != NULL ? places->water : places->flow;
+    if (find == NULL)
     {
         return;
     }
@@ -367,7 +368,7 @@ void swAddFlow(const swPlaces* places, int64_t ticks, int count, const swPosXZ* 
     for (int first = 0; first < count; first += SW_PLACE_BLOCK)
     {
         int some = count - first < SW_PLACE_BLOCK ? count - first : SW_PLACE_BLOCK;
-        places->flow(places->context, ticks, some, points + first, flow, gradients);
+        find(places->context, ticks, some, points + first, flow, gradients);
         for (int i = 0; i < some; ++i)
         {
             velocities[first + i][0] += flow[i][0];

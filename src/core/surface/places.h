@@ -70,7 +70,8 @@ typedef struct swPlaces
     swFindField* depth;     // of still water, m; with `attenuate`
     swFindField* weight;    // of each system's waves
     swFindWarps* warps;     // of each system's waves, beside those of `weight`
-    swFindFlow* flow;       // carries waves
+    swFindFlow* flow;       // carries waves, beside what carries all of them alike, see swEvenFlow
+    swFindFlow* water;      // how the water moves, all of it; NULL: by `flow`
     swAttenuate* attenuate; // of waves of an octave by a wave number in its middle
 } swPlaces;
 

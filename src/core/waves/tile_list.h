@@ -45,6 +45,7 @@ typedef struct swTilePair
 
 typedef struct swTileList
 {
+    const swEvenFlow* evenFlow; // that carries all of them
     int tileCount;
     swTile tiles[SW_MAX_TILES];
     float* texels[SW_MAX_TILES][SW_TEXELS_COUNT]; // of the tiles, to write; NULL where there are none

@@ -7,7 +7,6 @@
 #include "core/waves/waves.h"
 
 #define SW_MAX_SETS (2 * SW_MAX_WAVE_SYSTEMS * SW_MAX_WAVE_PARTS)
-#define SW_LARGEST_TICKS ((int64_t)1 << 62) // more than those of SW_LARGEST_TIME
 
 typedef struct swSetList
 {

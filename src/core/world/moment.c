@@ -15,7 +15,7 @@
 #include "core/world/moment_inputs.h"
 
 #define MOMENT_MARK 0x544e454d4f4d5753u // "SWMOMENT"
-#define MOMENT_VERSION 3u
+#define MOMENT_VERSION 4u
 #define ALIGNMENT 64
 
 // Of any legal tile, m.
@@ -38,6 +38,7 @@ typedef struct Head
     float gravity;
     int32_t tileCount, waveCount;
     swWind wind;
+    swEvenFlow evenFlow;
     uint64_t tiles, waves, inputs; // offsets
 } Head;
 
@@ -247,6 +248,7 @@ static void writeHead(swOwnMoment* moment, uint64_t inputs)
         .origin = moment->origin,
         .gravity = moment->frame.gravity,
         .wind = {.from = wind->fromDef, .to = wind->toDef, .begin = wind->begin, .length = wind->length},
+        .evenFlow = moment->evenFlow,
         .tileCount = list->tileCount,
         .waveCount = list->waveCount,
         .inputs = inputs,
@@ -266,9 +268,15 @@ static void writeHead(swOwnMoment* moment, uint64_t inputs)
             stored->texels[field] = getOffset(moment, list->texels[i][field]);
         }
         stored->tile.modes = NULL;
+        stored->tile.evenFlow = NULL;
         stored->tile.response = stored->tile.texels = stored->tile.velocity = stored->tile.acceleration = NULL;
     }
-    memcpy(block + head.waves, list->waves, (size_t)list->waveCount * sizeof(swFreeWave));
+    swFreeWave* waves = (swFreeWave*)(void*)(block + head.waves);
+    for (int i = 0; i < list->waveCount; ++i)
+    {
+        waves[i] = list->waves[i];
+        waves[i].evenFlow = NULL;
+    }
     swSignMoment(block);
 }
 
@@ -337,6 +345,7 @@ swResult swSetMoment(swOwnMoment* moment, const swMomentSource* source, double t
         return result;
     }
     swFillInputArrays(source->inputs, time, source->localSystems, &moment->inputs);
+    swFindEvenFlow(source->inputs, &moment->inputs, ticks, &moment->evenFlow);
     swClearTileList(&moment->list);
     Fill fill = {.moment = moment, .waves = waves, .ticks = ticks, .at = getHeadSize(tileCount, waveCount)};
     for (int i = 0; i < shown.count; ++i)
@@ -376,6 +385,7 @@ static swOwnMoment* allocateMoment(const swHost* host)
         return NULL;
     }
     moment->host = *host;
+    moment->list.evenFlow = &moment->evenFlow;
     moment->moment = (swMoment){
         .host = &moment->host,
         .frame = &moment->frame,
@@ -450,7 +460,9 @@ static swResult readHead(const swHost* host, const char* block, size_t size, Hea
     bool isTime =
         fabs(head->time) <= SW_LARGEST_TIME && head->ticks == (int64_t)floor(head->time * SW_TICKS_PER_SECOND + 0.5);
     bool isWind = swIsWindGood(&head->wind);
-    return isPlaced && isTime && isWind ? SW_SUCCESS : refuse(host, "holds a state that cannot be");
+    return isPlaced && isTime && isWind && swIsEvenFlowGood(&head->evenFlow)
+               ? SW_SUCCESS
+               : refuse(host, "holds a state that cannot be");
 }
 
 // An address in the block, or NULL if `bytes` there would not lie within it.
@@ -484,6 +496,7 @@ static bool mapTexels(const swOwnMoment* moment, const StoredTile* stored, int f
 static bool mapTile(const swOwnMoment* moment, const StoredTile* stored, swTile* tile)
 {
     *tile = stored->tile;
+    tile->evenFlow = moment->list.evenFlow;
     int n = tile->resolution;
     bool isFine = n >= 16 && n <= SW_LIMIT_RESOLUTION && (n & (n - 1)) == 0 && tile->maxBin >= 0 &&
                   tile->maxBin <= n / 4 && tile->side >= LEAST_SIDE && tile->side <= LARGEST_SIDE &&
@@ -536,6 +549,7 @@ swResult swMapMomentBlock(const swHost* host, const void* memory, size_t size, s
     moment->memorySize = size;
     moment->usedSize = (size_t)head.size;
     moment->isMapped = true;
+    moment->evenFlow = head.evenFlow;
     int inputCount = 0;
     const char* inputs = findPlace(moment, head.inputs, 1);
     bool areInputsGood =
@@ -552,6 +566,10 @@ swResult swMapMomentBlock(const swHost* host, const void* memory, size_t size, s
     }
     moment->list.waveCount = head.waveCount;
     memcpy(moment->list.waves, (const char*)memory + head.waves, (size_t)head.waveCount * sizeof(swFreeWave));
+    for (int i = 0; i < head.waveCount; ++i)
+    {
+        moment->list.waves[i].evenFlow = &moment->evenFlow;
+    }
     moment->moment.kernels = swGetWaveKernels(SW_ISA_BEST);
     moment->moment.isHeld = head.isHeld != 0;
     moment->origin = head.origin;

@@ -36,6 +36,7 @@ typedef struct swOwnMoment
     bool isMapped;    // and only read
 
     swInputArrays inputs; // its words are in the block
+    swEvenFlow evenFlow;
 
     void* scratch;
     size_t scratchSize;

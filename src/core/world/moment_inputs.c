@@ -212,4 +212,5 @@ void swMapStoredInputs(const void* place, swInputArrays* arrays)
     set->localSystems = head.localSystems;
     set->ribbonSystems = head.ribbonSystems;
     set->time = head.time;
+    swFindSetFlow(set);
 }

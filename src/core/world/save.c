@@ -85,6 +85,7 @@ static void finishReading(swWorld* world, const Clocks* clocks, const swPos last
     swSetFrameTime(world, clocks->stepped, 0.0);
     world->waves.isTileListStale = true;
     swAdvanceWaves(&world->waves, world->frame.ticks);
+    world->inputs.ticks = world->frame.ticks;
     swDeriveWater(world);
     swDeriveZones(world);
     swDeriveViews(world, last);

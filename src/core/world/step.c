@@ -29,7 +29,7 @@ uint32_t swFindLocalSystems(const swWorld* world)
 // here has a past.
 void swDeriveWater(swWorld* world)
 {
-    swStepInputs(&world->inputs, world->frame.time, swFindLocalSystems(world));
+    swStepInputs(&world->inputs, world->frame.time, world->frame.ticks, swFindLocalSystems(world));
     swStepWaterBodies(&world->waterBodies, &world->frame);
     swDeriveWaves(&world->waves, &world->frame);
     swDeriveWorldWind(world);

@@ -17,6 +17,7 @@ swResult swMakeWorld(const swHost* host, const swWorldDef* def, const swWaveKern
     swBeginWaves(&world->waves, &world->memory, kernels, def);
     world->systemIds = swMakeIdPool(SW_MAX_WAVE_SYSTEMS);
     swBeginInputs(&world->inputs, &world->memory, &world->systemIds, def->seaLevel);
+    world->waves.list.evenFlow = &world->inputs.evenFlow;
     swBeginWaterBodies(&world->waterBodies, &world->inputs);
     world->frame = (swFrame){
         .inputs = &world->inputs.arrays.set,

@@ -37,13 +37,18 @@ swCamera swMakeCamera(swPos position, float heading, float pitch, float roll, fl
     return camera;
 }
 
+#define SW_DEBUG_MODE(name, number, word) _Static_assert((name) == (number), #name " has another number in shaders");
+#include "shared/debug_modes.inl"
+#undef SW_DEBUG_MODE
+
 const char* swDebugMode_GetName(swDebugMode mode)
 {
-    static const char* const names[SW_DEBUG_COUNT] = {
-        [SW_DEBUG_NONE] = "none",       [SW_DEBUG_SLICES] = "slices",       [SW_DEBUG_WIREFRAME] = "wireframe",
-        [SW_DEBUG_NORMALS] = "normals", [SW_DEBUG_HEIGHT] = "height",       [SW_DEBUG_JACOBIAN] = "jacobian",
-        [SW_DEBUG_FOAM] = "foam",       [SW_DEBUG_ROUGHNESS] = "roughness",
+    static const char* const names[] = {
+#define SW_DEBUG_MODE(name, number, word) [name] = #word,
+#include "shared/debug_modes.inl"
+#undef SW_DEBUG_MODE
     };
+    _Static_assert(sizeof(names) / sizeof(names[0]) == SW_DEBUG_COUNT, "a debug mode has no word");
     return (unsigned)mode < SW_DEBUG_COUNT ? names[mode] : "unknown";
 }
 

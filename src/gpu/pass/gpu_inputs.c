@@ -222,7 +222,10 @@ static swResult bringInputs(swGpu* gpu, const swInputSet* set, swGpuInputs* inpu
     result = result == SW_SUCCESS ? uploadRecords(gpu, set, inputs) : result;
     VkDeviceSize nodes = (VkDeviceSize)set->nodeCount * sizeof(swInputNode);
     result = result == SW_SUCCESS ? swUploadData(gpu, set->nodes, nodes, &inputs->nodesUpload) : result;
-    swInputHead head = {.localSystems = set->localSystems, .ribbonSystems = set->ribbonSystems};
+    swInputHead head = {.localSystems = set->localSystems,
+                        .ribbonSystems = set->ribbonSystems,
+                        .evenX = set->evenX,
+                        .evenZ = set->evenZ};
     memcpy(head.ranges, set->ranges, sizeof(head.ranges));
     return result == SW_SUCCESS ? swUploadData(gpu, &head, sizeof(head), &inputs->headUpload) : result;
 }
