@@ -22,8 +22,8 @@ static int addNumbers(swTree* tree, int parent, const char* key, int count, cons
         char text[SW_NUMBER_TEXT];
         bool isZero = numbers[i] == 0.0f;
         swPrintFieldNumber(field, (double)numbers[i], text);
-        node = count > 1 ? swAddTreeText(tree, list, NULL, text, isZero)
-                         : swAddTreeText(tree, parent, key, text, isZero);
+        node =
+            count > 1 ? swAddTreeText(tree, list, NULL, text, isZero) : swAddTreeText(tree, parent, key, text, isZero);
         swSetTreeItem(tree, node, -1, false);
         isDefault = isDefault && isZero;
     }

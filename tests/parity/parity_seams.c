@@ -16,7 +16,7 @@
 #include "shared/fields.h"
 #include "shared/limits.h"
 
-#define MOST_OFF 1e-4 // m, and of derivatives
+#define MOST_OFF 1e-4     // m, and of derivatives
 #define HALF_STEP 0x1p-10 // of half floats, in parts of their size: devices may cut off
 #define SLICES 3
 #define RESOLUTION 256
@@ -178,7 +178,8 @@ static void CheckSeams(void** state, swPosXZ middle, const char* where)
     AddParityView(&parity, SLICES, RESOLUTION, (swPos){middle.x, 2.0, middle.z});
     StepParity(&parity, 3.0);
     Seams seams = CompareSlices(&parity);
-    printf("  %s: over %d borders of blocks heights step by %.2g m too much; at %d of blocks without inputs they are off by "
+    printf("  %s: over %d borders of blocks heights step by %.2g m too much; at %d of blocks without inputs they are "
+           "off by "
            "%.2g m, derivatives by %.2g beyond half floats\n",
            where, seams.borderCount, seams.step, seams.seamCount, seams.height, seams.derivatives);
     assert_true(seams.seamCount > 200);
