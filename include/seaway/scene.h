@@ -247,6 +247,9 @@ SW_API void swDestroyScene(swScene* scene);
 /// Fastest that an input goes by its motion, m/s: along, on its orbit and along its path together.
 SW_API float swSceneMotion_GetSpeed(const swSceneMotion* motion);
 
+/// Table of the keys of an input's points.
+SW_API const swFields* swGetInputPointFields(void);
+
 /// Tables of keys of what moves.
 SW_API const swFields* swGetSceneMotionFields(void);
 SW_API const swFields* swGetScenePathFields(void);

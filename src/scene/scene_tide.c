@@ -11,17 +11,13 @@
 
 const char* swFindTideName(float speed)
 {
-    static const char* const names[] = {"Q1", "O1",  "P1", "S1", "K1", "J1", "OO1", "2N2", "MU2",
-                                        "N2", "NU2", "M2", "L2", "T2", "S2", "K2",  "M3",  "MN4",
-                                        "M4", "MS4", "S4", "M6", "M8", "MF", "MM",  "SSA", "SA"};
-    for (size_t i = 0; i < sizeof(names) / sizeof(names[0]); ++i)
+    int index = 0;
+    const char* name = swGetTideName(0);
+    while (name != NULL && !(speed > 0.0f && swGetTideSpeed(name) == speed))
     {
-        if (speed > 0.0f && swGetTideSpeed(names[i]) == speed)
-        {
-            return names[i];
-        }
+        name = swGetTideName(++index);
     }
-    return NULL;
+    return name;
 }
 
 static swResult readName(swYaml* yaml, yaml_node_t* node, swTideConstituent* constituent)
