@@ -180,12 +180,12 @@ ParseResult ParseRenderOptions(int argumentCount, char** arguments, RenderOption
     static const char* const formats[] = {"png", "exr", NULL};
     static const char* const debugWords[] = {"debug", NULL};
     *render = (RenderOptions){.time = (double)NAN,
-                            .frames = 1,
-                            .fps = (double)NAN,
-                            .sunElevation = (double)NAN,
-                            .sunAzimuth = (double)NAN,
-                            .warmup = 5.0,
-                            .samples = 1};
+                              .frames = 1,
+                              .fps = (double)NAN,
+                              .sunElevation = (double)NAN,
+                              .sunAzimuth = (double)NAN,
+                              .warmup = 5.0,
+                              .samples = 1};
     const Option options[] = {
         {.name = "out",
          .kind = OPTION_OUTPUT,
@@ -279,7 +279,11 @@ ParseResult ParseRenderOptions(int argumentCount, char** arguments, RenderOption
          .placeholder = "S",
          .help = "seconds of foam before the first frame (default 5)",
          .max = 600},
-        {.name = "debug", .kind = OPTION_DEBUG, .value = &render->debug, .placeholder = "MODE", .help = DEBUG_MODE_HELP},
+        {.name = "debug",
+         .kind = OPTION_DEBUG,
+         .value = &render->debug,
+         .placeholder = "MODE",
+         .help = DEBUG_MODE_HELP},
         {.name = "layer-range",
          .kind = OPTION_TEXT,
          .value = &render->rangeText,
