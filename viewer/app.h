@@ -66,6 +66,7 @@ typedef struct App
     bool isLooking; // the mouse turns the camera
 
     int chosenInput, chosenBody; // of the panel
+    int newField;                // swInputField of the next one that is added
     swDebugMode debug;
     SheetView sheetView;
     double pointerX, pointerY; // of the mouse, pixels of the window

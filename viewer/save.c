@@ -70,26 +70,64 @@ static swResult PutAllWaves(const Sea* sea, swScene* scene)
     return result;
 }
 
-// What the tables of inputs and bodies have; resources and points stay the scene's own.
+static bool HaveSamePoints(const swInputDef* a, const swInputDef* b)
+{
+    return a->pointCount == b->pointCount &&
+           (a->pointCount == 0 || memcmp(a->points, b->points, (size_t)a->pointCount * sizeof(swInputPoint)) == 0);
+}
+
+// One that the file has: what its table has, and its points. What it names stays the scene's own.
+static swResult PutInput(const SeaInput* input, swScene* scene, int at)
+{
+    swSceneInput* to = &scene->inputs[at];
+    const swInputDef own = to->def;
+    bool hasPoints = HasPoints(input->def.shape) && !HaveSamePoints(&input->def, &own);
+    to->def = input->def;
+    to->def.raster = own.raster;
+    to->def.mesh = own.mesh;
+    to->def.hull = own.hull;
+    to->def.spline = own.spline;
+    to->def.points = own.points;
+    to->def.pointCount = own.pointCount;
+    to->waves = input->def.field == SW_INPUT_WAVES ? to->waves : -1;
+    return hasPoints ? swScene_SetInputPoints(scene, at, input->def.pointCount, input->def.points) : SW_SUCCESS;
+}
+
 static swResult PutInputs(const Sea* sea, swScene* scene)
 {
-    int inputs = sea->scene != NULL ? sea->scene->inputCount : 0;
-    int bodies = sea->scene != NULL ? sea->scene->waterBodyCount : 0;
-    if (inputs != scene->inputCount || bodies != scene->waterBodyCount)
+    int inputs = sea->scene != NULL ? sea->scene->inputCount : 0, filedCount = 0;
+    for (int i = 0; i < inputs; i++)
+    {
+        filedCount += sea->inputs[i].isAdded ? 0 : 1;
+    }
+    if (filedCount != scene->inputCount)
     {
         SayInSea(sea, "the scene was not saved: the file has other inputs than when it was read; read it again");
         return SW_ERROR_INVALID;
     }
-    for (int i = 0; i < inputs; i++)
+    swResult result = SW_SUCCESS;
+    for (int i = 0, at = 0; i < inputs && result == SW_SUCCESS; i++)
     {
-        swInputDef *to = &scene->inputs[i].def, own = *to;
-        *to = sea->inputs[i].def;
-        to->raster = own.raster;
-        to->mesh = own.mesh;
-        to->hull = own.hull;
-        to->spline = own.spline;
-        to->points = own.points;
-        to->pointCount = own.pointCount;
+        const SeaInput* input = &sea->inputs[i];
+        if (input->isRemoved)
+        {
+            swScene_RemoveInput(scene, at);
+            continue;
+        }
+        result = input->isAdded ? swScene_AddInput(scene, &input->def, -1) : PutInput(input, scene, at);
+        at += 1;
+    }
+    return result;
+}
+
+static swResult PutBodies(const Sea* sea, swScene* scene)
+{
+    int bodies = sea->scene != NULL ? sea->scene->waterBodyCount : 0;
+    if (bodies != scene->waterBodyCount)
+    {
+        SayInSea(sea,
+                 "the scene was not saved: the file has other bodies of water than when it was read; read it again");
+        return SW_ERROR_INVALID;
     }
     for (int i = 0; i < bodies; i++)
     {
@@ -111,6 +149,7 @@ swResult SaveSea(const Sea* sea, const char* from, const char* path)
     }
     PutLook(sea, scene);
     result = PutInputs(sea, scene);
+    result = result == SW_SUCCESS ? PutBodies(sea, scene) : result;
     result = result == SW_SUCCESS ? PutAllWaves(sea, scene) : result;
     result = result == SW_SUCCESS ? swWriteScene(scene, path) : result;
     swDestroyScene(scene);

@@ -63,9 +63,15 @@ typedef struct SeaLook
 // An input of the scene, or a body of water, as the panel has it; the world follows with ApplyChanges().
 typedef struct SeaInput
 {
-    swInputDef def, filedDef;
+    swInputId id;        // null of one that is left out
+    swInputDef def;      // its points are `points`
+    swInputDef filedDef; // its points are the scene's
     swInputDef takenDef; // that the world has, in the file's coordinates
-    bool hasChanged;     // since the world had it
+    swInputPoint* points;
+    int pointCount;
+    bool hasChanged; // since the world had it
+    bool isAdded;    // the file has no such input
+    bool isRemoved;  // the file has it, and it is disabled in the world; it may come back
 } SeaInput;
 
 typedef struct SeaBody
@@ -170,10 +176,41 @@ void ApplyInputs(Sea* sea);
 // Of inputs and bodies that have to do with waves that are about to go, or that came back.
 void FollowWaves(Sea* sea, int waves);
 
+// A circle of a field around a place of the file's coordinates, behind the others. False, with a sentence in the host's
+// log, if there is no scene or no room.
+bool AddInput(Sea* sea, swInputField field, swPos position);
+
+// One of the file stays in the list, to be brought back.
+void RemoveInput(Sea* sea, int index);
+void BringBackInput(Sea* sea, int index);
+
+// Let an input say something else, with a value that is seen; or lie elsewhere: shapes through points begin as a
+// square of the input's size where it has none.
+void ChangeInputField(SeaInput* input, swInputField field);
+bool ChangeInputShape(SeaInput* input, swInputShape shape);
+
+// Whether a shape needs no more than a panel can give, and suits the input's field.
+bool IsShapeFree(const SeaInput* input, swInputShape shape);
+bool HasPoints(swInputShape shape);
+
+// A copy of a point half way to the next one, or a metre beside it if there is no way; a point away, if the shape can
+// spare it. False if there is no memory.
+bool AddInputPoint(SeaInput* input, int row);
+void RemoveInputPoint(SeaInput* input, int row);
+
+// Take over other points, such as the world's or the file's. False if there is no memory.
+bool TakeInputPoints(SeaInput* input, int count, const swInputPoint* points);
+
+// Another constituent of its tide, and one away.
+void AddInputTide(SeaInput* input);
+void RemoveInputTide(SeaInput* input, int row);
+int CountInputTides(const swInputDef* def);
+
 // Those that move by themselves, and tides by a table, to a time. AdvanceSea() calls it.
 void MoveInputs(Sea* sea, double time);
 
-// Everything as the file has it.
+// One, or everything, as the file has it; one that was added goes.
+void ResetInput(Sea* sea, int index);
 void ResetInputs(Sea* sea);
 
 // UTC in seconds since 1970 that a replay has reached.

@@ -40,6 +40,11 @@ swResult OpenInputs(Sea* sea)
     {
         SeaInput* input = &sea->inputs[i];
         input->def = input->filedDef = input->takenDef = scene->inputs[i].def;
+        if (!TakeInputPoints(input, scene->inputs[i].pointCount, scene->inputs[i].points))
+        {
+            SayInSea(sea, "there is no memory for the points of the scene's inputs");
+            return SW_ERROR_NO_MEMORY;
+        }
     }
     for (int i = 0; i < scene->waterBodyCount; i++)
     {
@@ -51,12 +56,21 @@ swResult OpenInputs(Sea* sea)
     {
         systems[i] = sea->waves[i].id;
     }
-    return swCreateSceneInputs(sea->world, scene, systems, &sea->authored);
+    swResult result = swCreateSceneInputs(sea->world, scene, systems, &sea->authored);
+    for (int i = 0; i < sea->authored.inputCount; i++)
+    {
+        sea->inputs[i].id = sea->authored.inputs[i];
+    }
+    return result;
 }
 
 void CloseInputs(Sea* sea)
 {
     swDestroySceneSea(&sea->authored);
+    for (int i = 0; i < CountInputs(sea) && sea->inputs != NULL; i++)
+    {
+        free(sea->inputs[i].points);
+    }
     free(sea->inputs);
     free(sea->bodies);
     sea->inputs = NULL;
@@ -112,7 +126,7 @@ void MoveInputs(Sea* sea, double time)
     for (int i = 0; i < CountInputs(sea); i++)
     {
         const swSceneInput* input = &sea->scene->inputs[i];
-        swInputId id = sea->authored.inputs[i];
+        swInputId id = sea->inputs[i].id;
         swInputDef def = sea->inputs[i].takenDef;
         if (!swInput_IsValid(sea->world, id) || !(swSceneInput_IsMoving(input) || swSceneInput_IsChanging(input)))
         {
@@ -134,18 +148,27 @@ void MoveInputs(Sea* sea, double time)
     }
 }
 
+// What the world has, where it refused something else.
+static void GiveBack(const Sea* sea, SeaInput* input)
+{
+    swInputDef now = swInput_Get(sea->world, input->id);
+    input->def = input->takenDef;
+    TakeInputPoints(input, now.pointCount, now.points);
+}
+
 static void ApplyInput(Sea* sea, int index, int firstNested)
 {
     SeaInput* input = &sea->inputs[index];
     const swSceneInput* filed = &sea->scene->inputs[index];
-    swInputId id = sea->authored.inputs[index];
+    swInputId id = input->id;
     swInputDef def = input->def;
     input->hasChanged = false;
     if (!swInput_IsValid(sea->world, id))
     {
         return; // left out
     }
-    def.isEnabled = FindWaves(sea, filed->waves, &def.system) && def.isEnabled;
+    bool hasWaves = FindWaves(sea, def.field == SW_INPUT_WAVES ? filed->waves : -1, &def.system);
+    def.isEnabled = hasWaves && def.isEnabled && !input->isRemoved;
     FollowMotion(sea, index, swWorld_GetTime(sea->world), &def);
     if (filed->nest != NULL)
     {
@@ -156,9 +179,10 @@ static void ApplyInput(Sea* sea, int index, int firstNested)
     }
     if (swInput_Set(sea->world, id, &def) != SW_SUCCESS)
     {
-        input->def = input->takenDef; // the log says why
+        GiveBack(sea, input); // the log says why
         return;
     }
+    sea->floorVersion += input->takenDef.field == SW_INPUT_FLOOR && def.field != SW_INPUT_FLOOR;
     input->takenDef = input->def;
     FollowNest(sea, filed, firstNested, &def);
     sea->floorVersion += def.field == SW_INPUT_FLOOR;
@@ -214,12 +238,25 @@ void FollowWaves(Sea* sea, int waves)
     ApplyInputs(sea);
 }
 
+void ResetInput(Sea* sea, int index)
+{
+    SeaInput* input = &sea->inputs[index];
+    if (input->isAdded)
+    {
+        RemoveInput(sea, index);
+        return;
+    }
+    input->def = input->filedDef;
+    TakeInputPoints(input, input->filedDef.pointCount, input->filedDef.points);
+    input->isRemoved = false;
+    input->hasChanged = true;
+}
+
 void ResetInputs(Sea* sea)
 {
-    for (int i = 0; i < CountInputs(sea); i++)
+    for (int i = CountInputs(sea) - 1; i >= 0; i--) // backwards: added ones leave the list
     {
-        sea->inputs[i].def = sea->inputs[i].filedDef;
-        sea->inputs[i].hasChanged = true;
+        ResetInput(sea, i);
     }
     for (int i = 0; i < CountBodies(sea); i++)
     {

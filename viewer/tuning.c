@@ -2,6 +2,7 @@
 #include "tuning.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int CountDifferentParts(const swField* field, const char* value, const char* filed);
@@ -85,7 +86,18 @@ int CountWavesChanges(const SeaWaves* waves)
 
 int CountInputChanges(const SeaInput* input)
 {
-    return CountDifferent(swGetInputFields(), &input->def, &input->filedDef);
+    if (input->isAdded || input->isRemoved)
+    {
+        return 1;
+    }
+    const swInputDef *def = &input->def, *filed = &input->filedDef;
+    int least = def->pointCount < filed->pointCount ? def->pointCount : filed->pointCount;
+    int count = CountDifferent(swGetInputFields(), def, filed) + abs(def->pointCount - filed->pointCount);
+    for (int i = 0; i < least; i++)
+    {
+        count += memcmp(&def->points[i], &filed->points[i], sizeof(swInputPoint)) != 0;
+    }
+    return count;
 }
 
 int CountBodyChanges(const SeaBody* body)

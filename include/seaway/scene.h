@@ -149,6 +149,7 @@ typedef struct swSceneInput
 {
     swInputDef def;
     int waves;            ///< index of the scene's waves that it weighs; -1: all
+    int resource;         ///< index of the raster, mesh, hull or spline that its shape names; -1: none
     bool isLeftOut;       ///< its raster is an optional file that is not there, or its waves were removed
     bool hasLostWaves;    ///< its waves were removed: it is no longer written either
     swInputPoint* points; ///< def.points points here; NULL if there are none
@@ -246,15 +247,18 @@ SW_API void swDestroyScene(swScene* scene);
 /// Fastest that an input goes by its motion, m/s: along, on its orbit and along its path together.
 SW_API float swSceneMotion_GetSpeed(const swSceneMotion* motion);
 
+/// Table of the keys of an input's points.
+SW_API const swFields* swGetInputPointFields(void);
+
 /// Tables of keys of what moves.
 SW_API const swFields* swGetSceneMotionFields(void);
 SW_API const swFields* swGetScenePathFields(void);
 
 /// @name Changing a scene
 /// Plain values are changed where they stand: scene->sky.haze, scene->waves[i].def.chop, scene->waves[i].record,
-/// scene->views[i].pitch, and of inputs and bodies of water what their defs' tables have under a key. What comes and
-/// goes has functions. The scene's seas, if there are any, do not follow; do not
-/// remove waves that a swSceneSea replays.
+/// scene->views[i].pitch, and of inputs and bodies of water what their defs' tables have under a key, their tides, and
+/// the numbers of the points that they have. What comes and goes has functions. The scene's seas, if there are any, do
+/// not follow; do not remove waves that a swSceneSea replays.
 /// @{
 
 /// Add a wave system behind the others: a formula, an equaliser, or waves given by hand, which are copied. A table is
@@ -270,6 +274,19 @@ SW_API swResult swScene_SetWaves(swScene* scene, int index, const swWaveSystemDe
 /// An input of the removed waves is left out, also of what is written, and a body of water that had them has none of
 /// its own.
 SW_API void swScene_RemoveWaves(swScene* scene, int index);
+
+/// Add an input behind the others; its points are copied. A raster, a mesh, a hull or a spline is one of the scene's.
+/// @param waves index of the scene's waves that it weighs; -1: all
+/// @return SW_ERROR_INVALID if the def is outside its ranges or names what the scene does not have,
+/// SW_ERROR_UNSUPPORTED for a function, which no file can hold, SW_ERROR_NO_MEMORY, SW_ERROR_LIMIT
+SW_API swResult swScene_AddInput(swScene* scene, const swInputDef* def, int waves);
+
+/// Other points for an input, which are copied.
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY; then it has the old ones
+SW_API swResult swScene_SetInputPoints(swScene* scene, int index, int count, const swInputPoint* points);
+
+/// Remove an input; those behind it move up.
+SW_API void swScene_RemoveInput(swScene* scene, int index);
 
 /// Add a viewpoint behind the others; it needs a name that no other has.
 /// @return SW_ERROR_INVALID, SW_ERROR_LIMIT

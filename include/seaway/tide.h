@@ -46,6 +46,9 @@ SW_API const swFields* swGetTideFields(void);
 /// S2 K2, M3 MN4 M4 MS4 S4 M6 M8, MF MM SSA SA.
 SW_API float swGetTideSpeed(const char* name);
 
+/// Names of all that are known, in ascending speeds within each kind; NULL beyond the last.
+SW_API const char* swGetTideName(int index);
+
 /// Make a constituent of a level, or of a flow along x, by name.
 /// @return false for a name that is not known; the constituent is 0 then
 SW_API bool swSetTideConstituent(const char* name, float amplitude, float phase, swTideConstituent* constituent);

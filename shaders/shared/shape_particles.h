@@ -12,7 +12,7 @@ SW_PARAMS(swParticleSum)
 {
     sw_vec4 value, valueX, valueZ; // of share times value
     swInputChannel share;          // of shares
-    swInputChannel open;           // product of what each leaves open
+    swInputChannel covered;        // of the water, by all together: each covers its share of what the others leave open
 };
 
 SW_FORMULA swInputChannel swAddPart(swInputChannel share, float value)
@@ -53,9 +53,11 @@ SW_FORMULA swParticleSum swAddParticle(SW_WORDS words, swInputRecord record, sw_
     sum.valueZ.w = sum.valueZ.w + part.alongZ;
     sum.share =
         swMakeChannel(sum.share.value + share.value, sum.share.alongX + share.alongX, sum.share.alongZ + share.alongZ);
-    float left = 1.0f - share.value;
-    sum.open = swMakeChannel(sum.open.value * left, sum.open.alongX * left - sum.open.value * share.alongX,
-                             sum.open.alongZ * left - sum.open.value * share.alongZ);
+    // Added to what is covered rather than taken from what is open: near an edge that is the difference of two numbers
+    // that are nearly 1.
+    float open = 1.0f - sum.covered.value, left = 1.0f - share.value;
+    sum.covered = swMakeChannel(sum.covered.value + share.value * open, sum.covered.alongX * left + share.alongX * open,
+                                sum.covered.alongZ * left + share.alongZ * open);
     return sum;
 }
 
@@ -67,7 +69,7 @@ SW_FORMULA swInputSample swSampleParticles(SW_WORDS words, swInputRecord record,
     sum.valueX = swNoValue();
     sum.valueZ = swNoValue();
     sum.share = swMakeChannel(0.0f, 0.0f, 0.0f);
-    sum.open = swMakeChannel(1.0f, 0.0f, 0.0f);
+    sum.covered = sum.share;
     for (sw_uint i = 0u; i < record.extra0; ++i)
     {
         sum = swAddParticle(words, record, i * SW_PARTICLE_WORDS, x, z, sum);
@@ -94,9 +96,14 @@ SW_FORMULA swInputSample swSampleParticles(SW_WORDS words, swInputRecord record,
     s.valueZ.z = (sum.valueZ.z - meanZ * sum.share.alongZ) * scale;
     s.valueZ.w = (sum.valueZ.w - meanW * sum.share.alongZ) * scale;
     bool adds = record.blend == SW_JOIN_ADD;
-    s.share = adds ? sum.share.value : 1.0f - sum.open.value;
-    s.shareX = adds ? sum.share.alongX : -sum.open.alongX;
-    s.shareZ = adds ? sum.share.alongZ : -sum.open.alongZ;
+    swInputChannel share = sum.covered;
+    if (adds)
+    {
+        share = sum.share;
+    }
+    s.share = share.value;
+    s.shareX = share.alongX;
+    s.shareZ = share.alongZ;
     return s;
 }
 #endif

@@ -109,6 +109,11 @@ void swAddBodyTrees(swTree* tree, int list, const swScene* scene)
         swSetTreeItem(tree, node, body->item - 1, false);
         swAddCountedFields(tree, node, swGetWaterBodyFields(), &body->def);
         swAddWavesNumber(tree, node, body->waves);
+        swAddShoreTrees(tree, node, body->pointCount, body->points);
+        if (body->tide.count == 0)
+        {
+            swAddTideTrees(tree, node, body->def.tide, false);
+        }
     }
 }
 

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "core/base/field.h"
-#include "scene/field_tree.h"
 #include "scene/scene_lists.h"
 
 // Keys of an input beside its def's fields.
@@ -205,22 +204,25 @@ static swResult readNest(swYaml* yaml, yaml_node_t* node, const swScene* scene, 
 
 static swResult findResources(swYaml* yaml, const InputKeys* keys, const swScene* scene)
 {
-    int index = -1;
+    swSceneInput* input = keys->input;
+    swInputDef* def = &input->def;
+    int raster = -1, spline = -1, mesh = -1, hull = -1;
     swResult result =
-        findResource(yaml, keys, "raster", scene->rasters, sizeof(swSceneRaster), scene->rasterCount, &index);
-    keys->input->def.raster = index >= 0 ? scene->rasters[index].raster : NULL;
-    keys->input->isLeftOut = index >= 0 && scene->rasters[index].isOptional && scene->rasters[index].raster == NULL;
+        findResource(yaml, keys, "raster", scene->rasters, sizeof(swSceneRaster), scene->rasterCount, &raster);
     result = swKeepFailure(
-        result, findResource(yaml, keys, "spline", scene->splines, sizeof(swSceneSpline), scene->splineCount, &index));
-    keys->input->def.spline = index >= 0 ? scene->splines[index].spline : NULL;
+        result, findResource(yaml, keys, "spline", scene->splines, sizeof(swSceneSpline), scene->splineCount, &spline));
     result = swKeepFailure(
-        result, findResource(yaml, keys, "mesh", scene->meshes, sizeof(swSceneMesh), scene->meshCount, &index));
-    keys->input->def.mesh = index >= 0 ? scene->meshes[index].mesh : NULL;
+        result, findResource(yaml, keys, "mesh", scene->meshes, sizeof(swSceneMesh), scene->meshCount, &mesh));
     result = swKeepFailure(
-        result, findResource(yaml, keys, "hull", scene->hulls, sizeof(swSceneHull), scene->hullCount, &index));
-    keys->input->def.hull = index >= 0 ? scene->hulls[index].hull : NULL;
+        result, findResource(yaml, keys, "hull", scene->hulls, sizeof(swSceneHull), scene->hullCount, &hull));
+    def->raster = raster >= 0 ? scene->rasters[raster].raster : NULL;
+    def->spline = spline >= 0 ? scene->splines[spline].spline : NULL;
+    def->mesh = mesh >= 0 ? scene->meshes[mesh].mesh : NULL;
+    def->hull = hull >= 0 ? scene->hulls[hull].hull : NULL;
+    input->resource = raster >= 0 ? raster : spline >= 0 ? spline : mesh >= 0 ? mesh : hull;
+    input->isLeftOut = raster >= 0 && scene->rasters[raster].isOptional && def->raster == NULL;
     yaml_node_t* nest = swGetYamlNode(&keys->mapping, "nest");
-    return nest != NULL ? swKeepFailure(result, readNest(yaml, nest, scene, keys->input)) : result;
+    return nest != NULL ? swKeepFailure(result, readNest(yaml, nest, scene, input)) : result;
 }
 
 // A key that only some inputs can have.
@@ -275,6 +277,7 @@ static swResult readInput(swYaml* yaml, yaml_node_t* node, const swSceneReader* 
     swSceneInput* input = keys.input;
     input->def = swDefaultInputDef();
     input->waves = -1;
+    input->resource = -1;
     input->item = index + 1;
     input->line = (int)node->start_mark.line + 1;
     swBeginYamlMapping(&keys.mapping, "an input");
@@ -323,79 +326,19 @@ swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* read
     return result;
 }
 
-// ---- writing ----
-
-// One number by itself, several as a list.
-static void addValue(swTree* tree, int parent, const swInputDef* def)
+void swFreeInput(const swHost* host, swSceneInput* input)
 {
-    const swField* field = swFields_Find(swGetInputFields(), "value");
-    int count = swInputField_CountNumbers(def->field);
-    int list = count > 1 ? swAddTreeNode(tree, parent, SW_TREE_LIST, field->key) : -1;
-    bool isDefault = true;
-    for (int i = 0; i < count && !tree->isBroken; ++i)
-    {
-        char text[SW_NUMBER_TEXT];
-        bool isZero = def->value[i] == 0.0f;
-        swPrintFieldNumber(field, (double)def->value[i], text);
-        int node = count > 1 ? swAddTreeText(tree, list, NULL, text, isZero)
-                             : swAddTreeText(tree, parent, field->key, text, isZero);
-        swSetTreeItem(tree, node, count > 1 ? i : -1, false);
-        isDefault = isDefault && isZero;
-    }
-    swSetTreeItem(tree, list, -1, true);
-    swSetTreeDefault(tree, list, isDefault);
-}
-
-void swAddWavesNumber(swTree* tree, int parent, int waves)
-{
-    char text[16];
-    snprintf(text, sizeof(text), "%d", waves + 1);
-    if (waves >= 0)
-    {
-        swAddTreeText(tree, parent, "waves", text, false);
-    }
-}
-
-void swAddCountedFields(swTree* tree, int parent, const swFields* fields, const void* def)
-{
-    for (int i = 0; i < fields->count && !tree->isBroken; ++i)
-    {
-        const swField* field = &fields->fields[i];
-        bool isValue = fields == swGetInputFields() && strcmp(field->member, "value") == 0; // see addValue()
-        if (field->key != NULL && field->type < SW_FIELD_DEF && !isValue && swFields_Counts(fields, field, def))
-        {
-            swAddField(tree, parent, field, def, NULL);
-        }
-    }
-}
-
-// Everything that is no list or name of a resource: those stay as they stand in the text.
-void swAddInputTrees(swTree* tree, int list, const swScene* scene)
-{
-    for (int i = 0; i < scene->inputCount && !tree->isBroken; ++i)
-    {
-        const swSceneInput* input = &scene->inputs[i];
-        if (input->hasLostWaves)
-        {
-            continue;
-        }
-        int node = swAddTreeNode(tree, list, SW_TREE_MAPPING, NULL);
-        swSetTreeItem(tree, node, input->item - 1, false);
-        swAddCountedFields(tree, node, swGetInputFields(), &input->def);
-        addValue(tree, node, &input->def);
-        swAddWavesNumber(tree, node, input->waves);
-    }
+    swFree(host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
+    swFreeTide(host, &input->tide);
+    swFreeMotion(host, &input->motion);
+    swFree(host, input->nest, input->nest != NULL ? SW_MAX_NEST * sizeof(*input->nest) : 0);
 }
 
 void swFreeInputs(swScene* scene)
 {
     for (int i = 0; i < scene->inputCount; ++i)
     {
-        swSceneInput* input = &scene->inputs[i];
-        swFree(&scene->host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
-        swFreeTide(&scene->host, &input->tide);
-        swFreeMotion(&scene->host, &input->motion);
-        swFree(&scene->host, input->nest, input->nest != NULL ? SW_MAX_NEST * sizeof(*input->nest) : 0);
+        swFreeInput(&scene->host, &scene->inputs[i]);
     }
     swFree(&scene->host, scene->inputs, (size_t)scene->inputCount * sizeof(swSceneInput));
     scene->inputCount = 0;

@@ -18,7 +18,6 @@ void swFreeSceneInputs(swScene* scene);
 const swFields* swGetSceneRasterFields(void); // of swSceneRaster
 const swFields* swGetSceneMeshFields(void);   // of swSceneMesh
 const swFields* swGetSceneHullFields(void);   // of swSceneHull
-const swFields* swGetInputPointFields(void);  // of swInputPoint
 
 // Put a scene's seas by a wind map, bodies of water and inputs into a world whose wave systems the sea has. On failure
 // none of them is there.

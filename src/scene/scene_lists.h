@@ -65,6 +65,8 @@ typedef struct swTideReader
 
 swResult swReadTide(swYaml* yaml, yaml_node_t* node, const swTideReader* tide);
 void swFreeTide(const swHost* host, swSceneTide* tide);
+// The name of a constituent of this speed; NULL if none is known.
+const char* swFindTideName(float speed);
 
 // scene_motion.c
 swResult swReadMotion(swYaml* yaml, yaml_node_t* node, swSceneMotion* motion);
@@ -76,6 +78,7 @@ void swFreeWindSeas(swScene* scene);
 
 // scene_inputs.c
 swResult swReadInputs(swYaml* yaml, yaml_node_t* node, const swSceneReader* reader);
+void swFreeInput(const swHost* host, swSceneInput* input);
 void swFreeInputs(swScene* scene);
 
 // scene_bodies.c: other looks of water, and bodies that have them.
@@ -89,6 +92,10 @@ void swFreeWaterBodies(swScene* scene);
 void swAddWavesNumber(swTree* tree, int parent, int waves);
 // Fields of a def that count and that scene files have.
 void swAddCountedFields(swTree* tree, int parent, const swFields* fields, const void* def);
+// A list of [x, z] or of mappings, in the order of the text's.
+void swAddPointTrees(swTree* tree, int parent, int count, const swInputPoint* points, int valueCount);
+void swAddShoreTrees(swTree* tree, int parent, int count, const swVec2* points);
+void swAddTideTrees(swTree* tree, int parent, const swTideConstituent tide[SW_MAX_TIDE], bool isFlow);
 // An item for each input, and for each body of water.
 void swAddInputTrees(swTree* tree, int list, const swScene* scene);
 void swAddBodyTrees(swTree* tree, int list, const swScene* scene);

@@ -9,6 +9,17 @@
 #include "scene/exact_number.h"
 #include "scene/scene_lists.h"
 
+const char* swFindTideName(float speed)
+{
+    int index = 0;
+    const char* name = swGetTideName(0);
+    while (name != NULL && !(speed > 0.0f && swGetTideSpeed(name) == speed))
+    {
+        name = swGetTideName(++index);
+    }
+    return name;
+}
+
 static swResult readName(swYaml* yaml, yaml_node_t* node, swTideConstituent* constituent)
 {
     char name[16] = "";

@@ -8,6 +8,7 @@
 #include "core/base/field.h"
 #include "core/base/misuse.h"
 #include "scene/scene_components.h"
+#include "scene/scene_lists.h"
 #include "scene/scene_source.h"
 #include "scene/yaml_merge.h"
 
@@ -27,7 +28,7 @@ swResult swCreateScene(const swHost* host, swScene** scene)
     return *scene != NULL ? SW_SUCCESS : SW_ERROR_NO_MEMORY;
 }
 
-// ---- waves and views ----
+// ---- waves ----
 
 // The def with waves of its own.
 static swResult takeDef(swScene* scene, swSceneWaves* waves, const swWaveSystemDef* def)
@@ -134,6 +135,131 @@ void swScene_RemoveWaves(swScene* scene, int index)
     }
     memset(&scene->waves[scene->wavesCount], 0, sizeof(swSceneWaves));
 }
+
+// ---- inputs ----
+
+// Which of the scene's lists an input's shape names, and where; -1 if it needs none, -2 if the scene has it not.
+static int findResource(const swScene* scene, const swInputDef* def)
+{
+    int count = def->shape == SW_SHAPE_RASTER   ? scene->rasterCount
+                : def->shape == SW_SHAPE_MESH   ? scene->meshCount
+                : def->shape == SW_SHAPE_HULL   ? scene->hullCount
+                : def->shape == SW_SHAPE_SPLINE ? scene->splineCount
+                                                : -1;
+    for (int i = 0; i < count; ++i)
+    {
+        bool isIt = def->shape == SW_SHAPE_RASTER ? scene->rasters[i].raster == def->raster
+                    : def->shape == SW_SHAPE_MESH ? scene->meshes[i].mesh == def->mesh
+                    : def->shape == SW_SHAPE_HULL ? scene->hulls[i].hull == def->hull
+                                                  : scene->splines[i].spline == def->spline;
+        if (isIt)
+        {
+            return i;
+        }
+    }
+    return count < 0 ? -1 : -2;
+}
+
+static swResult checkInput(const swScene* scene, const swInputDef* def, int waves, int resource)
+{
+    swResult result = swCheckDef(&scene->host, swGetInputFields(), def);
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
+    if (def->shape == SW_SHAPE_FUNCTION)
+    {
+        return swFail(&scene->host, SW_ERROR_UNSUPPORTED, "A function cannot be added to a scene; give it a raster.");
+    }
+    if (resource == -2 || waves < -1 || waves >= scene->wavesCount)
+    {
+        return swFail(&scene->host, SW_ERROR_INVALID, "The input '%.63s' names %s that the scene does not have.",
+                      def->name, resource == -2 ? "a raster, mesh, hull or spline" : "waves");
+    }
+    return scene->inputCount == SW_MAX_SCENE_INPUTS
+               ? swFail(&scene->host, SW_ERROR_LIMIT, "A scene has at most %d inputs; remove one first.",
+                        SW_MAX_SCENE_INPUTS)
+               : SW_SUCCESS;
+}
+
+// The list with room for `count`; the scene keeps the old one if there is no memory.
+static bool resizeInputs(swScene* scene, int count)
+{
+    swSceneInput* inputs = count > 0 ? swAllocateZero(&scene->host, (size_t)count * sizeof(swSceneInput)) : NULL;
+    int kept = count < scene->inputCount ? count : scene->inputCount;
+    if (count > 0 && inputs == NULL)
+    {
+        swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for %d inputs of a scene.", count);
+        return false;
+    }
+    if (kept > 0)
+    {
+        memcpy(inputs, scene->inputs, (size_t)kept * sizeof(swSceneInput));
+    }
+    swFree(&scene->host, scene->inputs, (size_t)scene->inputCount * sizeof(swSceneInput));
+    scene->inputs = inputs;
+    scene->inputCount = count;
+    return true;
+}
+
+swResult swScene_AddInput(swScene* scene, const swInputDef* def, int waves)
+{
+    SW_REQUIRE(scene != NULL && def != NULL, SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swScene_AddInput() needs a scene and a def");
+    int resource = findResource(scene, def), index = scene->inputCount;
+    swResult result = checkInput(scene, def, waves, resource);
+    if (result != SW_SUCCESS || !resizeInputs(scene, index + 1))
+    {
+        return result != SW_SUCCESS ? result : SW_ERROR_NO_MEMORY;
+    }
+    scene->inputs[index] = (swSceneInput){.def = *def, .waves = waves, .resource = resource};
+    scene->inputs[index].def.points = NULL;
+    scene->inputs[index].def.pointCount = 0;
+    result = def->pointCount > 0 ? swScene_SetInputPoints(scene, index, def->pointCount, def->points) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        swScene_RemoveInput(scene, index);
+    }
+    return result;
+}
+
+swResult swScene_SetInputPoints(swScene* scene, int index, int count, const swInputPoint* points)
+{
+    SW_REQUIRE(scene != NULL && index >= 0 && index < scene->inputCount && count > 0 && count <= SW_MAX_INPUT_POINTS &&
+                   points != NULL,
+               SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swScene_SetInputPoints() needs a scene, an index that it has, and 1 to %d points", SW_MAX_INPUT_POINTS);
+    swSceneInput* input = &scene->inputs[index];
+    swInputPoint* copy = swAllocate(&scene->host, (size_t)count * sizeof(swInputPoint));
+    if (copy == NULL)
+    {
+        return swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for %d points of a scene's input.", count);
+    }
+    memcpy(copy, points, (size_t)count * sizeof(swInputPoint));
+    swFree(&scene->host, input->points, (size_t)input->pointCount * sizeof(swInputPoint));
+    input->points = copy;
+    input->pointCount = count;
+    input->def.points = copy;
+    input->def.pointCount = count;
+    return SW_SUCCESS;
+}
+
+void swScene_RemoveInput(swScene* scene, int index)
+{
+    SW_REQUIRE_VOID(scene != NULL && index >= 0 && index < scene->inputCount, scene != NULL ? &scene->host : NULL,
+                    "swScene_RemoveInput() needs a scene and an index that it has");
+    swSceneInput gone = scene->inputs[index];
+    int last = scene->inputCount - 1;
+    memmove(&scene->inputs[index], &scene->inputs[index + 1], (size_t)(last - index) * sizeof(swSceneInput));
+    memset(&scene->inputs[last], 0, sizeof(swSceneInput));
+    if (!resizeInputs(scene, last))
+    {
+        scene->inputs[last].isLeftOut = scene->inputs[last].hasLostWaves = true; // an empty one stays at the end
+    }
+    swFreeInput(&scene->host, &gone);
+}
+
+// ---- views ----
 
 swResult swScene_AddView(swScene* scene, const swSceneView* view)
 {

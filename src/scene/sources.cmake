@@ -2,6 +2,7 @@
 target_sources(seaway_scene PRIVATE
     ${CMAKE_CURRENT_LIST_DIR}/exact_number.c
     ${CMAKE_CURRENT_LIST_DIR}/field_tree.c
+    ${CMAKE_CURRENT_LIST_DIR}/inputs_tree.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_bodies.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_check.c
     ${CMAKE_CURRENT_LIST_DIR}/scene_components.c

@@ -44,6 +44,17 @@ static int countItems(const swTree* tree, int list)
     return count;
 }
 
+// Whether a value is of another kind now, such as [1, 2] that becomes {x: 1}: the new one takes its place.
+static bool hasOtherForm(Merge* merge, int node, int before, int after)
+{
+    swTreeType type = swGetTreeNode(merge->after, after)->type;
+    yaml_node_type_t at = getNode(merge, node)->type;
+    bool isSame = type == SW_TREE_SCALAR    ? at == YAML_SCALAR_NODE
+                  : type == SW_TREE_MAPPING ? at == YAML_MAPPING_NODE
+                                            : at == YAML_SEQUENCE_NODE;
+    return !isSame && before >= 0 && !swAreTreesEqual(merge->before, before, merge->after, after);
+}
+
 // What a collection shall become, for swArrangeYaml().
 typedef struct Plan
 {
@@ -126,7 +137,11 @@ static void mergeMapping(Merge* merge, int node, int before, int after)
         {
             plan.isKept[i] = true; // neither tree knows of it
         }
-        if (wanted >= 0)
+        if (wanted >= 0 && hasOtherForm(merge, pair.value, old, wanted))
+        {
+            plan.added[plan.addedCount++] = (swYamlAdded){merge->after, wanted, i};
+        }
+        else if (wanted >= 0)
         {
             plan.isKept[i] = true;
             mergeValue(merge, pair.value, old, wanted, at->data.mapping.style == YAML_FLOW_MAPPING_STYLE);
@@ -243,6 +258,11 @@ static void mergeList(Merge* merge, int node, int before, int after)
         else if (item <= last || item >= count)
         {
             swRefuseYamlEdit(&merge->edits, at, "its items were put into another order");
+        }
+        else if (hasOtherForm(merge, at->data.sequence.items.start[item], findItem(merge->before, before, item), child))
+        {
+            last = item;
+            plan.added[plan.addedCount++] = (swYamlAdded){merge->after, child, last};
         }
         else
         {

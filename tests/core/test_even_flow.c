@@ -393,14 +393,10 @@ static void MomentsHoldThePath(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(FrequenciesShiftByDoppler),
-        cmocka_unit_test(TheSeaIsThatOfStillWaterCarriedByTides),
-        cmocka_unit_test(StepsLeaveNoTrace),
-        cmocka_unit_test(OtherFlowsChangeNothingElsewhere),
-        cmocka_unit_test(ChangesDoNotJump),
-        cmocka_unit_test(WhatHasNoClosedFormIsLeftToCopies),
-        cmocka_unit_test(PathsAreSavedAndRewound),
-        cmocka_unit_test(MomentsHoldThePath),
+        cmocka_unit_test(FrequenciesShiftByDoppler), cmocka_unit_test(TheSeaIsThatOfStillWaterCarriedByTides),
+        cmocka_unit_test(StepsLeaveNoTrace),         cmocka_unit_test(OtherFlowsChangeNothingElsewhere),
+        cmocka_unit_test(ChangesDoNotJump),          cmocka_unit_test(WhatHasNoClosedFormIsLeftToCopies),
+        cmocka_unit_test(PathsAreSavedAndRewound),   cmocka_unit_test(MomentsHoldThePath),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

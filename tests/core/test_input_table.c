@@ -80,8 +80,9 @@ static void SayNothing(void* context, double time, int count, const swPosXZ* poi
 
 static bool IsTaken(const Parts* parts, swInputShape shape, swInputField field)
 {
-    static const swInputPoint points[3] = {
-        {.x = 0.0f, .radius = 2.0f, .weight = 1.0f}, {.x = 9.0f, .radius = 2.0f, .weight = 1.0f}, {.z = 9.0f, .radius = 2.0f, .weight = 1.0f}};
+    static const swInputPoint points[3] = {{.x = 0.0f, .radius = 2.0f, .weight = 1.0f},
+                                           {.x = 9.0f, .radius = 2.0f, .weight = 1.0f},
+                                           {.z = 9.0f, .radius = 2.0f, .weight = 1.0f}};
     bool hasPoints = shape == SW_SHAPE_POLYGON || shape == SW_SHAPE_POLYLINE || shape == SW_SHAPE_PARTICLES;
     swInputDef def = swDefaultInputDef();
     swInputId id;

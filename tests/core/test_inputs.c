@@ -293,6 +293,23 @@ static void RastersKeepTheirBitsFarOutToo(void** state)
     }
 }
 
+// A share of some millionths is as exact as that of a disc: it is not what is left of nearly 1.
+static void AParticleCoversLittleAsExactlyAsMuch(void** state)
+{
+    (void)state;
+    const float words[2 * SW_PARTICLE_WORDS] = {0.0f, 0.0f, 30.0f, 1.0f, 0.0f, 0.0f, 0.0f, 0.0f,
+                                                0.0f, 9.0f, 1.0f,  1.0f, 0.0f, 0.0f, 0.0f, 0.0f};
+    swInputRecord record = {.cosine = 1.0f, .weight = 1.0f, .feather = 10.0f, .blend = SW_JOIN_ALPHA, .extra0 = 2};
+    record.size.x = 60.0f; // of the circle
+    for (float x = 29.0f; x < 30.0f; x += 0.0371f)
+    {
+        swInputSample particle = swSampleParticles(words, record, x, 0.0f);
+        swInputSample circle = swSampleCircle(record, x, 0.0f);
+        assert_true(particle.share == circle.share);
+        assert_float_equal(particle.shareX, circle.shareX, 1e-6f * fabsf(circle.shareX));
+    }
+}
+
 static void ParticlesAddUpOrCoverEachOther(void** state)
 {
     (void)state;
@@ -929,6 +946,7 @@ int main(void)
         cmocka_unit_test(AFloorFadesIntoDeepWater),
         cmocka_unit_test(InputsJoinInTheirOrder),
         cmocka_unit_test(RastersKeepTheirBitsFarOutToo),
+        cmocka_unit_test(AParticleCoversLittleAsExactlyAsMuch),
         cmocka_unit_test(ParticlesAddUpOrCoverEachOther),
         cmocka_unit_test(AFunctionThatSaysNonsenseSaysNothing),
         cmocka_unit_test(UnknownCellsAreNotCovered),

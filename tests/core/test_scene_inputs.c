@@ -132,7 +132,10 @@ static void CheckPrinted(const swScene* scene, const char* wanted)
 {
     char written[2048] = "";
     size_t size = sizeof(written) - 1;
-    assert_int_equal(swPrintScene(scene, written, &size), SW_SUCCESS);
+    if (swPrintScene(scene, written, &size) != SW_SUCCESS)
+    {
+        fail_msg("not printed: %s", s_messages);
+    }
     written[size] = '\0';
     assert_string_equal(written, wanted);
 }
@@ -495,6 +498,136 @@ static void ChangedInputsAreWritten(void** state)
     swDestroyScene(scene);
 }
 
+static void PointsAndTidesAreWritten(void** state)
+{
+    (void)state;
+    static const char text[] =
+        "inputs:\n"
+        "  - field: foam\n"
+        "    shape: particles\n"
+        "    points:\n"
+        "      - [0, 0] # first\n"
+        "      - [5, 5]\n"
+        "      - {x_m: 9, z_m: 9, value: 2} # last\n"
+        "  - {field: level, tide: [{constituent: M2, amplitude: 1.0}, {speed_rad_s: 1e-4, amplitude: 2}]}\n"
+        "water_bodies:\n"
+        "  - {points: [[0, 0], [9, 0], [0, 9.0]], tide: [{constituent: K1, amplitude: 1}]}\n";
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    CheckPrinted(scene, text);
+    scene->inputs[0].points[0].x = 1.5f;
+    scene->inputs[0].points[1].radius = 3.0f; // no pair any more
+    scene->inputs[0].points[2].value[0] = 4.0f;
+    scene->inputs[1].def.tide[0].phase = 0.52359878f;
+    swSetTideConstituent("S2", 0.5f, 0.0f, &scene->inputs[1].def.tide[2]);
+    scene->waterBodies[0].points[1].x = 8.0f;
+    scene->waterBodies[0].def.tide[0] = (swTideConstituent){0};
+    CheckPrinted(scene, "inputs:\n"
+                        "  - field: foam\n"
+                        "    shape: particles\n"
+                        "    points:\n"
+                        "      - [1.5, 0] # first\n"
+                        "      - {x_m: 5, z_m: 5, radius_m: 3}\n"
+                        "      - {x_m: 9, z_m: 9, value: 4} # last\n"
+                        "  - {field: level, tide: [{constituent: M2, amplitude: 1.0, phase_deg: 30}, {speed_rad_s: "
+                        "1e-4, amplitude: 2}, "
+                        "{constituent: S2, amplitude: 0.5}]}\n"
+                        "water_bodies:\n"
+                        "  - {points: [[0, 0], [8, 0], [0, 9.0]], tide: []}\n");
+    const swInputPoint points[2] = {{.x = 5.0f, .z = 5.0f, .radius = 3.0f, .weight = 1.0f},
+                                    {.x = 7.0f, .z = 7.0f, .weight = 1.0f}};
+    assert_int_equal(swScene_SetInputPoints(scene, 0, 2, points), SW_SUCCESS);
+    char written[2048] = "";
+    size_t size = sizeof(written) - 1;
+    assert_int_equal(swPrintScene(scene, written, &size), SW_SUCCESS);
+    assert_non_null(strstr(written, "    points:\n      - {x_m: 5, z_m: 5, radius_m: 3}\n      - [7, 7]"));
+    swDestroyScene(scene);
+}
+
+// What is made anew says all that it needs, also the names of what it uses.
+static void InputsComeAndGo(void** state)
+{
+    (void)state;
+    static const char text[] = "splines: [{name: river, points: [{x_m: 0}, {x_m: 9}]}]\n"
+                               "waves: [{beaufort: 2}]\n"
+                               "inputs:\n"
+                               "  - {field: level, value: 1}\n"
+                               "  - {field: foam, value: 2} # a patch\n";
+    static const swInputPoint shore[3] = {{.x = 0.0f}, {.x = 9.0f}, {.z = 9.0f}};
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    swInputDef def = swDefaultInputDef();
+    snprintf(def.name, sizeof(def.name), "bed");
+    def.shape = SW_SHAPE_SPLINE;
+    def.spline = scene->splines[0].spline;
+    def.value[0] = -3.0f;
+    assert_int_equal(swScene_AddInput(scene, &def, -1), SW_SUCCESS);
+    def = swDefaultInputDef();
+    def.field = SW_INPUT_WAVES;
+    def.shape = SW_SHAPE_POLYGON;
+    def.value[0] = 0.5f;
+    def.points = shore;
+    def.pointCount = 3;
+    assert_int_equal(swScene_AddInput(scene, &def, 0), SW_SUCCESS);
+    swScene_RemoveInput(scene, 0);
+    assert_int_equal(scene->inputCount, 3);
+    static const char wanted[] =
+        "splines: [{name: river, points: [{x_m: 0}, {x_m: 9}]}]\n"
+        "waves: [{beaufort: 2}]\n"
+        "inputs:\n"
+        "  - {field: foam, value: 2} # a patch\n"
+        "  - name: bed\n"
+        "    field: floor\n"
+        "    shape: spline\n"
+        "    value: -3\n"
+        "    spline: river\n"
+        "  - field: waves\n"
+        "    shape: polygon\n"
+        "    value: 0.5\n"
+        "    waves: 1\n"
+        "    points: [{x_m: 0, z_m: 0, weight: 0}, {x_m: 9, z_m: 0, weight: 0}, {x_m: 0, z_m: 9, weight: 0}]\n";
+    CheckPrinted(scene, wanted);
+    def.shape = SW_SHAPE_FUNCTION;
+    assert_int_equal(swScene_AddInput(scene, &def, -1), SW_ERROR_UNSUPPORTED);
+    def = swDefaultInputDef();
+    assert_int_equal(swScene_AddInput(scene, &def, 1), SW_ERROR_INVALID); // no such waves
+    def.shape = SW_SHAPE_SPLINE;
+    assert_int_equal(swScene_AddInput(scene, &def, -1), SW_ERROR_INVALID); // no spline of the scene
+    def = swDefaultInputDef();
+    def.weight = -1.0f;
+    assert_int_equal(swScene_AddInput(scene, &def, -1), SW_ERROR_INVALID);
+    assert_int_equal(scene->inputCount, 3);
+    swDestroyScene(scene);
+    assert_int_equal(ReadText(wanted, &scene), SW_SUCCESS);
+    swDestroyScene(scene);
+}
+
+// Another field or another shape takes what only the old one has out of the text.
+static void AnotherFieldOrShapeIsWritten(void** state)
+{
+    (void)state;
+    static const char text[] = "inputs:\n"
+                               "  - {field: level, value: 1, shape: circle, feather_m: 3, size_m: [9, 0, 9]} # a pond\n"
+                               "  - field: flow\n"
+                               "    value: [1, 2]\n";
+    swScene* scene = NULL;
+    assert_int_equal(ReadText(text, &scene), SW_SUCCESS);
+    scene->inputs[0].def.shape = SW_SHAPE_EVERYWHERE;
+    scene->inputs[1].def.field = SW_INPUT_FOAM;
+    CheckPrinted(scene, "inputs:\n"
+                        "  - {field: level, value: 1, shape: everywhere} # a pond\n"
+                        "  - field: foam\n"
+                        "    value: 1\n");
+    scene->inputs[0].def.shape = SW_SHAPE_RECTANGLE;
+    scene->inputs[1].def.field = SW_INPUT_DISPLACEMENT;
+    scene->inputs[1].def.value[2] = 3.0f;
+    CheckPrinted(scene, "inputs:\n"
+                        "  - {field: level, value: 1, shape: rectangle, feather_m: 3, size_m: [9, 0, 9]} # a pond\n"
+                        "  - field: displacement\n"
+                        "    value: [1, 2, 3]\n");
+    swDestroyScene(scene);
+}
+
 // Each text has one mistake.
 static void EveryMistakeHasItsLineAndCode(void** state)
 {
@@ -586,6 +719,9 @@ int main(void)
         cmocka_unit_test(WritingLeavesInputsAsTheyStand),
         cmocka_unit_test(RemovedWavesAreNotWrittenUnderAnothersNumber),
         cmocka_unit_test(ChangedInputsAreWritten),
+        cmocka_unit_test(PointsAndTidesAreWritten),
+        cmocka_unit_test(InputsComeAndGo),
+        cmocka_unit_test(AnotherFieldOrShapeIsWritten),
         cmocka_unit_test(EveryMistakeHasItsLineAndCode),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,6 +32,24 @@ static void ChangeScene(swScene* scene, uint32_t how)
         def.spectrum = swMakeBeaufortSpectrum(4.0f, 1.0f);
         swScene_AddWaves(scene, &def);
     }
+    if (how % 13 < 3 && scene->inputCount > 0)
+    {
+        swScene_RemoveInput(scene, (int)(how % (uint32_t)scene->inputCount));
+    }
+    for (int i = 0; how % 13 > 10 && i < scene->inputCount; ++i)
+    {
+        scene->inputs[i].def.field = SW_INPUT_FLOW;
+        scene->inputs[i].def.tide[0].amplitude = 1.5f;
+        for (int k = 0; k < scene->inputs[i].pointCount; ++k)
+        {
+            scene->inputs[i].points[k].x += 1.0f;
+        }
+    }
+    if (how % 17 < 4)
+    {
+        const swInputDef input = swDefaultInputDef();
+        swScene_AddInput(scene, &input, -1);
+    }
     if (how % 11 < 3 && scene->viewCount > 0)
     {
         swScene_RemoveView(scene, (int)(how % (uint32_t)scene->viewCount));

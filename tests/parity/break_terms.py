@@ -17,6 +17,7 @@ SHAPED = "src/core/surface/evaluate_shaped.c"
 BLOCK = "src/core/surface/places.c"
 CARRY = "src/core/surface/carry.c"
 DISPLACED = "src/core/input/sample_inputs.c"
+HEIGHTS = "src/core/surface/displace.c"
 
 # Name, feature of parity_everything, file, text, and what stands there instead.
 BREAKS = [
@@ -32,6 +33,8 @@ BREAKS = [
      "places->weight = swHasInputs(set, SW_INPUT_WAVES) ? findWeight : NULL;", "places->weight = NULL;"),
     ("slope of weights", "regions of waves", BLOCK, "copy->alongX[i] = isWeighted ? block->weightGradients[i][0] : 0.0f;",
      "copy->alongX[i] = 0.0f;"),
+    ("slope of weights along z", "regions of waves", BLOCK,
+     "copy->alongZ[i] = isWeighted ? block->weightGradients[i][1] : 0.0f;", "copy->alongZ[i] = 0.0f;"),
     ("waves along splines", "waves along splines", PLACES,
      "places->warps = set->ribbonSystems != 0 ? findWarps : NULL;", "places->warps = NULL;"),
     ("turn of sideways motion", "waves along splines", SHAPED, "float c = warp->cosine, s = warp->sine;",
@@ -44,9 +47,18 @@ BREAKS = [
     ("flow", "flow", PLACES, "places->flow = swHasInputs(set, SW_INPUT_FLOW) ? findFlow : NULL;", "places->flow = NULL;"),
     ("likeness of carried copies", "flow", CARRY, "rho[i] = sums[i].value[1] + sums[i].value[5];", "rho[i] = 0.0f;"),
     ("slopes of carried copies", "flow", CARRY, "copy->way[i][g] -= seconds * gradients[g];", "(void)gradients;"),
+    ("way of carried copies", "flow", CARRY, "copy->source[i].x -= (double)(seconds * velocity[0]);", "(void)velocity;"),
+    ("slope of their likeness", "flow", CARRY, "float factorX = slope * (along[0] * g[0] + along[1] * g[2]);",
+     "float factorX = 0.0f;"),
+    ("flow in a ribbon's axes", "all", CARRY, "velocity[0] = c * u[0] + s * u[1];", "velocity[0] = u[0];"),
     ("flow in velocities", "flow", BLOCK, "velocities[first + i][0] += flow[i][0];", "(void)flow;"),
     ("displacement with the waves", "displacement", DISPLACED, "    *waves = displaced.waves;", "    (void)waves;"),
     ("displacement of heights", "displacement", DISPLACED, "    *height = displaced.height;", "    (void)height;"),
+    ("slopes of displacement", "displacement", HEIGHTS, "putWaves(&waves, out->displacement[i], g);",
+     "putWaves(&waves, out->displacement[i], NULL);"),
+    ("slopes of displaced heights", "displacement", HEIGHTS, "g[4] += alongX * (1.0f + g[0]) + alongZ * g[2];",
+     "(void)alongZ;"),
+    ("scale of velocities", "displacement", HEIGHTS, "putWaves(&waves, rates[i], NULL);", "(void)waves;"),
     ("holes", "holes", "src/core/input/sample_clip.c", "if (!swHasInputs(set, SW_INPUT_CLIP))", "if (true)"),
     ("levels of bodies", "bodies of water", PLACES, "places->level = swHasInputs(set, SW_INPUT_LEVEL) ? findLevel : NULL;",
      "places->level = NULL;"),

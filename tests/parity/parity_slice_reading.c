@@ -72,11 +72,11 @@ static Reader MakeReader(swGpu* gpu)
     assert_int_equal(swCreateBuffer(gpu, texels * sizeof(float), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, SW_MEMORY_UPLOAD,
                                     "pixels", &reader.pixels),
                      SW_SUCCESS);
-    assert_int_equal(swCreateBuffer(gpu, SLICES * sizeof(swMeshSlice), storage, SW_MEMORY_UPLOAD, "slices",
-                                    &reader.slices),
-                     SW_SUCCESS);
     assert_int_equal(
-        swCreateBuffer(gpu, COUNT * sizeof(float), storage, SW_MEMORY_UPLOAD, "levels", &reader.levels), SW_SUCCESS);
+        swCreateBuffer(gpu, SLICES * sizeof(swMeshSlice), storage, SW_MEMORY_UPLOAD, "slices", &reader.slices),
+        SW_SUCCESS);
+    assert_int_equal(swCreateBuffer(gpu, COUNT * sizeof(float), storage, SW_MEMORY_UPLOAD, "levels", &reader.levels),
+                     SW_SUCCESS);
     assert_int_equal(
         swCreateBuffer(gpu, 2 * COUNT * sizeof(float), storage, SW_MEMORY_READBACK, "answers", &reader.answers),
         SW_SUCCESS);

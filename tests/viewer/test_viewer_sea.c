@@ -612,6 +612,104 @@ static void ChangedInputsAreSaved(void** state)
     assert_non_null(strstr(text, "inputs: # two\n"));
 }
 
+#define POND                                                                                                           \
+    BREEZE "inputs:\n"                                                                                                 \
+           "  - {field: level, value: 2, shape: polygon, points: [[-9, -9], [9, -9], [9, 9], [-9, 9]]} # a pond\n"     \
+           "  - {field: level, blend: add, tide: [{constituent: M2, amplitude: 0.0}]}\n"                               \
+           "  - {field: foam, value: 1}\n"
+
+static void StepAfterChange(Sea* sea)
+{
+    ApplyChanges(sea, true);
+    assert_true(AdvanceSea(sea, 0.0));
+    assert_int_equal(swWorld_Step(sea->world, 0.0), SW_SUCCESS);
+}
+
+// What the panel makes of inputs is in the sea, and goes back to the file's.
+static void InputsAreMadeAndReshaped(void** state)
+{
+    (void)state;
+    Sea sea = OpenText(POND);
+    StepTo(&sea, 0.0);
+    assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 0.0f, 0.0f);
+    sea.inputs[0].points[1].x = sea.inputs[0].points[2].x = 30.0f;
+    sea.inputs[0].hasChanged = true;
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 2.0f, 0.0f);
+    assert_int_equal(CountChanges(&sea), 2);
+    assert_true(AddInputPoint(&sea.inputs[0], 0));
+    assert_int_equal(sea.inputs[0].def.pointCount, 5);
+    RemoveInputPoint(&sea.inputs[0], 1);
+    sea.inputs[0].points[2].x = -30.0f; // crosses itself now: refused, as it was
+    StepAfterChange(&sea);
+    assert_float_equal(sea.inputs[0].points[2].x, 30.0f, 0.0f);
+    assert_true(AddInput(&sea, SW_INPUT_LEVEL, (swPos){500.0, 0.0, 0.0}));
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 500.0, 0.0), 1.0f, 0.0f);
+    assert_true(ChangeInputShape(&sea.inputs[3], SW_SHAPE_POLYLINE));
+    sea.inputs[3].def.size.x = 4.0f;
+    sea.inputs[3].def.feather = 0.0f;
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 500.0, 0.0), 0.0f, 0.0f);
+    assert_float_equal(GetLevelAt(&sea, 500.0, -50.0), 1.0f, 0.0f); // along the square's edge
+    ChangeInputField(&sea.inputs[3], SW_INPUT_FOAM);
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 500.0, -50.0), 0.0f, 0.0f);
+    AddInputTide(&sea.inputs[1]);
+    assert_int_equal(CountInputTides(&sea.inputs[1].def), 2);
+    RemoveInput(&sea, 0);
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 1.0f, 1e-6f); // the tide alone
+    BringBackInput(&sea, 0);
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 3.0f, 1e-6f);
+    assert_true(ResetChanges(&sea));
+    StepAfterChange(&sea);
+    assert_int_equal(sea.scene->inputCount, 3);
+    assert_int_equal(CountChanges(&sea), 0);
+    assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 0.0f, 0.0f);
+    CloseSea(&sea);
+}
+
+static void MadeAndRemovedInputsAreSaved(void** state)
+{
+    (void)state;
+    char path[] = "/tmp/seaway_view_XXXXXX", text[2048] = "";
+    int file = mkstemp(path);
+    assert_true(write(file, POND, strlen(POND)) == (ssize_t)strlen(POND));
+    close(file);
+    Sea sea;
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, path));
+    assert_true(AddInput(&sea, SW_INPUT_CLIP, (swPos){10.0, 0.0, 20.0}));
+    assert_true(ChangeInputShape(&sea.inputs[3], SW_SHAPE_BOX));
+    RemoveInput(&sea, 2);
+    AddInputTide(&sea.inputs[1]);
+    sea.inputs[1].def.tide[1].speed = swGetTideSpeed("S2");
+    assert_true(AddInputPoint(&sea.inputs[0], 3));
+    ApplyChanges(&sea, true);
+    assert_int_equal(SaveSea(&sea, path, path), SW_SUCCESS);
+    CloseSea(&sea);
+    FILE* saved = fopen(path, "rb");
+    size_t size = fread(text, 1, sizeof(text) - 1, saved);
+    fclose(saved);
+    text[size] = '\0';
+    assert_string_equal(
+        text + strlen(BREEZE),
+        "inputs:\n"
+        "  - {field: level, value: 2, shape: polygon, points: [[-9, -9], [9, -9], [9, 9], [-9, 9], [-9, "
+        "0]]} # a pond\n"
+        "  - {field: level, blend: add, tide: [{constituent: M2, amplitude: 0.0}, {constituent: S2, "
+        "amplitude: 1}]}\n"
+        "  - field: clip\n"
+        "    shape: box\n"
+        "    feather_m: 10\n"
+        "    position_m: [10, 0, 20]\n"
+        "    value: 1\n");
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, path));
+    CloseSea(&sea);
+    remove(path);
+}
+
 static void AnOpenSeaWithoutAFileIsSavedAsANewScene(void** state)
 {
     (void)state;
@@ -658,6 +756,8 @@ int main(void)
         cmocka_unit_test(InputsFollowThePanel),
         cmocka_unit_test(WhatMovesByItselfMovesInTheViewer),
         cmocka_unit_test(InputsOfRemovedWavesAreNotThere),
+        cmocka_unit_test(InputsAreMadeAndReshaped),
+        cmocka_unit_test(MadeAndRemovedInputsAreSaved),
         cmocka_unit_test(ChangedInputsAreSaved),
         cmocka_unit_test(WhatCannotBeSavedLeavesTheFile),
         cmocka_unit_test(ASoftwareDeviceDrawsFewerPixelsThanTheWindowHas),

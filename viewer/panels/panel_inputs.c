@@ -50,7 +50,7 @@ static bool TurnInputValue(swInputDef* def, const swInputDef* filed)
 
 // Whether a field of the table has an effect on this input, beyond what its shape says; and those that have a place of
 // their own in the panel.
-static bool IsShown(const swField* field, const swSceneInput* input)
+static bool IsShown(const swField* field, const SeaInput* input, bool isNest)
 {
     const swInputDef* def = &input->def;
     bool mayFollow =
@@ -64,9 +64,9 @@ static bool IsShown(const swField* field, const swSceneInput* input)
         {"field", false},
         {"shape", false},
         {"value", false},
-        {"order", input->nest == NULL},
-        {"feather", input->nest == NULL},
-        {"rotation", input->nest == NULL},
+        {"order", !isNest},
+        {"feather", !isNest},
+        {"rotation", !isNest},
         {"followsWaves", mayFollow},
         {"wavelength", def->field == SW_INPUT_DISPLACEMENT},
         {"isBump", def->shape == SW_SHAPE_CIRCLE || def->shape == SW_SHAPE_PARTICLES},
@@ -104,6 +104,189 @@ static const char* GetInputName(void* context, int index)
     return text;
 }
 
+// ---- what and where ----
+
+static const char* GetFieldName(void* context, int index)
+{
+    (void)context;
+    return NameOf(swFields_Find(swGetInputFields(), "field"), index);
+}
+
+static const char* GetShapeName(void* context, int index)
+{
+    const int* shapes = context;
+    return NameOf(swFields_Find(swGetInputFields(), "shape"), shapes[index]);
+}
+
+static bool TurnInputField(SeaInput* input)
+{
+    int field = (int)input->def.field, filed = (int)input->filedDef.field;
+    bool hasChanged = TurnChoice("says", &field, &filed, SW_INPUT_FIELD_COUNT, GetFieldName, NULL);
+    if (hasChanged && field == filed)
+    {
+        memcpy(input->def.value, input->filedDef.value, sizeof(input->def.value));
+    }
+    if (hasChanged)
+    {
+        ChangeInputField(input, (swInputField)field);
+    }
+    return hasChanged;
+}
+
+// Shapes that need a file, a spline or a function cannot be chosen, and stay where the file has them.
+static bool TurnInputShape(App* app, SeaInput* input)
+{
+    int shapes[SW_SHAPE_COUNT], count = 0, chosen = 0, filed = 0;
+    for (int i = 0; i < SW_SHAPE_COUNT; i++)
+    {
+        if (IsShapeFree(input, (swInputShape)i))
+        {
+            chosen = i == (int)input->def.shape ? count : chosen;
+            filed = i == (int)input->filedDef.shape ? count : filed;
+            shapes[count++] = i;
+        }
+    }
+    bool hasChanged = TurnChoice("shape", &chosen, &filed, count, GetShapeName, shapes);
+    if (hasChanged && !ChangeInputShape(input, (swInputShape)shapes[chosen]))
+    {
+        ShowNote(app, "there is no memory for its points");
+    }
+    return hasChanged;
+}
+
+// ---- tides ----
+
+static const char* GetTideName(void* context, int index)
+{
+    (void)context;
+    return swGetTideName(index);
+}
+
+static int CountTideNames(void)
+{
+    int count = 0;
+    while (swGetTideName(count) != NULL)
+    {
+        count++;
+    }
+    return count;
+}
+
+static bool TurnConstituent(swTideConstituent* tide, const swTideConstituent* filed, bool isFlow)
+{
+    static const char* const members[] = {"amplitude", "phase", "amplitudeAcross", "phaseAcross"};
+    int count = CountTideNames(), name = 0;
+    while (name < count && swGetTideSpeed(swGetTideName(name)) != tide->speed)
+    {
+        name++;
+    }
+    bool hasChanged = false;
+    if (name < count && UiChoice("constituent", &name, count, GetTideName, NULL))
+    {
+        tide->speed = swGetTideSpeed(swGetTideName(name));
+        hasChanged = true;
+    }
+    for (int i = 0; i < (isFlow ? 4 : 2); i++)
+    {
+        hasChanged |= TurnMember(swGetTideFields(), members[i], tide, filed->speed > 0.0f ? filed : NULL);
+    }
+    return hasChanged;
+}
+
+// The constituents of a level or a flow; those of a table stay the file's.
+static bool DrawInputTide(SeaInput* input, const swSceneInput* scene)
+{
+    bool isFlow = input->def.field == SW_INPUT_FLOW, hasChanged = false;
+    int count = CountInputTides(&input->def);
+    if ((input->def.field != SW_INPUT_LEVEL && !isFlow) || !BeginUiGroup("Tide", false))
+    {
+        return false;
+    }
+    if (scene->tide.count > 0)
+    {
+        UiFaint("by a table of %d lines", scene->tide.count);
+        return false;
+    }
+    for (int i = 0; i < count; i++)
+    {
+        PushUiScope(i);
+        hasChanged |= TurnConstituent(&input->def.tide[i], &input->filedDef.tide[i], isFlow);
+        bool isGone = UiSmallButton("take it away");
+        PopUiScope();
+        if (isGone)
+        {
+            RemoveInputTide(input, i);
+            break;
+        }
+    }
+    if (count < SW_MAX_TIDE && UiSmallButton("another constituent"))
+    {
+        AddInputTide(input);
+    }
+    return hasChanged;
+}
+
+// ---- points ----
+
+static bool DrawInputPoint(SeaInput* input, int row)
+{
+    static const char* const members[3] = {"x", "z", "radius"};
+    static const char* const labels[3] = {"##x", "##z", "##radius"};
+    bool hasChanged = false, isFiled = row < input->filedDef.pointCount;
+    for (int i = 0; i < (input->def.shape == SW_SHAPE_POLYGON ? 2 : 3); i++)
+    {
+        const swField* field = swFields_Find(swGetInputPointFields(), members[i]);
+        swField knob = *field;
+        char* value = (char*)&input->points[row] + field->offset;
+        const char* filed = isFiled ? (const char*)&input->filedDef.points[row] + field->offset : NULL;
+        float middle = isFiled ? *(const float*)filed : 0.0f, now = *(float*)value;
+        knob.knobLow = i < 2 ? (double)fminf(now, middle) - 25.0 : 0.0; // about where the file has it
+        knob.knobHigh = (double)fmaxf(now, middle) + 25.0;
+        UiNextCell();
+        hasChanged |= TurnValue(&knob, labels[i], value, filed);
+    }
+    return hasChanged;
+}
+
+static bool DrawInputPoints(SeaInput* input)
+{
+    static const UiColumn columns[] = {{"x, m", 0.0f}, {"z, m", 0.0f}, {"radius", 0.0f}, {"", 6.0f}};
+    static const UiColumn corners[] = {{"x, m", 0.0f}, {"z, m", 0.0f}, {"", 6.0f}};
+    bool isPolygon = input->def.shape == SW_SHAPE_POLYGON, hasChanged = false;
+    int wish = 0, wishedRow = 0, first = 0, end = 0;
+    if (!HasPoints(input->def.shape) || !BeginUiGroup("Points", false) ||
+        !BeginUiTable("points", isPolygon ? 3 : 4, isPolygon ? corners : columns))
+    {
+        return false;
+    }
+    BeginUiRows(input->pointCount);
+    while (StepUiRows(&first, &end))
+    {
+        for (int i = first; i < end; i++)
+        {
+            PushUiScope(i);
+            hasChanged |= DrawInputPoint(input, i);
+            UiNextCell();
+            int asked = UiSmallButton("+") ? 1 : 0;
+            UiSameLine();
+            asked = UiSmallButton("-") ? -1 : asked;
+            PopUiScope();
+            wishedRow = asked != 0 ? i : wishedRow;
+            wish = asked != 0 ? asked : wish;
+        }
+    }
+    EndUiTable();
+    if (wish > 0)
+    {
+        AddInputPoint(input, wishedRow);
+    }
+    if (wish < 0)
+    {
+        RemoveInputPoint(input, wishedRow);
+    }
+    return hasChanged;
+}
+
 static void DrawInput(App* app, int index)
 {
     Sea* sea = &app->sea;
@@ -120,18 +303,55 @@ static void DrawInput(App* app, int index)
         bool isGone = sea->waves[filed->waves].isRemoved;
         UiText("of waves %d%s", filed->waves + 1, isGone ? ", which were removed" : "");
     }
+    if (input->isRemoved)
+    {
+        UiFaint("Taken away");
+        if (UiButton("bring back"))
+        {
+            BringBackInput(sea, index);
+        }
+        return;
+    }
+    bool isNest = filed->nest != NULL;
+    if (!isNest && (TurnInputField(input) || TurnInputShape(app, input)))
+    {
+        return; // the rest is of the new one, in the next frame
+    }
     bool hasChanged = TurnInputValue(&input->def, &input->filedDef);
     for (int i = 0; i < fields->count; i++)
     {
         const swField* field = &fields->fields[i];
-        hasChanged |= IsShown(field, filed) && TurnField(field, &input->def, &input->filedDef);
+        hasChanged |= IsShown(field, input, isNest) && TurnField(field, &input->def, &input->filedDef);
     }
+    hasChanged |= DrawInputTide(input, filed);
+    hasChanged |= DrawInputPoints(input);
     input->hasChanged = input->hasChanged || hasChanged;
-    if (CountInputChanges(input) > 0 && UiButton("as in the file"))
+    if (UiButton("take it away"))
     {
-        input->def = input->filedDef;
-        input->hasChanged = true;
+        RemoveInput(sea, index);
+        return;
     }
+    UiSameLine();
+    if (!input->isAdded && CountInputChanges(input) > 0 && UiButton("as in the file"))
+    {
+        ResetInput(sea, index);
+    }
+}
+
+// A field to choose, and a button that puts a circle of it where the camera looks.
+static void DrawNewInput(App* app)
+{
+    UiChoice("of the field", &app->newField, SW_INPUT_BODY, GetFieldName, NULL);
+    if (UiButton("another input"))
+    {
+        swPosXZ origin = swWorld_GetOrigin(app->sea.world);
+        double ahead = 60.0, heading = (double)app->camera.heading;
+        const swPos place = {app->camera.position.x + origin.x + ahead * sin(heading), 0.0,
+                             app->camera.position.z + origin.z - ahead * cos(heading)};
+        bool isAdded = AddInput(&app->sea, (swInputField)app->newField, place);
+        app->chosenInput = isAdded ? app->sea.scene->inputCount - 1 : app->chosenInput;
+    }
+    UiTip("A circle of 100 m, 60 m ahead of the camera");
 }
 
 // ---- bodies of water ----
@@ -245,13 +465,18 @@ void DrawInputPanel(App* app)
     {
         return;
     }
-    if (scene->inputCount > 0 && BeginUiSection("Inputs", false))
+    if (BeginUiSection("Inputs", false))
     {
-        app->chosenInput = Clamp(app->chosenInput, scene->inputCount);
-        UiChoice("input", &app->chosenInput, scene->inputCount, GetInputName, sea);
-        PushUiScope(app->chosenInput);
-        DrawInput(app, app->chosenInput);
-        PopUiScope();
+        if (scene->inputCount > 0)
+        {
+            app->chosenInput = Clamp(app->chosenInput, scene->inputCount);
+            UiChoice("input", &app->chosenInput, scene->inputCount, GetInputName, sea);
+            PushUiScope(app->chosenInput);
+            DrawInput(app, app->chosenInput);
+            PopUiScope();
+            UiSpace();
+        }
+        DrawNewInput(app);
     }
     if (scene->waterBodyCount > 0 && BeginUiSection("Bodies of water", false))
     {

@@ -125,7 +125,8 @@ static void joinFlow(const swInputRecord* record, const swInputDef* def, swEvenF
         flow->velocityZ = joined.value.y;
         return;
     }
-    bool replaces = share > 0.0f && (record->blend == SW_JOIN_REPLACE || (record->blend == SW_JOIN_ALPHA && share >= 1.0f));
+    bool replaces =
+        share > 0.0f && (record->blend == SW_JOIN_REPLACE || (record->blend == SW_JOIN_ALPHA && share >= 1.0f));
     float kept = record->blend == SW_JOIN_ALPHA ? 1.0f - share : 1.0f;
     float part = replaces ? 1.0f : share;
     if (replaces)
@@ -182,8 +183,8 @@ bool swIsEvenFlowGood(const swEvenFlow* flow)
 {
     bool isFine = fabs(flow->x) < 1e14 && fabs(flow->z) < 1e14 && fabsf(flow->velocityX) < 1e6f &&
                   fabsf(flow->velocityZ) < 1e6f && fabs(flow->path.x) < 1e20 && fabs(flow->path.z) < 1e20 &&
-                  flow->swingCount >= 0 && flow->swingCount <= SW_MAX_EVEN_SWINGS &&
-                  flow->begin <= SW_LARGEST_TICKS && flow->begin >= -SW_LARGEST_TICKS;
+                  flow->swingCount >= 0 && flow->swingCount <= SW_MAX_EVEN_SWINGS && flow->begin <= SW_LARGEST_TICKS &&
+                  flow->begin >= -SW_LARGEST_TICKS;
     for (int i = 0; isFine && i < flow->swingCount; ++i)
     {
         const swEvenSwing* swing = &flow->swings[i];

@@ -56,6 +56,11 @@ float swGetTideSpeed(const char* name)
     return 0.0f;
 }
 
+const char* swGetTideName(int index)
+{
+    return index >= 0 && (size_t)index < sizeof speeds / sizeof speeds[0] ? speeds[index].name : NULL;
+}
+
 bool swSetTideConstituent(const char* name, float amplitude, float phase, swTideConstituent* constituent)
 {
     SW_REQUIRE(constituent != NULL, false, NULL, "swSetTideConstituent() needs a place for the constituent");

@@ -19,21 +19,28 @@ uint32_t swFindCarryPhase(const swWaveGroup* group, int64_t ticks, float* period
 
 // ---- correlation ----
 
+// Points that are looked up together, to spare the stack.
+#define LOOK_BLOCK 8
+
 // Of a tile from its own texels, exact for its waves, and periodic as they are.
 static void correlateTile(const swPlaceBlock* block, const swTile* tile, int count, const swPosXZ* ways,
                           bool withSlopes, float* rho, float (*slopes)[2])
 {
-    swPointSums sums[SW_PLACE_BLOCK];
-    memset(sums, 0, (size_t)count * sizeof sums[0]);
+    swPointSums sums[LOOK_BLOCK];
     swTile likeness = *tile;
     likeness.texels = tile->likeness;
     likeness.shiftX = likeness.shiftZ = 0.0;
-    swAddTile(block->kernels, &likeness, 0, count, ways, NULL, withSlopes, sums);
-    for (int i = 0; i < count; ++i)
+    for (int first = 0; first < count; first += LOOK_BLOCK)
     {
-        rho[i] = sums[i].value[1] + sums[i].value[5];
-        slopes[i][0] = sums[i].alongX[1] + sums[i].alongX[5];
-        slopes[i][1] = sums[i].alongZ[1] + sums[i].alongZ[5];
+        int some = count - first < LOOK_BLOCK ? count - first : LOOK_BLOCK;
+        memset(sums, 0, (size_t)some * sizeof sums[0]);
+        swAddTile(block->kernels, &likeness, 0, some, ways + first, NULL, withSlopes, sums);
+        for (int i = 0; i < some; ++i)
+        {
+            rho[first + i] = sums[i].value[1] + sums[i].value[5];
+            slopes[first + i][0] = sums[i].alongX[1] + sums[i].alongX[5];
+            slopes[first + i][1] = sums[i].alongZ[1] + sums[i].alongZ[5];
+        }
     }
 }
 
@@ -113,85 +120,116 @@ static void turnFlow(const swPlaceBlock* block, const swWarp* warps, int i, floa
     gradients[3] = c * g[3] - s * g[1] - warp->turnZ * velocity[0];
 }
 
-// Moves a copy of point i against the flow by the way of some seconds.
-static void moveCopy(float seconds, const float velocity[2], const float gradients[4], int i, swCopy* copy)
-{
-    copy->source[i].x -= (double)(seconds * velocity[0]);
-    copy->source[i].z -= (double)(seconds * velocity[1]);
-    for (int g = 0; g < 4; ++g)
-    {
-        copy->way[i][g] -= seconds * gradients[g];
-    }
-}
-
-// Points of a block where the water moves, with the flow in the axes of their waves.
+// The flow at each point of a block, in the axes of its waves: 0 where it carries nothing.
 typedef struct Moving
 {
-    int count;
-    int point[SW_PLACE_BLOCK];
+    bool isCarried[SW_PLACE_BLOCK];
+    int count, point[SW_PLACE_BLOCK]; // those that are carried
     float velocity[SW_PLACE_BLOCK][2], gradients[SW_PLACE_BLOCK][4];
-    float rho[SW_PLACE_BLOCK], slopes[SW_PLACE_BLOCK][2];
 } Moving;
 
 static void findMoving(const swPlaceBlock* block, const swWarp* warps, Moving* moving)
 {
     moving->count = 0;
+    memset(moving->velocity, 0, (size_t)block->count * sizeof moving->velocity[0]);
+    memset(moving->gradients, 0, (size_t)block->count * sizeof moving->gradients[0]);
     for (int i = 0; i < block->count; ++i)
     {
-        if (block->isAsked[i] && !swIsStill(block, i))
+        moving->isCarried[i] = block->isAsked[i] && block->isMoving[i];
+        if (moving->isCarried[i])
         {
-            moving->point[moving->count] = i;
-            turnFlow(block, warps, i, moving->velocity[moving->count], moving->gradients[moving->count]);
-            moving->count += 1;
+            moving->point[moving->count++] = i;
+            turnFlow(block, warps, i, moving->velocity[i], moving->gradients[i]);
         }
     }
 }
 
-// What a copy's waves count by at a moving point: its part of both, over the root of the sum's variance.
-static void weighCopies(const Moving* moving, int m, const float weights[2], float half, swLook* look)
+// How alike both copies are, and the gradient of that along the way between them; 1 where nothing is carried.
+typedef struct Likeness
 {
-    swCarryFactor found = swGetCarryFactor(weights[0], moving->rho[m]);
-    float factor = found.value, slope = found.slope * half; // by rho, times the way's
-    const float* g = moving->gradients[m];
-    const float* along = moving->slopes[m];
-    float factorX = slope * (along[0] * g[0] + along[1] * g[2]);
-    float factorZ = slope * (along[0] * g[1] + along[1] * g[3]);
-    int i = moving->point[m];
-    for (int c = 0; c < 2; ++c)
-    {
-        swCopy* copy = &look->copies[c];
-        copy->alongX[i] = weights[c] * (copy->alongX[i] * factor + copy->weight[i] * factorX);
-        copy->alongZ[i] = weights[c] * (copy->alongZ[i] * factor + copy->weight[i] * factorZ);
-        copy->weight[i] *= weights[c] * factor;
-    }
-}
+    float rho[SW_PLACE_BLOCK], alongX[SW_PLACE_BLOCK], alongZ[SW_PLACE_BLOCK];
+} Likeness;
 
-// The second copy as the first; where the water stands still, it counts nothing.
-static void addSecondCopy(const swPlaceBlock* block, const Moving* moving, swLook* look)
+static void findLikeness(const swPlaceBlock* block, const swWaveGroup* group, const Moving* moving, float half,
+                         bool withSlopes, Likeness* likeness)
 {
-    swCopy* first = &look->copies[0];
-    swCopy* second = &look->copies[1];
-    if (!first->hasWay)
+    swPosXZ ways[SW_PLACE_BLOCK];
+    float rho[SW_PLACE_BLOCK], slopes[SW_PLACE_BLOCK][2];
+    for (int m = 0; m < moving->count; ++m)
     {
-        memset(first->way, 0, (size_t)block->count * sizeof first->way[0]);
-        first->hasWay = true;
+        const float* velocity = moving->velocity[moving->point[m]];
+        ways[m] = (swPosXZ){(double)(half * velocity[0]), (double)(half * velocity[1])};
     }
-    look->copyCount = 2;
-    second->warps = first->warps;
-    second->hasWay = true;
-    // Points that stand still have a place and a way, too: what counts nothing is looked up all the same.
-    memcpy(second->source, first->source, (size_t)block->count * sizeof first->source[0]);
-    memcpy(second->way, first->way, (size_t)block->count * sizeof first->way[0]);
-    memset(second->weight, 0, sizeof second->weight);
-    memset(second->alongX, 0, sizeof second->alongX);
-    memset(second->alongZ, 0, sizeof second->alongZ);
+    correlate(block, group, moving->count, ways, withSlopes, rho, slopes);
+    for (int i = 0; i < SW_PLACE_BLOCK; ++i)
+    {
+        likeness->rho[i] = 1.0f;
+        likeness->alongX[i] = likeness->alongZ[i] = 0.0f;
+    }
     for (int m = 0; m < moving->count; ++m)
     {
         int i = moving->point[m];
-        second->weight[i] = first->weight[i];
-        second->alongX[i] = first->alongX[i];
-        second->alongZ[i] = first->alongZ[i];
+        likeness->rho[i] = rho[m];
+        likeness->alongX[i] = slopes[m][0];
+        likeness->alongZ[i] = slopes[m][1];
     }
+}
+
+// What waves of both copies count by: their parts, over the root of the sum's variance. Where nothing is carried the
+// first stays as it is, and the second counts nothing. Without a branch, for all points together.
+static void weighCopies(const swPlaceBlock* block, const Moving* moving, const Likeness* likeness,
+                        const float weights[2], float half, swLook* look)
+{
+    swCopy *first = &look->copies[0], *second = &look->copies[1];
+    float factors[SW_PLACE_BLOCK], factorSlopes[SW_PLACE_BLOCK];
+    for (int i = 0; i < SW_PLACE_BLOCK; ++i) // apart, so that compilers make vectors of it
+    {
+        swCarryFactor found = swGetCarryFactor(weights[0], likeness->rho[i]);
+        factors[i] = found.value;
+        factorSlopes[i] = found.slope * half; // by rho, times the way's
+    }
+    for (int i = 0; i < block->count; ++i)
+    {
+        float factor = factors[i], slope = factorSlopes[i];
+        const float* g = moving->gradients[i];
+        float factorX = slope * (likeness->alongX[i] * g[0] + likeness->alongZ[i] * g[2]);
+        float factorZ = slope * (likeness->alongX[i] * g[1] + likeness->alongZ[i] * g[3]);
+        float own = first->weight[i], alongX = first->alongX[i], alongZ = first->alongZ[i];
+        float bothX = alongX * factor + own * factorX, bothZ = alongZ * factor + own * factorZ;
+        bool isCarried = moving->isCarried[i];
+        first->weight[i] = isCarried ? own * (weights[0] * factor) : own;
+        first->alongX[i] = isCarried ? weights[0] * bothX : alongX;
+        first->alongZ[i] = isCarried ? weights[0] * bothZ : alongZ;
+        second->weight[i] = isCarried ? own * (weights[1] * factor) : 0.0f;
+        second->alongX[i] = isCarried ? weights[1] * bothX : 0.0f;
+        second->alongZ[i] = isCarried ? weights[1] * bothZ : 0.0f;
+    }
+}
+
+// Both copies lie against the flow by the way of some seconds each.
+static void moveCopies(const swPlaceBlock* block, const Moving* moving, const float seconds[2], swLook* look)
+{
+    swCopy *first = &look->copies[0], *second = &look->copies[1];
+    if (!first->hasWay)
+    {
+        memset(first->way, 0, (size_t)block->count * sizeof first->way[0]);
+    }
+    for (int i = 0; i < block->count; ++i)
+    {
+        const float* v = moving->velocity[i];
+        swPosXZ source = first->source[i];
+        first->source[i].x = source.x - (double)(seconds[0] * v[0]);
+        first->source[i].z = source.z - (double)(seconds[0] * v[1]);
+        second->source[i].x = source.x - (double)(seconds[1] * v[0]);
+        second->source[i].z = source.z - (double)(seconds[1] * v[1]);
+        for (int g = 0; g < 4; ++g)
+        {
+            float way = first->way[i][g], gradient = moving->gradients[i][g];
+            first->way[i][g] = way - seconds[0] * gradient;
+            second->way[i][g] = way - seconds[1] * gradient;
+        }
+    }
+    first->hasWay = second->hasWay = true;
 }
 
 void swCarryLook(const swPlaceBlock* block, const swWaveGroup* group, bool withSlopes, swLook* look)
@@ -203,25 +241,16 @@ void swCarryLook(const swPlaceBlock* block, const swWaveGroup* group, bool withS
     float period;
     uint32_t turns = swFindCarryPhase(group, block->ticks, &period);
     const float phases[2] = {(float)(turns >> 8) * 0x1p-24f, (float)((turns + 0x80000000u) >> 8) * 0x1p-24f};
+    const float seconds[2] = {(phases[0] - 0.5f) * period, (phases[1] - 0.5f) * period};
     float weight = swGetCarryWeight(phases[0]);
     const float weights[2] = {weight, 1.0f - weight};
-    Moving moving;
-    swPosXZ ways[SW_PLACE_BLOCK];
     float half = 0.5f * period;
+    Moving moving;
+    Likeness likeness;
     findMoving(block, look->copies[0].warps, &moving);
-    for (int m = 0; m < moving.count; ++m)
-    {
-        ways[m] = (swPosXZ){(double)(half * moving.velocity[m][0]), (double)(half * moving.velocity[m][1])};
-    }
-    correlate(block, group, moving.count, ways, withSlopes, moving.rho, moving.slopes);
-    addSecondCopy(block, &moving, look);
-    for (int m = 0; m < moving.count; ++m)
-    {
-        weighCopies(&moving, m, weights, half, look);
-        for (int c = 0; c < 2; ++c)
-        {
-            moveCopy((phases[c] - 0.5f) * period, moving.velocity[m], moving.gradients[m], moving.point[m],
-                     &look->copies[c]);
-        }
-    }
+    findLikeness(block, group, &moving, half, withSlopes, &likeness);
+    look->copyCount = 2;
+    look->copies[1].warps = look->copies[0].warps;
+    weighCopies(block, &moving, &likeness, weights, half, look);
+    moveCopies(block, &moving, seconds, look);
 }

@@ -217,6 +217,20 @@ static void attenuate(const void* context, const swWaveKernels* kernels, const s
                       const float* depths, float* shares, float* slopes)
 {
     (void)context;
+    float least = depths[0];
+    for (int i = 1; i < count; ++i)
+    {
+        least = depths[i] < least ? depths[i] : least;
+    }
+    if (group->k * least >= SW_DEEP_KD) // where the law says exactly that
+    {
+        for (int i = 0; i < count; ++i)
+        {
+            shares[i] = 1.0f;
+            slopes[i] = 0.0f;
+        }
+        return;
+    }
     swAttenuation law = group->tile != NULL ? group->tile->attenuation : group->waves[0].attenuation;
     swFindDepthShares(kernels, law, group->k, count, depths, shares, slopes);
 }

@@ -21,7 +21,7 @@ uint32_t swFindTouchedFields(const swPlaces* places, int64_t ticks, int count, c
 static void findDepths(swPlaceBlock* block)
 {
     const swPlaces* places = block->places;
-    block->leastDepth = INFINITY;
+    block->sharedWaves = NULL;
     if ((block->touched & SW_TOUCHES_DEPTH) == 0)
     {
         return;
@@ -34,15 +34,14 @@ static void findDepths(swPlaceBlock* block)
         {
             block->depth[i] = block->depthGradients[i][0] = block->depthGradients[i][1] = 0.0f;
         }
-        block->leastDepth = fminf(block->leastDepth, block->depth[i]);
     }
 }
 
-bool swIsStill(const swPlaceBlock* block, int i)
+static bool isMoving(const swPlaceBlock* block, int i)
 {
     const float *v = block->flow[i], *g = block->flowGradients[i];
     float sum = fabsf(v[0]) + fabsf(v[1]) + fabsf(g[0]) + fabsf(g[1]) + fabsf(g[2]) + fabsf(g[3]);
-    return !(sum > 0.0f && sum <= 1e9f); // what a damaged moment says that is no number carries nothing
+    return sum > 0.0f && sum <= 1e9f; // what a damaged moment says that is no number carries nothing
 }
 
 static void findFlow(swPlaceBlock* block)
@@ -56,7 +55,8 @@ static void findFlow(swPlaceBlock* block)
     bool isStill = true;
     for (int i = 0; i < block->count; ++i)
     {
-        isStill = isStill && swIsStill(block, i);
+        block->isMoving[i] = isMoving(block, i);
+        isStill = isStill && !block->isMoving[i];
     }
     block->touched &= isStill ? ~SW_TOUCHES_FLOW : SW_TOUCHES_ALL;
 }
@@ -83,7 +83,6 @@ static void moveDepth(swPlaceBlock* block, int i, float x, float z)
 {
     float depth = block->depth[i] + block->depthGradients[i][0] * x + block->depthGradients[i][1] * z;
     block->depth[i] = fmaxf(depth, 0.0f);
-    block->leastDepth = i == 0 ? block->depth[0] : fminf(block->leastDepth, block->depth[i]);
 }
 
 static void moveFlow(swPlaceBlock* block, int i, float x, float z)
@@ -114,6 +113,7 @@ void swMovePlaces(swPlaceBlock* block, const swPosXZ* rest)
     }
     memset(block->isAsked, true, sizeof block->isAsked);
     block->areAllAsked = true;
+    block->sharedWaves = NULL;
 }
 
 // ---- a system ----
@@ -170,25 +170,29 @@ swWaveGroup swGroupFreeWaves(int count, const swFreeWave* waves)
 
 // ---- shapes ----
 
-// Whether the depth takes some of the waves anywhere in the block.
-static bool isAttenuated(const swPlaceBlock* block, const swWaveGroup* group)
+// What the depth leaves of a group's waves at each point: found once, however often it is asked. Returns whether it
+// takes some of them anywhere in the block.
+static bool isAttenuated(swPlaceBlock* block, const swWaveGroup* group)
 {
+    const swPlaces* places = block->places;
+    const void* waves = group->tile != NULL ? (const void*)group->tile : (const void*)group->waves;
     if ((block->touched & SW_TOUCHES_DEPTH) == 0)
     {
         return false;
     }
-    const swPlaces* places = block->places;
-    float depths[SW_PLACE_BLOCK] = {block->leastDepth}, shares[SW_PLACE_BLOCK], slopes[SW_PLACE_BLOCK];
-    places->attenuate(places->context, block->kernels, group, 1, depths, shares, slopes);
-    return shares[0] != 1.0f || slopes[0] != 0.0f;
-}
-
-// What the depth leaves of the waves at each point.
-static void findShares(swPlaceBlock* block, const swWaveGroup* group)
-{
-    const swPlaces* places = block->places;
+    if (block->sharedWaves == waves)
+    {
+        return block->isShared;
+    }
     places->attenuate(places->context, block->kernels, group, block->count, block->depth, block->share,
                       block->shareSlope);
+    block->sharedWaves = waves;
+    block->isShared = false;
+    for (int i = 0; i < block->count; ++i)
+    {
+        block->isShared = block->isShared || block->share[i] != 1.0f || block->shareSlope[i] != 0.0f;
+    }
+    return block->isShared;
 }
 
 bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group)
@@ -213,7 +217,7 @@ static bool isPointPlain(const swPlaceBlock* block, int i)
 {
     const float* w = block->weightGradients[i];
     bool isEven = !block->isWeighted || (block->weight[i] == 1.0f && w[0] == 0.0f && w[1] == 0.0f);
-    bool isStill = (block->touched & SW_TOUCHES_FLOW) == 0 || swIsStill(block, i);
+    bool isStill = (block->touched & SW_TOUCHES_FLOW) == 0 || !block->isMoving[i];
     bool isDeep = (block->touched & SW_TOUCHES_DEPTH) == 0 || (block->share[i] == 1.0f && block->shareSlope[i] == 0.0f);
     return !block->isGone && isEven && isStill && isDeep && !isPointWarped(block, i);
 }
@@ -221,10 +225,7 @@ static bool isPointPlain(const swPlaceBlock* block, int i)
 bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain)
 {
     findSystem(block, group->system);
-    if ((block->touched & SW_TOUCHES_DEPTH) != 0)
-    {
-        findShares(block, group);
-    }
+    isAttenuated(block, group);
     bool isAny = false;
     for (int i = 0; i < block->count; ++i)
     {
@@ -273,9 +274,8 @@ static void placeWarped(const swPlaceBlock* block, const swWarp* warps, swCopy* 
 }
 
 // Product rule: a weight times what the depth leaves.
-static void attenuate(swPlaceBlock* block, const swWaveGroup* group, swCopy* copy)
+static void attenuate(const swPlaceBlock* block, swCopy* copy)
 {
-    findShares(block, group);
     for (int i = 0; i < block->count; ++i)
     {
         float share = block->share[i], slope = block->shareSlope[i] * copy->weight[i];
@@ -306,7 +306,7 @@ void swFindLook(swPlaceBlock* block, const swWaveGroup* group, int index, bool w
     }
     if (isAttenuated(block, group))
     {
-        attenuate(block, group, &look->copies[0]);
+        attenuate(block, &look->copies[0]);
     }
     if ((block->touched & SW_TOUCHES_FLOW) != 0)
     {

@@ -11,7 +11,7 @@
 #include "core/waves/waves_fft.h"
 
 // Points whose places are found together. Few, because everything about them lies on the stack.
-#define SW_PLACE_BLOCK 16
+#define SW_PLACE_BLOCK 32
 
 // Fields of swPlaces, as bits.
 #define SW_TOUCHES_LEVEL 1u
@@ -113,10 +113,12 @@ typedef struct swPlaceBlock
     swPosXZ rest[SW_PLACE_BLOCK];
     bool areAllAsked, isAsked[SW_PLACE_BLOCK];
     uint32_t touched;
-    float leastDepth; // infinite without any
     float depth[SW_PLACE_BLOCK];
     float depthGradients[SW_PLACE_BLOCK][2];
-    float share[SW_PLACE_BLOCK], shareSlope[SW_PLACE_BLOCK]; // of the group whose look was found last
+    const void* sharedWaves; // the group of waves of which the depth's shares were found last
+    bool isShared;           // it takes some of them
+    float share[SW_PLACE_BLOCK], shareSlope[SW_PLACE_BLOCK];
+    bool isMoving[SW_PLACE_BLOCK]; // where the block has a flow: not still, or not all around
     float flow[SW_PLACE_BLOCK][2];
     float flowGradients[SW_PLACE_BLOCK][4];
     // Of a system that was asked about last.
@@ -144,8 +146,6 @@ bool swIsGroupPlain(swPlaceBlock* block, const swWaveGroup* group);
 bool swKeepPlainPoints(swPlaceBlock* block, const swWaveGroup* group, bool* isPlain);
 // Looks count only points that are asked for; at first they are all.
 void swAskPoints(swPlaceBlock* block, const bool* isAsked);
-// Whether the water of a point in a block that has a flow stands still, and all around it.
-bool swIsStill(const swPlaceBlock* block, int i);
 // Looks at a group of waves: plainly, unless none are there so, and by each warp. One by one, to spare the stack.
 // Without slopes the gradients of places and weights are not found.
 int swCountLooks(swPlaceBlock* block, const swWaveGroup* group);

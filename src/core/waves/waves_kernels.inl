@@ -388,8 +388,10 @@ typedef struct Cells
 } Cells;
 
 // u * scale = cell + fraction, with cell modulo N (a power of two). Adding 3 * 2^51 leaves the nearest integer in the
-// low bits of a double, exactly as long as |u * scale| < 2^51; taking it away again shows whether that was above.
-static void findCells(const double* u, int count, double scale, int size, int32_t* cell, float* fraction)
+// low bits of a double, exactly as long as |u * scale| < 2^51; taking it away again shows whether that was above. Not
+// inlined: of a count that it knows GCC takes the loop apart before it would make vectors of it.
+__attribute__((noinline)) static void findCells(const double* u, int count, double scale, int size, int32_t* cell,
+                                                float* fraction)
 {
     const double shift = 6755399441055744.0;
     for (int i = 0; i < count; ++i)
