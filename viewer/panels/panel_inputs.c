@@ -312,6 +312,10 @@ static void DrawInput(App* app, int index)
         }
         return;
     }
+    if (swSceneInput_IsMoving(filed))
+    {
+        UiFaint("Moves by itself; its place and turn are those with which it sets out");
+    }
     bool isNest = filed->nest != NULL;
     if (!isNest && (TurnInputField(input) || TurnInputShape(app, input)))
     {
