@@ -543,18 +543,21 @@ typedef struct PlaceCase
     double wedge; // degrees; 0: the floor is far away, 360: everywhere
     float depth;  // m; 0: a beach, which rises from 8 m deep by one in fifty
     bool isFull;  // with a second wave system, a lake at another level, foam that inputs make, and holes
+    bool flows;   // and with a stream
 } PlaceCase;
 
 #define NO_FLOOR (-1.0)
 static const PlaceCase placeCases[] = {
-    {"a floor, but far away", 0.0, 5.0f, false},
-    {"5 m under a third of each slice", 120.0, 5.0f, false},
-    {"5 m under all", 360.0, 5.0f, false},
-    {"20 m under all", 360.0, 20.0f, false},
-    {"two systems, nothing authored but a level", NO_FLOOR, 5.0f, true},
-    {"two systems, all fields, 5 m under a third", 120.0, 5.0f, true},
-    {"two systems, all fields, 5 m under all", 360.0, 5.0f, true},
-    {"two systems, all fields, a beach", 360.0, 0.0f, true},
+    {"a floor, but far away", 0.0, 5.0f, false, false},
+    {"5 m under a third of each slice", 120.0, 5.0f, false, false},
+    {"5 m under all", 360.0, 5.0f, false, false},
+    {"20 m under all", 360.0, 20.0f, false, false},
+    {"two systems, nothing authored but a level", NO_FLOOR, 5.0f, true, false},
+    {"two systems, all fields, 5 m under a third", 120.0, 5.0f, true, false},
+    {"two systems, all fields, 5 m under all", 360.0, 5.0f, true, false},
+    {"two systems, all fields, a beach", 360.0, 0.0f, true, false},
+    {"the same and a stream, 5 m under a third", 120.0, 5.0f, true, true},
+    {"the same and a stream, a beach", 360.0, 0.0f, true, true},
 };
 #define PLACE_CASES (int)(sizeof(placeCases) / sizeof(placeCases[0]))
 
@@ -639,7 +642,7 @@ static void AddFloor(Bench* bench, const PlaceCase* what)
     AddInput(bench, &def);
 }
 
-static void AddFields(Bench* bench)
+static void AddFields(Bench* bench, bool flows)
 {
     swInputDef def = InputHere(bench, SW_INPUT_LEVEL, SW_SHAPE_CIRCLE, 200.0f, 0.5f);
     def.feather = 50.0f;
@@ -649,6 +652,12 @@ static void AddFields(Bench* bench)
     AddInput(bench, &def);
     def = InputHere(bench, SW_INPUT_CLIP, SW_SHAPE_BOX, 20.0f, 1.0f);
     AddInput(bench, &def);
+    if (flows)
+    {
+        def = InputHere(bench, SW_INPUT_FLOW, SW_SHAPE_CIRCLE, 200.0f, 1.0f);
+        def.feather = 50.0f;
+        AddInput(bench, &def);
+    }
 }
 
 static double MedianOf(Series* passes, const char* name)
@@ -703,7 +712,7 @@ static void MeasurePlaces(Bench* bench, PlaceTimes* times)
         if (what->isFull)
         {
             Check(swCreateWaveSystem(bench->world, &swell, &second), "no second system");
-            AddFields(bench);
+            AddFields(bench, what->flows);
         }
         times[c] = MeasurePlace(bench);
         while (swWorld_GetInputCount(bench->world) > 0)

@@ -65,8 +65,8 @@ int RunView(int argumentCount, char** arguments)
         .name = "view",
         .synopsis = "[SCENE] [options]",
         .text = "Look at a sea in a window: fly or orbit, change waves, wind and sun, save screenshots. Without\n"
-                "SCENE an open sea is shown. The panel, F1, lists the keys. What is changed is not written to\n"
-                "SCENE; the panel marks it, and a question comes before it is dropped.",
+                "SCENE an open sea is shown. The panel, F1, lists the keys. It marks what is changed; Ctrl+S\n"
+                "writes that to SCENE, and a question comes before it is dropped.",
         .options = options,
         .optionCount = sizeof(options) / sizeof(options[0]),
         .positionalMax = 1,

@@ -77,8 +77,8 @@ bool IsShapeFree(const SeaInput* input, swInputShape shape)
 {
     bool isFlat = shape == SW_SHAPE_EVERYWHERE || shape == SW_SHAPE_CIRCLE || shape == SW_SHAPE_RECTANGLE ||
                   HasPoints(shape) || shape == input->def.shape;
-    bool isSolid = shape == SW_SHAPE_BOX || shape == SW_SHAPE_ELLIPSOID || shape == SW_SHAPE_CYLINDER ||
-                   shape == SW_SHAPE_CAPSULE;
+    bool isSolid =
+        shape == SW_SHAPE_BOX || shape == SW_SHAPE_ELLIPSOID || shape == SW_SHAPE_CYLINDER || shape == SW_SHAPE_CAPSULE;
     return isFlat || (isSolid && input->def.field == SW_INPUT_CLIP);
 }
 
@@ -86,9 +86,9 @@ bool IsShapeFree(const SeaInput* input, swInputShape shape)
 static void SetFirstValue(swInputDef* def)
 {
     static const float first[SW_INPUT_FIELD_COUNT][4] = {
-        [SW_INPUT_FLOOR] = {-3.0f},      [SW_INPUT_LEVEL] = {1.0f},  [SW_INPUT_FLOW] = {1.0f},
-        [SW_INPUT_WAVES] = {0.2f},       [SW_INPUT_CLIP] = {1.0f},   [SW_INPUT_DISPLACEMENT] = {0.0f, 1.0f},
-        [SW_INPUT_FOAM] = {0.5f},        [SW_INPUT_WIND] = {10.0f},  [SW_INPUT_ALBEDO] = {0.8f, 0.1f, 0.05f, 0.8f},
+        [SW_INPUT_FLOOR] = {-3.0f}, [SW_INPUT_LEVEL] = {1.0f}, [SW_INPUT_FLOW] = {1.0f},
+        [SW_INPUT_WAVES] = {0.2f},  [SW_INPUT_CLIP] = {1.0f},  [SW_INPUT_DISPLACEMENT] = {0.0f, 1.0f},
+        [SW_INPUT_FOAM] = {0.5f},   [SW_INPUT_WIND] = {10.0f}, [SW_INPUT_ALBEDO] = {0.8f, 0.1f, 0.05f, 0.8f},
         [SW_INPUT_SHADOW] = {0.2f},
     };
     memcpy(def->value, first[def->field], sizeof(def->value));

@@ -25,7 +25,7 @@
 #define SW_FARTHEST_POINT 1e12
 
 /// Most bytes of its caller's stack that a query takes, in builds that are optimized, so that fibres may ask.
-#define SW_QUERY_STACK 32768
+#define SW_QUERY_STACK 40960
 
 /// How the motion below is stretched between trough and crest.
 typedef enum swStretching

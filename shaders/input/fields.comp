@@ -8,6 +8,7 @@
 // Of a block that no input touches only the layers' texels are written.
 
 #include "shared/fields.h"
+#include "shared/foam.h"
 
 layout(local_size_x = SW_SLICE_WIDTH) in;
 layout(constant_id = 0) const bool WITH_GROUND = true; // the layer of depths is made
@@ -53,9 +54,12 @@ layout(push_constant) uniform Push
     uint resolution;
 };
 
-shared uint leastDepth; // as bits: no depth is below 0
+// As bits: neither is below 0.
+shared uint leastDepth;
+shared uint leastShore;
 shared uint systems;
 shared uint flags;
+shared uint foam;
 
 #include "lib/inputs.glsl"
 #include "lib/places.glsl"
@@ -112,6 +116,12 @@ uint findSystems(ivec2 low, ivec2 high)
 uint findDisplaced(ivec2 low, ivec2 high)
 {
     return touchesInputs(SW_FIELD_OF_DISPLACEMENT, low - 1, high + 1) ? SW_BLOCK_DISPLACED : 0u;
+}
+
+// Likewise.
+uint findFoam(ivec2 low, ivec2 high)
+{
+    return touchesInputs(SW_FIELD_OF_FOAM, low - 1, high + 1) ? SW_BLOCK_MAKES_FOAM : 0u;
 }
 
 void store(ivec3 texel, Fields fields)
@@ -197,9 +207,10 @@ void main()
     {
         if (gl_LocalInvocationIndex == 0)
         {
-            // Inputs of waves and of displacement may have changed all the same.
+            // Inputs of waves, of displacement and of foam may have changed all the same.
             blocks[block].systems = findSystems(low, high);
             blocks[block].flags = (blocks[block].flags & SW_BLOCK_FLOWS) | findDisplaced(low, high);
+            blocks[block].foam = (blocks[block].foam & SW_BLOCK_CARRIES_FOAM) | findFoam(low, high);
         }
         return;
     }
@@ -208,12 +219,14 @@ void main()
     if (gl_LocalInvocationIndex == 0)
     {
         leastDepth = floatBitsToUint(SW_NO_DEPTH);
+        leastShore = floatBitsToUint(SW_NO_DEPTH);
         systems = findSystems(low, high);
         flags = findDisplaced(low, high);
+        foam = findFoam(low, high);
     }
     barrier();
-    float least = SW_NO_DEPTH;
-    bool flows = false;
+    float least = SW_NO_DEPTH, shore = SW_NO_DEPTH;
+    bool flows = false, carries = false;
     for (uint row = first.y; row < first.y + SW_SLICE_HEIGHT && column < resolution; ++row)
     {
         ivec3 texel = ivec3(column, row, at);
@@ -228,7 +241,10 @@ void main()
             fields = keptAt(texel, shift);
         }
         least = min(least, fields.ground.depth);
+        vec2 slope = fields.ground.slope;
+        shore = min(shore, swFindShoreDistance(fields.ground.depth, slope.x, slope.y));
         flows = flows || isMoved(besideEven(fields.flow));
+        carries = carries || isMoved(fields.flow);
         if (isMade || shift != ivec2(0))
         {
             store(texel, fields);
@@ -238,10 +254,15 @@ void main()
     {
         atomicOr(flags, SW_BLOCK_FLOWS);
     }
+    if (carries)
+    {
+        atomicOr(foam, SW_BLOCK_CARRIES_FOAM);
+    }
     atomicMin(leastDepth, floatBitsToUint(max(least, 0.0)));
+    atomicMin(leastShore, floatBitsToUint(shore));
     barrier();
     if (gl_LocalInvocationIndex == 0)
     {
-        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flags);
+        blocks[block] = swFieldBlock(uintBitsToFloat(leastDepth), systems, flags, uintBitsToFloat(leastShore), foam);
     }
 }

@@ -47,12 +47,17 @@ SW_PARAMS_SIZE(swFieldRedraw, 272);
 #define SW_BLOCK_FLOWS 1u     // the water flows somewhere in it
 #define SW_BLOCK_DISPLACED 2u // inputs may displace the water there
 
-// A block of SW_SLICE_WIDTH x SW_SLICE_HEIGHT texels: what shapes waves there.
+#define SW_BLOCK_MAKES_FOAM 1u   // inputs may make foam in it
+#define SW_BLOCK_CARRIES_FOAM 2u // the water flows somewhere in it, evenly perhaps
+
+// A block of SW_SLICE_WIDTH x SW_SLICE_HEIGHT texels: what shapes waves there, and what makes foam.
 SW_PARAMS(swFieldBlock)
 {
     float leastDepth; // m, at least 0
     sw_uint systems;  // bit of each wave system, modulo 32, that has a weight of its own there
     sw_uint flags;    // SW_BLOCK_...
+    float leastShore; // m from the water's edge to the texel that is nearest to it, see swFindShoreDistance()
+    sw_uint foam;     // SW_BLOCK_..._FOAM
 };
-SW_PARAMS_SIZE(swFieldBlock, 12);
+SW_PARAMS_SIZE(swFieldBlock, 20);
 #endif

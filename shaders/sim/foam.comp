@@ -8,6 +8,7 @@
 
 #include "lib/blocks.glsl"
 #include "lib/past.glsl"
+#include "shared/fields.h"
 #include "shared/foam.h"
 #include "shared/waves.h"
 
@@ -28,6 +29,11 @@ layout(binding = 3, r32f) uniform readonly image2DArray previous;
 layout(binding = 4, r32f) uniform writeonly image2DArray nextFoam;
 layout(binding = 5, rgba32f) uniform readonly image2DArray flow;
 layout(binding = 6, rgba16f) uniform readonly image2DArray flowSlopes;
+// What the pass of fields tells of blocks of texels; read if WITH_FLOW.
+layout(std430, binding = 7) readonly buffer Blocks
+{
+    swFieldBlock blocks[];
+};
 layout(push_constant) uniform Push
 {
     int resolution;
@@ -59,7 +65,7 @@ vec2 upstreamOf(ivec3 at, swFoamSliceParams slice)
     }
     vec2 velocity = vec2(slice.currentX, slice.currentZ);
     vec4 slopes = vec4(0.0);
-    if (WITH_FLOW)
+    if (WITH_FLOW && (blocks[fieldBlockOf(gl_WorkGroupID, uint(resolution))].foam & SW_BLOCK_CARRIES_FOAM) != 0)
     {
         velocity += imageLoad(flow, at).xy;
         slopes = imageLoad(flowSlopes, at);

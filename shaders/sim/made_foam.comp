@@ -3,6 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Foam that inputs make, or shores, at every texel of a view after this frame: the twin of core/surface/made_foam.c.
+//
+// The pass of fields has told of each block of texels how far a shore is, whether inputs make foam and whether the
+// water flows. Where a block has none of these, nothing is read but the foam that was there.
 
 #include "lib/blocks.glsl"
 #include "lib/past.glsl"
@@ -49,6 +52,11 @@ layout(binding = 9, r32f) uniform readonly image2DArray previous;
 layout(binding = 10, r32f) uniform writeonly image2DArray nextFoam;
 layout(binding = 11, rgba32f) uniform readonly image2DArray flow;
 layout(binding = 12, rgba16f) uniform readonly image2DArray flowSlopes;
+// Of a view without inputs there are none; it has neither a shore, nor WITH_INPUTS, nor WITH_FLOW.
+layout(std430, binding = 13) readonly buffer Blocks
+{
+    swFieldBlock blocks[];
+};
 layout(push_constant) uniform Push
 {
     int resolution;
@@ -69,6 +77,11 @@ float pastAt(int slice, int x, int z)
 
 #include "lib/transport.glsl"
 
+uint blockHere()
+{
+    return fieldBlockOf(gl_WorkGroupID, uint(resolution));
+}
+
 // How far upstream a texel's foam was, in texels.
 vec2 upstreamOf(ivec3 at)
 {
@@ -78,7 +91,7 @@ vec2 upstreamOf(ivec3 at)
     }
     vec2 velocity = vec2(params.currentX, params.currentZ);
     vec4 slopes = vec4(0.0);
-    if (WITH_FLOW)
+    if (WITH_FLOW && (blocks[blockHere()].foam & SW_BLOCK_CARRIES_FOAM) != 0)
     {
         velocity += imageLoad(flow, at).xy;
         slopes = imageLoad(flowSlopes, at);
@@ -91,10 +104,14 @@ float birthAt(ivec3 at)
 {
     if (params.isWake == 0)
     {
+        if (blocks[blockHere()].leastShore > 1.0001 * params.shoreWidth)
+        {
+            return 0.0;
+        }
         vec4 place = imageLoad(places, at);
         return swFindShoreBirth(swFindShoreDistance(place.x, place.y, place.z), params.shoreWidth, params.shoreRate);
     }
-    if (!WITH_INPUTS)
+    if (!WITH_INPUTS || (blocks[blockHere()].foam & SW_BLOCK_MAKES_FOAM) == 0)
     {
         return 0.0;
     }

@@ -86,7 +86,7 @@ shared float jumps[3 * SW_SLICE_JUMPS];
 shared uint knotTiles[SW_SLICE_HEIGHT];
 
 // What shapes waves in this block.
-swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0, 0);
+swFieldBlock fieldBlock = swFieldBlock(SW_NO_DEPTH, 0, 0, SW_NO_DEPTH, 0);
 
 // Whether waves are added by slices_shaped.comp.
 bool isShaped(uint system, float k, swAttenuation attenuation)

@@ -2,6 +2,7 @@
 // Meshes in files, by way of Assimp's C interface: all triangles of a scene, each where its node puts it.
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/base/host.h"
@@ -35,30 +36,84 @@ typedef struct MeshFile
     int crossedCount; // faces of more than three corners that cannot be divided for sure
 } MeshFile;
 
+static bool endsWith(const char* path, const char* end)
+{
+    size_t size = strlen(path), endSize = strlen(end), k = 0;
+    while (size >= endSize && k < endSize)
+    {
+        char c = path[size - endSize + k];
+        c = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+        if (c != end[k])
+        {
+            break;
+        }
+        ++k;
+    }
+    return size >= endSize && k == endSize;
+}
+
 // What Assimp takes a file for depends on its name, so only such names are passed on.
 static bool hasKnownName(const char* path)
 {
     static const char* const ends[] = {".obj", ".gltf", ".glb", ".stl", ".ply"};
-    size_t size = strlen(path);
+    bool isKnown = false;
     for (size_t i = 0; i < sizeof(ends) / sizeof(ends[0]); ++i)
     {
-        size_t endSize = strlen(ends[i]), k = 0;
-        while (size >= endSize && k < endSize)
-        {
-            char c = path[size - endSize + k];
-            c = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
-            if (c != ends[i][k])
-            {
-                break;
-            }
-            ++k;
-        }
-        if (size >= endSize && k == endSize)
+        isKnown = isKnown || endsWith(path, ends[i]);
+    }
+    return isKnown;
+}
+
+#define MOST_PLY_HEADING 65536
+
+// A PLY's heading is lines of these words up to one that is end_header alone. Assimp 5 does not come to an end with
+// others.
+static bool isPlyHeading(const char* text)
+{
+    static const char* const words[] = {"ply", "format ", "comment", "obj_info", "element ", "property "};
+    while (*text != '\0')
+    {
+        size_t size = strcspn(text, "\r\n");
+        if (size == strlen("end_header") && strncmp(text, "end_header", size) == 0)
         {
             return true;
         }
+        bool isKnown = size == 0;
+        for (size_t i = 0; i < sizeof(words) / sizeof(words[0]); ++i)
+        {
+            isKnown = isKnown || strncmp(text, words[i], strlen(words[i])) == 0;
+        }
+        if (!isKnown)
+        {
+            return false;
+        }
+        text += size;
+        text += strspn(text, "\r\n");
     }
     return false;
+}
+
+static swResult checkPly(const swHost* host, const char* path)
+{
+    char* text = swAllocate(host, MOST_PLY_HEADING);
+    FILE* file = text != NULL ? fopen(path, "rb") : NULL;
+    size_t size = file != NULL ? fread(text, 1, MOST_PLY_HEADING - 1, file) : 0;
+    if (file != NULL)
+    {
+        fclose(file);
+    }
+    if (text == NULL)
+    {
+        return swFail(host, SW_ERROR_NO_MEMORY, "No memory to read %s.", path);
+    }
+    text[size] = '\0';
+    bool isFine = isPlyHeading(text);
+    swFree(host, text, MOST_PLY_HEADING);
+    return isFine ? SW_SUCCESS
+                  : swFail(host, SW_ERROR_FORMAT,
+                           "%s has no heading of a PLY file: lines of format, element and property, and one that is "
+                           "end_header alone. Export it anew.",
+                           path);
 }
 
 static const struct aiScene* import(const char* path)
@@ -87,15 +142,17 @@ static swResult countTriangles(const MeshFile* file, const struct aiMesh* mesh, 
             return swFail(file->host, SW_ERROR_LIMIT, "%s has a face of %u corners; at most %d are read. Divide it.",
                           file->path, face->mNumIndices, SW_MAX_FACE_CORNERS);
         }
+        bool isFace = face->mNumIndices >= 3;
         for (unsigned k = 0; k < face->mNumIndices; ++k)
         {
-            if (face->mNumIndices < 3 || face->mIndices[k] >= mesh->mNumVertices)
-            {
-                return swFail(file->host, SW_ERROR_FORMAT, "%s has a face %u that is not made of its vertices.",
-                              file->path, i);
-            }
+            isFace = isFace && face->mIndices[k] < mesh->mNumVertices;
         }
-        *triangles += face->mNumIndices > 2 ? face->mNumIndices - 2 : 0;
+        if (!isFace)
+        {
+            return swFail(file->host, SW_ERROR_FORMAT, "%s has a face %u that is not made of its vertices.", file->path,
+                          i);
+        }
+        *triangles += face->mNumIndices - 2;
     }
     return SW_SUCCESS;
 }
@@ -221,7 +278,7 @@ static swResult make(MeshFile* file, swMesh** mesh)
 
 static swResult readMesh(const swHost* host, const char* path, const swMeshFileDef* def, swMesh** mesh)
 {
-    if (!swHasFile(path))
+    if (swIsDevice(path) || !swHasFile(path))
     {
         return swFail(host, SW_ERROR_FILE, "Cannot read %s: there is no such file.", path);
     }
@@ -230,12 +287,17 @@ static swResult readMesh(const swHost* host, const char* path, const swMeshFileD
         return swFail(host, SW_ERROR_UNSUPPORTED, "%s is no mesh by its name; those end in obj, gltf, glb, stl or ply.",
                       path);
     }
+    swResult result = endsWith(path, ".ply") ? checkPly(host, path) : SW_SUCCESS;
+    if (result != SW_SUCCESS)
+    {
+        return result;
+    }
     MeshFile file = {.host = host, .path = path, .def = def, .scene = import(path)};
     if (file.scene == NULL)
     {
         return swFail(host, SW_ERROR_FORMAT, "%s cannot be read as a mesh: %s", path, aiGetErrorString());
     }
-    swResult result = count(&file);
+    result = count(&file);
     result = result != SW_SUCCESS ? result : make(&file, mesh);
     swFree(host, file.vertices, file.verticesSize);
     swFree(host, file.indices, file.indicesSize);

@@ -264,6 +264,88 @@ static void addSpline(const Outline* outline)
     }
 }
 
+// A hull's outline: where its surface meets level planes of its own axes. Corners of a plane's lattice inside and
+// outside are parted by a line through the middles of its crossed edges, in each triangle of half a cell.
+#define SW_HULL_SIDE 28  // cells along a plane's sides
+#define SW_HULL_PLANES 5 // none of them at the hull's very bottom or top
+
+typedef struct Corner
+{
+    swVec3 place;
+    float distance; // below 0 inside
+} Corner;
+
+// Where the surface lies between two corners.
+static swPos crossEdge(const Outline* outline, const Corner* a, const Corner* b)
+{
+    double share = (double)(a->distance / (a->distance - b->distance));
+    const swVec3 scale = outline->def->scale;
+    return (swPos){(double)scale.x * ((double)a->place.x + share * (double)(b->place.x - a->place.x)),
+                   (double)scale.y * (double)a->place.y,
+                   (double)scale.z * ((double)a->place.z + share * (double)(b->place.z - a->place.z))};
+}
+
+static void addHullTriangle(const Outline* outline, const Corner* a, const Corner* b, const Corner* c)
+{
+    const Corner* corners[3] = {a, b, c};
+    swPos ends[3];
+    int count = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+        const Corner *from = corners[i], *to = corners[(i + 1) % 3];
+        if ((from->distance < 0.0f) != (to->distance < 0.0f))
+        {
+            ends[count++] = crossEdge(outline, from, to);
+        }
+    }
+    if (count == 2)
+    {
+        addSolidLine(outline, ends[0], ends[1]);
+    }
+}
+
+static void addHullPlane(const Outline* outline, const swHullInfo* info, float y)
+{
+    enum
+    {
+        ROW = SW_HULL_SIDE + 1
+    };
+    Corner corners[ROW * ROW];
+    swVec3 places[ROW * ROW];
+    float distances[ROW * ROW];
+    const float margin = info->spacing; // so that the outermost corners lie outside
+    for (int i = 0; i < ROW * ROW; ++i)
+    {
+        float u = (float)(i % ROW) / SW_HULL_SIDE, v = (float)(i / ROW) / SW_HULL_SIDE;
+        places[i] = (swVec3){info->low.x - margin + u * (info->high.x - info->low.x + 2.0f * margin), y,
+                             info->low.z - margin + v * (info->high.z - info->low.z + 2.0f * margin)};
+    }
+    swHull_Sample(outline->def->hull, ROW * ROW, places, distances);
+    for (int i = 0; i < ROW * ROW; ++i)
+    {
+        corners[i] = (Corner){places[i], distances[i]};
+    }
+    for (int z = 0; z < SW_HULL_SIDE; ++z)
+    {
+        for (int x = 0; x < SW_HULL_SIDE; ++x)
+        {
+            const Corner* first = &corners[z * ROW + x];
+            addHullTriangle(outline, first, first + 1, first + ROW);
+            addHullTriangle(outline, first + 1, first + ROW + 1, first + ROW);
+        }
+    }
+}
+
+static void addHull(const Outline* outline)
+{
+    swHullInfo info = swHull_GetInfo(outline->def->hull);
+    for (int i = 0; i < SW_HULL_PLANES; ++i)
+    {
+        float share = ((float)i + 0.5f) / SW_HULL_PLANES;
+        addHullPlane(outline, &info, info.low.y + share * (info.high.y - info.low.y));
+    }
+}
+
 static void addOutline(const Outline* outline)
 {
     const swInputDef* def = outline->def;
@@ -320,8 +402,11 @@ static void addOutline(const Outline* outline)
         addRing(outline, x, 0.0, x, x - y);
         addRing(outline, x, 0.0, x, y - x);
         break;
+    case SW_SHAPE_HULL:
+        addHull(outline);
+        break;
     default:
-        break; // everywhere, and a hull, whose form is the mesh that the host draws
+        break; // everywhere
     }
 }
 

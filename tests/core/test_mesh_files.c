@@ -220,6 +220,28 @@ static void ColoursOfCornersAreValues(void** state)
     swDestroyMesh(mesh);
 }
 
+// Assimp comes to no end with some of them.
+static void HeadingsOfPlyAreLookedAt(void** state)
+{
+    (void)state;
+    static const char vertices[] = "0 1 0\n9 1 0\n0 1 9\n3 0 1 2\n";
+    static const char heading[] = "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 3\nproperty float x\n"
+                                  "property float y\nproperty float z\nelement face 1\n"
+                                  "property list uchar int vertex_indices\nend_header";
+    char text[1024];
+    snprintf(text, sizeof(text), "%s\n%s", heading, vertices);
+    Write("ply", text);
+    swMesh* mesh = Read(NULL);
+    assert_true(HeightAt(mesh, 1.0f, 1.0f) == 1.0f);
+    swDestroyMesh(mesh);
+    snprintf(text, sizeof(text), "%s%s", heading, vertices); // the last line runs on
+    Write("ply", text);
+    CheckRefused(NULL, SW_ERROR_FORMAT, "has no heading of a PLY file");
+    snprintf(text, sizeof(text), "%.60s", heading);
+    Write("ply", text);
+    CheckRefused(NULL, SW_ERROR_FORMAT, "has no heading of a PLY file");
+}
+
 static void BadMeshFilesAreNamed(void** state)
 {
     (void)state;
@@ -298,6 +320,7 @@ int main(void)
         cmocka_unit_test(NodesPutMeshesInTheirPlaces),
         cmocka_unit_test(ColoursOfCornersAreValues),
         cmocka_unit_test(BadMeshFilesAreNamed),
+        cmocka_unit_test(HeadingsOfPlyAreLookedAt),
         cmocka_unit_test(RealMeshesAreRead),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

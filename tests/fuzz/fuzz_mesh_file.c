@@ -12,6 +12,7 @@
 #define MESHES 3
 #define VERTICES 12
 #define FACES 12
+#define CORNERS 9 // of a face, at most
 
 typedef struct MadeScene
 {
@@ -21,7 +22,7 @@ typedef struct MadeScene
     struct aiVector3D vertices[MESHES][VERTICES];
     struct aiColor4D colors[MESHES][VERTICES];
     struct aiFace faces[MESHES][FACES];
-    unsigned indices[MESHES][FACES][4];
+    unsigned indices[MESHES][FACES][CORNERS];
 } MadeScene;
 
 static MadeScene s_made;
@@ -70,9 +71,9 @@ static void TakeScene(Bytes* bytes)
         {
             struct aiFace* face = &s_made.faces[i][k];
             int size = TakeByte(bytes);
-            face->mNumIndices = size < 240 ? 3 : (unsigned)size % 5;
+            face->mNumIndices = size < 160 ? 3 : (unsigned)size % (CORNERS + 1);
             face->mIndices = face->mNumIndices > 0 ? s_made.indices[i][k] : NULL;
-            for (int corner = 0; corner < 4; ++corner)
+            for (int corner = 0; corner < CORNERS; ++corner)
             {
                 s_made.indices[i][k][corner] = (unsigned)TakeByte(bytes) % (VERTICES + 1);
             }

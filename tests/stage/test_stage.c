@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include <seaway/lines.h>
 #include <seaway/stage.h>
 
 #include "support/cmocka_setup.h"
@@ -238,6 +239,43 @@ static int CloseStage(void** state)
     return messages + (s_memory.bytes != 0);
 }
 
+// A pyramid's level cuts are closed lines, which no other input of a field everywhere has.
+static void AHullHasAnOutline(void** state)
+{
+    (void)state;
+    static const swVec3 corners[5] = {
+        {-9.0f, 0.0f, -9.0f}, {9.0f, 0.0f, -9.0f}, {9.0f, 0.0f, 9.0f}, {-9.0f, 0.0f, 9.0f}, {0.0f, 9.0f, 0.0f}};
+    static const uint32_t faces[6 * 3] = {0, 1, 2, 0, 2, 3, 0, 4, 1, 1, 4, 2, 2, 4, 3, 3, 4, 0};
+    swHost host = swDefaultHost();
+    swWorldDef worldDef = swDefaultWorldDef();
+    swHullDef hullDef = swDefaultHullDef();
+    swInputDef input = swDefaultInputDef();
+    swWorld* world = NULL;
+    swHull* hull = NULL;
+    swStageLines* lines = NULL;
+    swInputId id;
+    hullDef.vertices = corners;
+    hullDef.vertexCount = 5;
+    hullDef.indices = faces;
+    hullDef.triangleCount = 6;
+    assert_int_equal(swCreateHull(&host, &hullDef, &hull), SW_SUCCESS);
+    assert_int_equal(swCreateWorld(&host, &worldDef, &world), SW_SUCCESS);
+    assert_int_equal(swStage_CreateLines(s_stage, &lines), SW_SUCCESS);
+    swStageLines_AddInputs(lines, world);
+    assert_int_equal(swStageLines_GetCount(lines), 0);
+    input.field = SW_INPUT_CLIP;
+    input.shape = SW_SHAPE_HULL;
+    input.hull = hull;
+    assert_int_equal(swCreateInput(world, &input, &id), SW_SUCCESS);
+    swStageLines_AddInputs(lines, world);
+    int count = swStageLines_GetCount(lines);
+    print_message("%d lines around a pyramid\n", count);
+    assert_true(count > 5 * 4 * 4 && count < 5 * 4 * 64);
+    swStage_DestroyLines(s_stage, lines);
+    swDestroyWorld(world);
+    swDestroyHull(hull);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -248,6 +286,7 @@ int main(void)
         cmocka_unit_test(WhatIsTooLargeIsRefused),
         cmocka_unit_test(WithoutMemoryThereIsNoStage),
         cmocka_unit_test(AFormatThatTheDeviceCannotUseIsRefused),
+        cmocka_unit_test(AHullHasAnOutline),
 #ifdef NDEBUG
         cmocka_unit_test(WhatIsRefusedCanBeDestroyed),
         cmocka_unit_test(ABufferThatIsTooSmallGetsNoCopy),

@@ -239,8 +239,9 @@ static bool DrawInputPoint(SeaInput* input, int row)
         swField knob = *field;
         char* value = (char*)&input->points[row] + field->offset;
         const char* filed = isFiled ? (const char*)&input->filedDef.points[row] + field->offset : NULL;
-        knob.knobLow = fmin(i < 2 ? -200.0 : 0.0, (double)*(float*)value - 50.0 * (i < 2));
-        knob.knobHigh = fmax(i < 2 ? 200.0 : 50.0, (double)*(float*)value + 50.0);
+        float middle = isFiled ? *(const float*)filed : 0.0f, now = *(float*)value;
+        knob.knobLow = i < 2 ? (double)fminf(now, middle) - 25.0 : 0.0; // about where the file has it
+        knob.knobHigh = (double)fmaxf(now, middle) + 25.0;
         UiNextCell();
         hasChanged |= TurnValue(&knob, labels[i], value, filed);
     }
@@ -310,6 +311,10 @@ static void DrawInput(App* app, int index)
             BringBackInput(sea, index);
         }
         return;
+    }
+    if (swSceneInput_IsMoving(filed))
+    {
+        UiFaint("Moves by itself; its place and turn are those with which it sets out");
     }
     bool isNest = filed->nest != NULL;
     if (!isNest && (TurnInputField(input) || TurnInputShape(app, input)))

@@ -18,13 +18,12 @@ typedef struct Place
     swPosXZ point;
 } Place;
 
-static Place findPlace(swPosXZ point)
+static void findPlace(swPosXZ point, Place* place)
 {
-    Place place = {.point = point};
-    bool fitsX = swFindCell(point.x, &place.cellX, &place.restX);
-    bool fitsZ = swFindCell(point.z, &place.cellZ, &place.restZ);
-    place.isFar = !fitsX || !fitsZ;
-    return place;
+    place->point = point;
+    bool fitsX = swFindCell(point.x, &place->cellX, &place->restX);
+    bool fitsZ = swFindCell(point.z, &place->cellZ, &place->restZ);
+    place->isFar = !fitsX || !fitsZ;
 }
 
 // Numbers and derivatives within what any input may say; no flow or wind faster than one may be.
@@ -147,7 +146,8 @@ void swJoinInputValues(const swInputSet* set, int field, int system, int count, 
 {
     for (int i = 0; i < count && set->ranges[field].recordCount > 0; ++i)
     {
-        Place place = findPlace(points[i]);
+        Place place;
+        findPlace(points[i], &place);
         joinAll(set, field, system, &place, joinValue, &values[i]);
     }
 }
@@ -176,7 +176,9 @@ void swFindWaterValues(const swInputSet* set, int field, int count, const swPosX
     for (int i = 0; i < count; ++i)
     {
         swInputValue value = swGetFieldBelow((sw_uint)field);
-        Place there = findPlace(here[i]), atRest = findPlace(rest[i]);
+        Place there, atRest;
+        findPlace(here[i], &there);
+        findPlace(rest[i], &atRest);
         swCellBox box = coverBoth(&there, &atRest);
         uint32_t next = swFindNextInput(set, field, &box, 0);
         for (; next != SW_NO_RECORD; next = swFindNextInput(set, field, &box, next + 1))
@@ -197,7 +199,8 @@ void swFindWaveLooks(const swInputSet* set, int system, int count, const swPosXZ
     for (int i = 0; i < count; ++i)
     {
         looks[i] = (swWaveLooks){beginValue(set, SW_INPUT_WAVES, system), swBeginLooks()};
-        Place place = findPlace(points[i]);
+        Place place;
+        findPlace(points[i], &place);
         joinAll(set, SW_INPUT_WAVES, system, &place, joinLooks, &looks[i]);
     }
 }
@@ -236,7 +239,8 @@ static void joinHeight(const swInputSet* set, uint32_t at, int system, const Pla
 void swDisplaceAt(const swInputSet* set, swDisplaceRange range, swPosXZ rest, swInputValue* waves)
 {
     Displaced displaced = {.range = range, .waves = *waves};
-    Place place = findPlace(rest);
+    Place place;
+    findPlace(rest, &place);
     joinAll(set, SW_INPUT_DISPLACEMENT, -1, &place, joinWaves, &displaced);
     *waves = displaced.waves;
 }
@@ -246,7 +250,8 @@ void swDisplaceHeightAt(const swInputSet* set, swDisplaceRange range, swPosXZ po
     swInputValue level;
     swFindInputValues(set, SW_INPUT_LEVEL, -1, 1, &point, &level);
     Displaced displaced = {.range = range, .height = *height, .level = {level.value.x, level.alongX.x, level.alongZ.x}};
-    Place place = findPlace(point);
+    Place place;
+    findPlace(point, &place);
     joinAll(set, SW_INPUT_DISPLACEMENT, -1, &place, joinHeight, &displaced);
     *height = displaced.height;
 }

@@ -19,21 +19,28 @@ uint32_t swFindCarryPhase(const swWaveGroup* group, int64_t ticks, float* period
 
 // ---- correlation ----
 
+// Points that are looked up together, to spare the stack.
+#define LOOK_BLOCK 8
+
 // Of a tile from its own texels, exact for its waves, and periodic as they are.
 static void correlateTile(const swPlaceBlock* block, const swTile* tile, int count, const swPosXZ* ways,
                           bool withSlopes, float* rho, float (*slopes)[2])
 {
-    swPointSums sums[SW_PLACE_BLOCK];
-    memset(sums, 0, (size_t)count * sizeof sums[0]);
+    swPointSums sums[LOOK_BLOCK];
     swTile likeness = *tile;
     likeness.texels = tile->likeness;
     likeness.shiftX = likeness.shiftZ = 0.0;
-    swAddTile(block->kernels, &likeness, 0, count, ways, NULL, withSlopes, sums);
-    for (int i = 0; i < count; ++i)
+    for (int first = 0; first < count; first += LOOK_BLOCK)
     {
-        rho[i] = sums[i].value[1] + sums[i].value[5];
-        slopes[i][0] = sums[i].alongX[1] + sums[i].alongX[5];
-        slopes[i][1] = sums[i].alongZ[1] + sums[i].alongZ[5];
+        int some = count - first < LOOK_BLOCK ? count - first : LOOK_BLOCK;
+        memset(sums, 0, (size_t)some * sizeof sums[0]);
+        swAddTile(block->kernels, &likeness, 0, some, ways + first, NULL, withSlopes, sums);
+        for (int i = 0; i < some; ++i)
+        {
+            rho[first + i] = sums[i].value[1] + sums[i].value[5];
+            slopes[first + i][0] = sums[i].alongX[1] + sums[i].alongX[5];
+            slopes[first + i][1] = sums[i].alongZ[1] + sums[i].alongZ[5];
+        }
     }
 }
 

@@ -11,7 +11,7 @@
 #include "core/waves/waves_fft.h"
 
 // Points whose places are found together. Few, because everything about them lies on the stack.
-#define SW_PLACE_BLOCK 16
+#define SW_PLACE_BLOCK 32
 
 // Fields of swPlaces, as bits.
 #define SW_TOUCHES_LEVEL 1u

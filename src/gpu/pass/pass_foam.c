@@ -98,10 +98,15 @@ static swResult create(swGpuWorld* gpuWorld, void* state)
     return result;
 }
 
-static void recordStep(swGpu* gpu, const State* s, const swGpuView* view, const ViewState* of, int step, int count,
+static void recordStep(const swGpuWorld* gpuWorld, const State* s, int index, int step, int count,
                        VkCommandBuffer commands)
 {
+    swGpu* gpu = gpuWorld->gpu;
+    const swGpuView* view = &gpuWorld->views[index];
+    const ViewState* of = &s->views[index];
     const StepState* told = &of->steps[step == 0 ? 0 : 1];
+    swBinding fields[2] = {swBindUpload(&told->params), swBindUpload(&told->params)};
+    swBindFieldPlaces(gpuWorld, index, &fields[0], &fields[1]);
     const swFoamBindings bindings = {
         .slices = swBindUpload(&told->params),
         .sources = swBindUpload(&told->sources),
@@ -110,6 +115,7 @@ static void recordStep(swGpu* gpu, const State* s, const swGpuView* view, const 
         .nextFoam = swBindImage(gpu, swGetStepTarget(view, SW_LAYER_FOAM, step, count), SW_SAMPLER_NEAREST_CLAMP),
         .flow = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
         .flowSlopes = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW_SLOPES), SW_SAMPLER_NEAREST_CLAMP),
+        .blocks = fields[1],
     };
     int32_t resolution = view->resolution;
     uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;
@@ -131,7 +137,7 @@ static void record(const swGpuWorld* gpuWorld, void* state, VkCommandBuffer comm
             {
                 swComputeBarrier(gpuWorld->gpu, commands);
             }
-            recordStep(gpuWorld->gpu, s, view, &s->views[i], step, count, commands);
+            recordStep(gpuWorld, s, i, step, count, commands);
         }
     }
 }
@@ -145,7 +151,7 @@ const swPass swPass_foam = {
     .name = "foam",
     .stateSize = sizeof(State),
     .reads = SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) | SW_LAYER_BIT(SW_LAYER_FOAM) | SW_LAYER_BIT(SW_LAYER_FLOW) |
-             SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES),
+             SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
     .writes = SW_LAYER_BIT(SW_LAYER_FOAM),
     .upload = upload,
     .create = create,

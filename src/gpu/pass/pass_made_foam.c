@@ -126,6 +126,8 @@ static void recordStep(const swGpuWorld* gpuWorld, const State* s, int index, in
     int made = madeLayers[kind];
     swBinding inputs[SW_INPUT_BINDINGS];
     swBindInputs(gpuWorld, inputs);
+    swBinding fields[2] = {swBindUpload(&s->views[index].slices), swBindUpload(&s->views[index].slices)};
+    swBindFieldPlaces(gpuWorld, index, &fields[0], &fields[1]);
     const swMadeFoamBindings bindings = {
         .inputHead = inputs[0],
         .inputRecords = inputs[1],
@@ -140,6 +142,7 @@ static void recordStep(const swGpuWorld* gpuWorld, const State* s, int index, in
         .nextFoam = swBindImage(gpu, swGetStepTarget(view, made, step, count), SW_SAMPLER_NEAREST_CLAMP),
         .flow = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
         .flowSlopes = swBindImage(gpu, swGetLayerImage(view, SW_LAYER_FLOW_SLOPES), SW_SAMPLER_NEAREST_CLAMP),
+        .blocks = fields[1],
     };
     int32_t resolution = view->resolution;
     uint32_t blocks = (uint32_t)resolution / SW_FOAM_BLOCK;
@@ -176,7 +179,7 @@ const swPass swPass_made_foam = {
     .stateSize = sizeof(State),
     .reads = SW_INPUTS_BIT | SW_LAYER_BIT(SW_LAYER_PLACES) | SW_LAYER_BIT(SW_LAYER_FLOW) |
              SW_LAYER_BIT(SW_LAYER_FLOW_SLOPES) | SW_LAYER_BIT(SW_LAYER_DISPLACEMENT) |
-             SW_LAYER_BIT(SW_LAYER_WAKE_FOAM) | SW_LAYER_BIT(SW_LAYER_SHORE_FOAM),
+             SW_LAYER_BIT(SW_LAYER_WAKE_FOAM) | SW_LAYER_BIT(SW_LAYER_SHORE_FOAM) | SW_OUTPUT_BIT(SW_PASS_FIELDS),
     .writes = SW_LAYER_BIT(SW_LAYER_WAKE_FOAM) | SW_LAYER_BIT(SW_LAYER_SHORE_FOAM),
     .upload = upload,
     .create = create,
