@@ -4,9 +4,9 @@
 #include <stdint.h>
 
 /// @file
-/// Handles of what lives in a world. Pass by value; all zero is null; a handle of something destroyed is caught. They are
-/// counted anew in each world, so that machines in lockstep have the same ones: whether one is another world's cannot be
-/// seen, keep them apart.
+/// Handles of what lives in a world. Pass by value; all zero is null; a handle of something destroyed is caught. They
+/// are counted anew in each world, so that machines in lockstep have the same ones: whether one is another world's
+/// cannot be seen, keep them apart.
 
 /// A wave system. See waves.h.
 typedef struct swWaveSystemId
