@@ -189,6 +189,29 @@ static int AnswerTimes(swWorld* world, swSceneSea* sea, const DeviceName* device
     return exitCode;
 }
 
+static const char queryText[] =
+    "Ask for the surface above points, the water below it, what rays meet, or a grid of heights. Points come\n"
+    "as CSV lines x,z or x,y,z in metres (x east, z south, y up and used by --below only), with or without a\n"
+    "header line. The answers go to standard output:\n"
+    "  t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m\n"
+    "height above sea level's datum, displacement of the particle there, normal, Jacobian (1 flat, below\n"
+    "0 folded over), and how far the answering particle is from the point asked for. The GPU gives the\n"
+    "same answers to 0.1 mm, plus what the residuals allow.\n"
+    "--motion appends vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2. --below answers with\n"
+    "  t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m\n"
+    "depth below the surface, motion of the water, and dynamic pressure in metres of water; --drift appends\n"
+    "drift_x_mps,drift_z_mps. --particles answers for the particles that rest at the points.\n"
+    "--rays reads lines x,y,z,dx,dy,dz or x,y,z,dx,dy,dz,radius: where a ray begins, its direction (of any\n"
+    "length but 0) and, for a sphere that sweeps along it, a radius up to 100 m. It answers with\n"
+    "  t_s,x_m,y_m,z_m,dx,dy,dz,radius_m,hit,distance_m,position_x_m,position_y_m,position_z_m,\n"
+    "  point_x_m,point_y_m,point_z_m,nx,ny,nz,from_below\n"
+    "on one line: hit 1 or 0, distance along the ray, position of the sphere's centre then, point of the\n"
+    "water that it touches, normal there, and 1 if it came out of the water. Without a hit the distance is\n"
+    "how far was looked, and the fields after it are empty. --map answers with t_s,x_m,z_m,height_m.\n"
+    "--fields takes a list of depth, floor, level, flow, clip, body, wind, foam, albedo, shadow and\n"
+    "displacement, with commas between, and answers with t_s,x_m,z_m and the columns of each. They are\n"
+    "functions of the place: no wave is looked for. Depth is that of still water, inf without a floor.";
+
 static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArguments* given)
 {
     static const char* const backends[] = {"cpu", "gpu", NULL};
@@ -275,37 +298,15 @@ static ParseResult ParseQuery(int argumentCount, char** arguments, QueryArgument
          .help = "of --backend gpu: auto, gpu, software, or a number of `seaway devices`",
          .needs = "backend"},
     };
-    const Verb verb = {
-        .name = "query",
-        .synopsis = "SCENE [--points FILE | --map X0,Z0,X1,Z1,STEP] [--time T|A:B:STEP] [options]",
-        .text =
-            "Ask for the surface above points, the water below it, what rays meet, or a grid of heights. Points come\n"
-            "as CSV lines x,z or x,y,z in metres (x east, z south, y up and used by --below only), with or without a\n"
-            "header line. The answers go to standard output:\n"
-            "  t_s,x_m,z_m,height_m,dx_m,dy_m,dz_m,nx,ny,nz,jacobian,residual_m\n"
-            "height above sea level's datum, displacement of the particle there, normal, Jacobian (1 flat, below\n"
-            "0 folded over), and how far the answering particle is from the point asked for. The GPU gives the\n"
-            "same answers to 0.1 mm, plus what the residuals allow.\n"
-            "--motion appends vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2. --below answers with\n"
-            "  t_s,x_m,y_m,z_m,depth_m,vx_mps,vy_mps,vz_mps,ax_mps2,ay_mps2,az_mps2,pressure_head_m\n"
-            "depth below the surface, motion of the water, and dynamic pressure in metres of water; --drift appends\n"
-            "drift_x_mps,drift_z_mps. --particles answers for the particles that rest at the points.\n"
-            "--rays reads lines x,y,z,dx,dy,dz or x,y,z,dx,dy,dz,radius: where a ray begins, its direction (of any\n"
-            "length but 0) and, for a sphere that sweeps along it, a radius up to 100 m. It answers with\n"
-            "  t_s,x_m,y_m,z_m,dx,dy,dz,radius_m,hit,distance_m,position_x_m,position_y_m,position_z_m,\n"
-            "  point_x_m,point_y_m,point_z_m,nx,ny,nz,from_below\n"
-            "on one line: hit 1 or 0, distance along the ray, position of the sphere's centre then, point of the\n"
-            "water that it touches, normal there, and 1 if it came out of the water. Without a hit the distance is\n"
-            "how far was looked, and the fields after it are empty. --map answers with t_s,x_m,z_m,height_m.\n"
-            "--fields takes a list of depth, floor, level, flow, clip, body, wind, foam, albedo, shadow and\n"
-            "displacement, with commas between, and answers with t_s,x_m,z_m and the columns of each. They are\n"
-            "functions of the place: no wave is looked for. Depth is that of still water, inf without a floor.",
-        .options = options,
-        .optionCount = sizeof(options) / sizeof(options[0]),
-        .positionalMin = 1,
-        .positionalMax = 1,
-        .positionalName = "a scene file",
-        .positionals = &given->scenePath};
+    const Verb verb = {.name = "query",
+                       .synopsis = "SCENE [--points FILE | --map X0,Z0,X1,Z1,STEP] [--time T|A:B:STEP] [options]",
+                       .text = queryText,
+                       .options = options,
+                       .optionCount = sizeof(options) / sizeof(options[0]),
+                       .positionalMin = 1,
+                       .positionalMax = 1,
+                       .positionalName = "a scene file",
+                       .positionals = &given->scenePath};
     return ParseArguments(&verb, argumentCount, arguments);
 }
 

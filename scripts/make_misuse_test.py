@@ -28,6 +28,7 @@ ALLOWED = {
     ("swScene_FindView", "name", "NULL"): "the first view",
     ("swScene_GetSky", "view", "NULL"): "the scene's own sky",
     ("swPrintScene", "text", "NULL"): "asks for the size",
+    ("swScene_AddInput", "waves", "-1"): "it weighs all waves, or none of them",
     ("swScene_GetSky", "view", "*"): "a view without a sun of its own, whatever else it is",
     ("swScene_GetSky", "view.*", "*"): "only a sun of its own counts, which the sky's check sees",
     ("swMoment_GetHeight", "x", "*"): "a point that cannot be answered is NaN",

@@ -201,10 +201,10 @@ void RemoveInputPoint(SeaInput* input, int row);
 // Take over other points, such as the world's or the file's. False if there is no memory.
 bool TakeInputPoints(SeaInput* input, int count, const swInputPoint* points);
 
-// Another constituent of its tide, and one away.
-void AddInputTide(SeaInput* input);
-void RemoveInputTide(SeaInput* input, int row);
-int CountInputTides(const swInputDef* def);
+// Another constituent of a tide, of an input or a body, and one away.
+int CountTide(const swTideConstituent tide[SW_MAX_TIDE]);
+void AddConstituent(swTideConstituent tide[SW_MAX_TIDE]);
+void RemoveConstituent(swTideConstituent tide[SW_MAX_TIDE], int row);
 
 // Those that move by themselves, and tides by a table, to a time. AdvanceSea() calls it.
 void MoveInputs(Sea* sea, double time);

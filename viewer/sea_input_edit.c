@@ -139,32 +139,29 @@ bool ChangeInputShape(SeaInput* input, swInputShape shape)
 
 // ---- tides ----
 
-int CountInputTides(const swInputDef* def)
+int CountTide(const swTideConstituent tide[SW_MAX_TIDE])
 {
     int count = 0;
-    while (count < SW_MAX_TIDE && def->tide[count].speed > 0.0f)
+    while (count < SW_MAX_TIDE && tide[count].speed > 0.0f)
     {
         count++;
     }
     return count;
 }
 
-void AddInputTide(SeaInput* input)
+void AddConstituent(swTideConstituent tide[SW_MAX_TIDE])
 {
-    int count = CountInputTides(&input->def);
+    int count = CountTide(tide);
     if (count < SW_MAX_TIDE)
     {
-        swSetTideConstituent("M2", 1.0f, 0.0f, &input->def.tide[count]);
-        input->hasChanged = true;
+        swSetTideConstituent("M2", 1.0f, 0.0f, &tide[count]);
     }
 }
 
-void RemoveInputTide(SeaInput* input, int row)
+void RemoveConstituent(swTideConstituent tide[SW_MAX_TIDE], int row)
 {
-    swTideConstituent* tide = input->def.tide;
     memmove(tide + row, tide + row + 1, (size_t)(SW_MAX_TIDE - 1 - row) * sizeof(*tide));
     tide[SW_MAX_TIDE - 1] = (swTideConstituent){0};
-    input->hasChanged = true;
 }
 
 // ---- coming and going ----

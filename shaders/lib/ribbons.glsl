@@ -13,27 +13,6 @@ uint ribbonSystemsAt(SeaPlace place)
     return touchesInputs(SW_FIELD_OF_WAVES, place.cell, place.cell) ? inputHead.ribbonSystems : 0u;
 }
 
-// A field at a place as fieldAt() has it, and of the waves of a system also those along splines. Call it in one place,
-// too, and instead of that.
-swWaveLooks looksAt(uint field, uint system, SeaPlace place)
-{
-    swWaveLooks looks = swWaveLooks(swGetFieldBelow(field), swBeginLooks());
-    looks.plain.value.x = field == SW_FIELD_OF_WAVES && isLocalSystem(system) ? 0.0 : looks.plain.value.x;
-    uint i = findInput(field, place.cell, place.cell, 0);
-    while (i != SW_NO_RECORD)
-    {
-        swInputRecord record = inputRecords[i];
-        if (swHasSay(record, system))
-        {
-            swLookSay say =
-                swSampleLook(record.firstWord, record, place.cell.x, place.cell.y, place.rest.x, place.rest.y);
-            looks = swJoinLooks(record.firstWord, record, system, looks, say);
-        }
-        i = findInput(field, place.cell, place.cell, i + 1);
-    }
-    return looks;
-}
-
 // Where waves along a spline are looked up in the sea, how much of them counts, and how they are turned.
 struct Look
 {

@@ -27,6 +27,7 @@ layout(constant_id = 0) const bool WITH_INPUTS = false;
 layout(constant_id = 1) const bool WITH_FLOW = false;
 layout(constant_id = 2) const bool WITH_DISPLACEMENT = false;
 layout(constant_id = 3) const bool WITH_RIBBONS = false;
+const bool WITH_HOLES = true;
 const bool WITH_PLACE_FLOW = false;
 
 layout(std140, binding = 0) uniform Tiles
@@ -351,9 +352,9 @@ Ask askFor(uint what, Ray ray, March march, Search search, Sum sum)
     switch (what)
     {
     case ASK_WAVES:
-        return askWaves(search, sum);
+        return askTried(search, sum);
     case ASK_HEIGHT:
-        return askHeight(search);
+        return askFound(search);
     case ASK_HOLE:
         return askHoleOfHit(ray, march, surfaceOf(search));
     default:
@@ -376,7 +377,7 @@ bool takeTurn(bool isFirst, Ray ray, inout March march, inout Search search, uin
     else if (WITH_INPUTS)
     {
         systems = weighedSystems(search);
-        what = nextElement(search, systems, ASK_ELEMENTS + lane);
+        what = nextElement(search, systems, ASK_FIELD + lane);
     }
     else
     {
@@ -439,7 +440,7 @@ bool takeTurn(bool isFirst, Ray ray, inout March march, inout Search search, uin
         if (WITH_INPUTS && begins)
         {
             systems = weighedSystems(search);
-            what = nextElement(search, systems, ASK_ELEMENTS + lane);
+            what = nextElement(search, systems, ASK_FIELD + lane);
         }
     }
     return isMarching;

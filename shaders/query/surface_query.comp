@@ -23,6 +23,7 @@ layout(constant_id = 1) const bool WITH_INPUTS = false;
 layout(constant_id = 2) const bool WITH_FLOW = false;
 layout(constant_id = 3) const bool WITH_DISPLACEMENT = false;
 layout(constant_id = 4) const bool WITH_RIBBONS = false;
+const bool WITH_HOLES = true;
 const bool WITH_PLACE_FLOW = WITH_MOTION && WITH_FLOW;
 
 layout(std140, binding = 0) uniform Tiles
@@ -397,13 +398,13 @@ Ask askFor(uint what, Search search, Sum sum, vec3 rate)
     switch (what)
     {
     case ASK_WAVES:
-        return askWaves(search, sum);
+        return askTried(search, sum);
     case ASK_RATE:
-        return askRate(search, rate);
+        return askRate(seaPlaceAt(search.cell, search.place + search.bestOffset), params.water.minWavelength, rate);
     case ASK_HEIGHT:
-        return askHeight(search);
+        return askFound(search);
     case ASK_HOLE:
-        return askHole(seaPlaceAt(search.cell, foundPlace(search)), surfaceOf(search).value.y);
+        return askHole(foundPlace(search), surfaceOf(search).value.y);
     default:
         return askElement(search, what);
     }
@@ -412,7 +413,7 @@ Ask askFor(uint what, Search search, Sum sum, vec3 rate)
 // Whether there is anything to ask.
 bool isAnything(uint what, uint lane)
 {
-    return WITH_INPUTS && (what >= ASK_ELEMENTS || (what == ASK_HOLE ? wantsHole(lane) : WITH_DISPLACEMENT));
+    return WITH_INPUTS && (what >= ASK_FIELD || (what == ASK_HOLE ? wantsHole(lane) : WITH_DISPLACEMENT));
 }
 
 // A lane's part of a turn: takes in what was summed up, and asks for what inputs say where the search goes next, or
@@ -435,7 +436,7 @@ bool takeTurn(uint beginning, inout Search search, uint point, bool isBad, uint 
     else if (WITH_INPUTS)
     {
         systems = weighedSystems(search);
-        what = nextElement(search, systems, ASK_ELEMENTS + lane);
+        what = nextElement(search, systems, ASK_FIELD + lane);
     }
     else
     {
@@ -488,7 +489,7 @@ bool takeTurn(uint beginning, inout Search search, uint point, bool isBad, uint 
             search.hasPlace = true;
             search.offset = isSearching ? search.offset : search.bestOffset;
             systems = weighedSystems(search);
-            what = nextElement(search, systems, ASK_ELEMENTS + lane);
+            what = nextElement(search, systems, ASK_FIELD + lane);
         }
     }
     return isSearching;

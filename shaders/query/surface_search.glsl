@@ -26,12 +26,13 @@
 // `shared vec3 placeValues[6 + SW_LIMIT_SYSTEMS][]` with an element for each point, and the constants `bool
 // WITH_INPUTS`, WITH_FLOW (inputs make the water flow; the buffer `likeness` is there), WITH_PLACE_FLOW (the flow is
 // wanted at the place that is asked for), WITH_DISPLACEMENT, and WITH_RIBBONS (some waves run along splines, and
-// `shared vec4 keptLooks[8 * SW_QUERY_RIBBON_SYSTEMS][]` is there, with an element for each point).
+// `shared vec4 keptLooks[8 * SW_QUERY_RIBBON_SYSTEMS][]` is there, with an element for each point); WITH_HOLES is for
+// lib/ask.glsl.
 
 #include "lib/inputs.glsl"
 
+#include "lib/ask.glsl"
 #include "lib/displaced.glsl"
-#include "shared/clip.h"
 #include "lib/likeness.glsl"
 #include "lib/places.glsl"
 #include "lib/ribbons.glsl"
@@ -730,99 +731,9 @@ bool advance(inout Search search, Sum sum)
 
 // ---- what inputs are asked ----
 
-// Compilers write out all shapes wherever an input is sampled, and they are most of a query's code. So inputs are
-// sampled in one place, answer(), and a lane asks there for one thing after the other: `what` it is, where, and what it
-// begins with, which answers join. An element of placeValues is asked for as ASK_ELEMENTS and its number.
-#define ASK_WAVES 0u  // what follows the waves joins their sum at rest
-#define ASK_RATE 1u   // the same of a rate of displacement: inputs stand still, so only what scales the waves counts
-#define ASK_HEIGHT 2u // what stays put changes the height where that has brought the particle
-#define ASK_HOLE 3u   // how far the edge of holes is
-#define ASK_ELEMENTS 4u
-#define ASK_END (ASK_ELEMENTS + ASKED_SYSTEMS + SW_LIMIT_SYSTEMS)
-
-struct Ask
-{
-    uint what, field, system;
-    SeaPlace place;
-    swDisplaceRange range;
-    swInputChannel level; // of still water, for ASK_HEIGHT
-    float y;              // of the surface, m above sea level, for ASK_HOLE
-    swWaveLooks said;     // so far; of a height or a distance the first number
-};
-
-bool hasSay(Ask ask, swInputRecord record)
-{
-    if (WITH_DISPLACEMENT && ask.field == SW_FIELD_OF_DISPLACEMENT)
-    {
-        return swIsDisplacing(record, ask.range, ask.what != ASK_HEIGHT) && swDoesJoinPart(record, ask.range);
-    }
-    return swHasSay(record, ask.system);
-}
-
-// What a record says in its own coordinates, but for its weight; of one whose waves run along its spline their foot.
-swLookSay sayOf(swInputRecord record, vec2 own)
-{
-    swLookSay say;
-    say.waves.foot = swBeginFoot();
-    say.waves.share = swKeepChannel(0.0);
-    if (WITH_RIBBONS && swRunsAlong(record))
-    {
-        say.waves = swFindRibbonWaves(record.firstWord, record, own.x, own.y);
-        say.says = swSayRibbonWaves(record, say.waves);
-    }
-    else
-    {
-        say.says = swSampleShape(record.firstWord, record, vec3(own.x, -record.size.w, own.y));
-    }
-    return say;
-}
-
-void join(inout Ask ask, swInputRecord record)
-{
-    vec2 own = swPlaceInInput(record, ask.place.cell.x, ask.place.cell.y, ask.place.rest.x, ask.place.rest.y);
-    if (ask.what == ASK_HOLE && swHasClipEdge(record.shape))
-    {
-        ask.said.plain.value.x = swJoinClipEdge(ask.said.plain.value.x, record.firstWord, record, own.x, ask.y, own.y);
-        return;
-    }
-    swLookSay say = sayOf(record, own);
-    if (ask.what == ASK_HOLE)
-    {
-        ask.said.plain.value.x = swJoinClipValue(ask.said.plain.value.x, record, own.x, own.y, say.says);
-        return;
-    }
-    say.says = swFinishInputSample(record, say.says);
-    if (WITH_DISPLACEMENT && ask.what == ASK_HEIGHT)
-    {
-        swInputChannel height =
-            swMakeChannel(firstOf(ask.said.plain).x, firstOf(ask.said.plain).y, firstOf(ask.said.plain).z);
-        height = swDisplaceHeight(record, height, ask.level, say.says);
-        ask.said.plain.value.x = height.value;
-        ask.said.plain.alongX.x = height.alongX;
-        ask.said.plain.alongZ.x = height.alongZ;
-        return;
-    }
-    if (WITH_DISPLACEMENT && ask.field == SW_FIELD_OF_DISPLACEMENT)
-    {
-        say.says = swSampleOfPart(record, ask.range, say.says);
-    }
-    ask.said = swJoinLooks(record.firstWord, record, ask.system, ask.said, say);
-}
-
-// The one place where inputs are sampled.
-void answer(inout Ask ask)
-{
-    uint i = findInput(ask.field, ask.place.cell, ask.place.cell, 0);
-    while (i != SW_NO_RECORD)
-    {
-        swInputRecord record = inputRecords[i];
-        if (hasSay(ask, record))
-        {
-            join(ask, record);
-        }
-        i = findInput(ask.field, ask.place.cell, ask.place.cell, i + 1);
-    }
-}
+// A lane asks for one thing after the other, see lib/ask.glsl. An element of placeValues is asked for as ASK_FIELD and
+// its number.
+#define ASK_END (ASK_FIELD + ASKED_SYSTEMS + SW_LIMIT_SYSTEMS)
 
 // Whether an element of placeValues is asked for where the search is. `systems` are those that inputs weigh there. Of
 // the flow both numbers come at once.
@@ -840,7 +751,7 @@ bool isAsked(Search search, uint systems, uint element)
 // The next element from `what` on that a lane asks for, of every fourth one; or ASK_END.
 uint nextElement(Search search, uint systems, uint what)
 {
-    while (what < ASK_END && !isAsked(search, systems, what - ASK_ELEMENTS))
+    while (what < ASK_END && !isAsked(search, systems, what - ASK_FIELD))
     {
         what += SW_QUERY_LANES;
     }
@@ -853,33 +764,16 @@ uint weighedSystems(Search search)
     return areSystemsWeighted(seaPlaceAt(search.cell, search.place + search.offset)) ? querySystems : 0u;
 }
 
-Ask askNothing(uint what)
-{
-    Ask ask;
-    ask.what = what;
-    ask.system = SW_ALL_SYSTEMS;
-    ask.range = swDisplaceRange(params.water.minWavelength, 0.0, 0.0);
-    ask.level = swKeepChannel(0.0);
-    ask.y = 0.0;
-    ask.said.ribbons = swBeginLooks();
-    return ask;
-}
-
 Ask askElement(Search search, uint what)
 {
-    uint element = what - ASK_ELEMENTS;
-    Ask ask = askNothing(what);
-    ask.field = element < ASKED_FLOOR     ? SW_FIELD_OF_LEVEL
-                : element == ASKED_FLOOR  ? SW_FIELD_OF_FLOOR
-                : element < ASKED_SYSTEMS ? SW_FIELD_OF_FLOW
-                                          : SW_FIELD_OF_WAVES;
-    ask.system = element - ASKED_SYSTEMS;
+    uint element = what - ASK_FIELD;
+    uint field = element < ASKED_FLOOR     ? SW_FIELD_OF_LEVEL
+                 : element == ASKED_FLOOR  ? SW_FIELD_OF_FLOOR
+                 : element < ASKED_SYSTEMS ? SW_FIELD_OF_FLOW
+                                           : SW_FIELD_OF_WAVES;
     bool isOfPlace = element == ASKED_PLACE_LEVEL || element == ASKED_PLACE_FLOW;
-    ask.place = seaPlaceAt(search.cell, isOfPlace ? search.place : search.place + search.offset);
-    ask.said.plain = swGetFieldBelow(ask.field);
-    bool isLocal = ask.field == SW_FIELD_OF_WAVES && isLocalSystem(ask.system);
-    ask.said.plain.value.x = isLocal ? 0.0 : ask.said.plain.value.x;
-    return ask;
+    vec2 at = isOfPlace ? search.place : search.place + search.offset;
+    return askField(what, field, element - ASKED_SYSTEMS, seaPlaceAt(search.cell, at));
 }
 
 void keep(uint element, vec3 value)
@@ -890,7 +784,7 @@ void keep(uint element, vec3 value)
 // Keeps an element, and looks at a system's waves.
 void keepElement(Ask ask)
 {
-    uint element = ask.what - ASK_ELEMENTS;
+    uint element = ask.what - ASK_FIELD;
     keep(element, element == ASKED_PLACE_FLOW ? ask.said.plain.value.xyz : firstOf(ask.said.plain));
     if (element == ASKED_FLOW_X)
     {
@@ -905,30 +799,17 @@ void keepElement(Ask ask)
 }
 
 // The sum of the waves at the tried offset, for inputs to join that follow them.
-Ask askWaves(Search search, Sum sum)
+Ask askTried(Search search, Sum sum)
 {
-    Ask ask = askNothing(ASK_WAVES);
-    ask.field = SW_FIELD_OF_DISPLACEMENT;
-    ask.place = seaPlaceAt(search.cell, search.place + search.offset);
-    ask.said.plain = swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(xAlongZOf(sum), sum.alongZ, 0.0));
-    return ask;
+    swInputValue waves =
+        swInputValue(vec4(sum.value, 0.0), vec4(sum.alongX, 0.0), vec4(xAlongZOf(sum), sum.alongZ, 0.0));
+    return askWaves(seaPlaceAt(search.cell, search.place + search.offset), params.water.minWavelength, waves);
 }
 
 Sum sumOf(Ask ask)
 {
     swInputValue value = ask.said.plain;
     return Sum(value.value.xyz, value.alongX.xyz, value.alongZ.yz, value.alongZ.x - value.alongX.z);
-}
-
-// A rate of the displacement of what was found. None of the inputs' own displacement is of this part of the waves.
-Ask askRate(Search search, vec3 rate)
-{
-    Ask ask = askNothing(ASK_RATE);
-    ask.field = SW_FIELD_OF_DISPLACEMENT;
-    ask.range.shortest = 3e38;
-    ask.place = seaPlaceAt(search.cell, search.place + search.bestOffset);
-    ask.said.plain = swInputValue(vec4(rate, 0.0), vec4(0.0), vec4(0.0));
-    return ask;
 }
 
 // The height of what was found, by the place where it is.
@@ -938,44 +819,26 @@ swInputChannel heightOf(Sum sum)
                          vec2(xAlongZOf(sum), sum.alongZ.y));
 }
 
-vec2 foundPlace(Search search)
+SeaPlace foundPlace(Search search)
 {
-    return search.place + search.bestOffset + search.best.value.xz;
+    return seaPlaceAt(search.cell, search.place + search.bestOffset + search.best.value.xz);
 }
 
-Ask askHeight(Search search)
+Ask askFound(Search search)
 {
-    Ask ask = askNothing(ASK_HEIGHT);
     vec3 level = askedOf(ASKED_PLACE_LEVEL);
-    swInputChannel height = heightOf(search.best);
-    ask.field = SW_FIELD_OF_DISPLACEMENT;
-    ask.place = seaPlaceAt(search.cell, foundPlace(search));
-    ask.level = swMakeChannel(level.x, level.y, level.z);
-    ask.said.plain =
-        swInputValue(vec4(height.value, vec3(0.0)), vec4(height.alongX, vec3(0.0)), vec4(height.alongZ, vec3(0.0)));
-    return ask;
+    return askHeight(foundPlace(search), params.water.minWavelength, swMakeChannel(level.x, level.y, level.z),
+                     heightOf(search.best));
 }
 
 // What was found, with the height that inputs make of it.
 Sum raisedBy(Ask ask, Sum found)
 {
-    vec3 raised = firstOf(ask.said.plain);
-    swInputChannel after = swMakeChannel(raised.x, raised.y, raised.z);
-    vec2 slope = slopeByRest(heightOf(found), after, found.alongX.xz, vec2(xAlongZOf(found), found.alongZ.y));
-    found.value.y = after.value;
+    vec2 slope = slopeByRest(heightOf(found), channelOf(ask), found.alongX.xz, vec2(xAlongZOf(found), found.alongZ.y));
+    found.value.y = channelOf(ask).value;
     found.alongX.y += slope.x;
     found.alongZ.x += slope.y;
     return found;
-}
-
-Ask askHole(SeaPlace place, float y)
-{
-    Ask ask = askNothing(ASK_HOLE);
-    ask.field = SW_FIELD_OF_CLIP;
-    ask.place = place;
-    ask.y = y;
-    ask.said.plain = swInputValue(vec4(SW_CLIP_FAR, vec3(0.0)), vec4(0.0), vec4(0.0));
-    return ask;
 }
 
 // ---- what was found ----

@@ -24,6 +24,7 @@ layout(constant_id = 1) const bool WITH_WEIGHTS = true;      // systems may have
 layout(constant_id = 2) const bool WITH_FLOW = true;         // a flow may carry waves
 layout(constant_id = 3) const bool WITH_DISPLACEMENT = true; // inputs may displace the water
 layout(constant_id = 4) const bool WITH_RIBBONS = true;      // some waves run along splines
+const bool WITH_HOLES = false;
 
 layout(std430, binding = 0) readonly buffer Lists
 {
@@ -83,8 +84,7 @@ layout(push_constant) uniform Push
     uint resolution;
 };
 
-#include "lib/inputs.glsl"
-
+#include "lib/ask.glsl"
 #include "lib/displaced.glsl"
 #include "lib/likeness.glsl"
 #include "lib/places.glsl"
@@ -110,27 +110,6 @@ Ground groundOf(uint column, uint row)
     }
     vec4 texel = imageLoad(places, ivec3(column, row, gl_WorkGroupID.z));
     return Ground(texel.x, texel.yz, texel.w);
-}
-
-// The weight of a system's waves where a texel rests.
-Shape weightOf(uint system, uint column, uint row)
-{
-    if (!WITH_WEIGHTS || (fieldBlock.systems >> (system & 31u) & 1u) == 0)
-    {
-        return Shape(1.0, vec2(0.0));
-    }
-    SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row);
-    swInputValue value;
-    if (WITH_RIBBONS)
-    {
-        value = looksAt(SW_FIELD_OF_WAVES, system, place).plain;
-    }
-    else
-    {
-        value = fieldAt(SW_FIELD_OF_WAVES, system, place);
-    }
-    vec3 weight = firstOf(value);
-    return Shape(weight.x, weight.yz);
 }
 
 bool doesCarry()
@@ -371,17 +350,16 @@ void addLookedWaves(inout Texel texel, uint first, uint end, Look look, Flow mov
 }
 
 // Adds a system's tiles and free waves as they are seen by a look to a texel.
-void addLook(inout Texel texel, swSliceList list, uint system, Look look, uint column, uint row)
+void addLook(inout Texel texel, swSliceList list, uint system, Look look, Ground ground, Flow flowThere)
 {
     if (!isLookThere(look))
     {
         return;
     }
-    Ground ground = groundOf(column, row);
     Flow moved = STILL;
     if (doesCarry())
     {
-        moved = turnFlowByLook(look, flowAt(column, row));
+        moved = turnFlowByLook(look, flowThere);
     }
     for (uint k = 0; k < list.count + list.windowCount; ++k)
     {
@@ -419,139 +397,269 @@ uint systemsOf(swSliceList list)
     return systems;
 }
 
-// Adds waves along splines.
-void addRibbons(inout Texel texel, swSliceList list, uint column, uint row)
-{
-    for (uint systems = ribbonSystemsOfBlock() & systemsOf(list); systems != 0; systems &= systems - 1)
-    {
-        uint system = findLSB(systems);
-        SeaPlace place = placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row);
-        swRibbonLooks looks = looksAt(SW_FIELD_OF_WAVES, system, place).ribbons;
-        addLook(texel, list, system, lookOf(looks.first), column, row);
-        addLook(texel, list, system, lookOf(looks.second), column, row);
-    }
-}
-
 // ---- all of a texel ----
 
 // What a place does to a texel.
 struct TexelPlace
 {
+    SeaPlace rest;
     Ground ground;
     Flow flow;
     Shape weight; // of the system asked last
     uint system;
+    swInputChannel level; // of still water where the texel's particle is, once it was asked for
 };
-
-// How waves of a system, of wave number k, are shaped there.
-Shape shapeOf(inout TexelPlace place, uint column, uint row, uint system, float k, swAttenuation attenuation)
-{
-    if (WITH_WEIGHTS && system != place.system)
-    {
-        place.weight = weightOf(system, column, row);
-        place.system = system;
-    }
-    return attenuated(place.weight, place.ground, k, attenuation);
-}
 
 bool isAnything(Shape shape)
 {
     return shape.weight != 0.0 || shape.slope != vec2(0.0);
 }
 
-// Adds the shaped ones of tiles [first, end), which are laid out together.
-void addTiles(inout Texel texel, inout TexelPlace place, uint first, uint end, uint column, uint row)
+void addTile(inout Texel texel, TexelPlace place, uint b, uint column, uint row)
 {
-    for (uint b = first; b < end; ++b)
+    Shape shape = attenuated(place.weight, place.ground, blockTiles[b].waveNumber, blockTiles[b].attenuation);
+    if (!isAnything(shape))
     {
-        if (!isShapedTile(b))
-        {
-            continue;
-        }
-        Shape shape =
-            shapeOf(place, column, row, blockTiles[b].system, blockTiles[b].waveNumber, blockTiles[b].attenuation);
-        if (!isAnything(shape))
-        {
-            continue;
-        }
-        if (doesCarry() && blockTiles[b].carryPeriod > 0.0 && isMoved(place.flow))
-        {
-            addCarriedTiles(texel, blockTiles[b], column, row, place.flow, shape);
-            continue;
-        }
-        Texel own = CALM;
-        if (blockTiles[b].shapedColumns > 0)
-        {
-            own = laidOutAt(blockTiles[b], column);
-        }
-        else
-        {
-            addWindow(own, blockTiles[b], column, row);
-        }
-        addShaped(texel, own, shape);
+        return;
+    }
+    if (doesCarry() && blockTiles[b].carryPeriod > 0.0 && isMoved(place.flow))
+    {
+        addCarriedTiles(texel, blockTiles[b], column, row, place.flow, shape);
+        return;
+    }
+    Texel own = CALM;
+    if (blockTiles[b].shapedColumns > 0)
+    {
+        own = laidOutAt(blockTiles[b], column);
+    }
+    else
+    {
+        addWindow(own, blockTiles[b], column, row);
+    }
+    addShaped(texel, own, shape);
+}
+
+// Free waves [first, end); one where no flow carries them.
+void addFreeWaves(inout Texel texel, TexelPlace place, uint first, uint end, uint column, uint row)
+{
+    swSliceWave wave = waves[first];
+    Shape shape = attenuated(place.weight, place.ground, wave.waveNumber, wave.attenuation);
+    if (doesCarry())
+    {
+        addCarriedWaves(texel, first, end, column, row, place.flow, shape);
+        return;
+    }
+    Texel own = CALM;
+    addWave(own, wave, swingOf(wave, column, row));
+    addShaped(texel, own, shape);
+}
+
+// ---- parts ----
+
+// Inputs are sampled in one place, so all that is added to a texel goes through one loop: the tiles, a part of
+// SW_SHAPED_TILES after the other, then free waves, what runs along splines, and what displaces the water. Units of a
+// part are tiles, free waves, systems, and the three that displace: waves, the level of still water, heights.
+#define PART_WAVES 0u
+#define PART_RIBBONS 1u
+#define PART_DISPLACED 2u
+#define PART_TILES 3u
+
+#define DISPLACED_WAVES 0u
+#define DISPLACED_LEVEL 1u
+#define DISPLACED_HEIGHT 2u
+#define DISPLACED_UNITS 3u
+
+uint unitsOf(uint part, swSliceList list)
+{
+    if (part == PART_WAVES)
+    {
+        return WITH_WAVES ? list.waveCount : 0u;
+    }
+    if (part == PART_RIBBONS)
+    {
+        return ribbonSystemsOfBlock() != 0 ? SW_LIMIT_SYSTEMS : 0u;
+    }
+    return WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0 ? DISPLACED_UNITS : 0u;
+}
+
+// The system whose weight a tile or a free wave takes.
+uint systemOf(uint part, swSliceList list, uint unit)
+{
+    return part == PART_TILES ? blockTiles[unit].system : waves[list.firstWave + unit].system;
+}
+
+// Whether a unit is anything in this block. All of a workgroup say the same. `ribbons` has bits of systems.
+bool isShapedUnit(uint part, swSliceList list, uint unit, uint ribbons)
+{
+    if (part == PART_TILES)
+    {
+        return isShapedTile(unit);
+    }
+    if (part == PART_WAVES)
+    {
+        swSliceWave wave = waves[list.firstWave + unit];
+        return isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation);
+    }
+    return part == PART_DISPLACED || (ribbons >> unit & 1u) != 0;
+}
+
+SeaPlace placeOfParticle(TexelPlace place, Texel texel)
+{
+    return seaPlaceOf(place.rest.cell, place.rest.rest + texel.sum.xz);
+}
+
+swInputChannel heightOf(Texel texel)
+{
+    return heightByPlace(texel.sum.y, vec2(texel.alongX.y, texel.alongZ.x), texel.alongX.xz,
+                         vec2(texel.alongX.z, texel.alongZ.y));
+}
+
+Ask askDisplaced(uint unit, float least, TexelPlace place, Texel texel)
+{
+    if (unit == DISPLACED_WAVES)
+    {
+        return askWaves(
+            place.rest, least,
+            swInputValue(vec4(texel.sum, 0.0), vec4(texel.alongX, 0.0), vec4(texel.alongX.z, texel.alongZ, 0.0)));
+    }
+    if (unit == DISPLACED_LEVEL)
+    {
+        return askField(ASK_FIELD, SW_FIELD_OF_LEVEL, SW_ALL_SYSTEMS, placeOfParticle(place, texel));
+    }
+    return askHeight(placeOfParticle(place, texel), least, place.level, heightOf(texel));
+}
+
+void takeDisplaced(uint unit, Ask ask, inout TexelPlace place, inout Texel texel)
+{
+    if (unit == DISPLACED_WAVES)
+    {
+        swInputValue value = ask.said.plain;
+        texel = Texel(value.value.xyz, value.alongX.xyz, value.alongZ.yz);
+    }
+    else if (unit == DISPLACED_LEVEL)
+    {
+        place.level = channelOf(ask);
+    }
+    else
+    {
+        vec2 slope =
+            slopeByRest(heightOf(texel), channelOf(ask), texel.alongX.xz, vec2(texel.alongX.z, texel.alongZ.y));
+        texel.sum.y = channelOf(ask).value;
+        texel.alongX.y += slope.x;
+        texel.alongZ.x += slope.y;
     }
 }
 
-// Adds the tiles and free waves that are shaped in this block.
+// Adds one unit of a part, up to the next, to a texel.
+void addUnit(inout Texel texel, inout TexelPlace place, uint part, swSliceList list, uint unit, uint next, uint column,
+             uint row)
+{
+    bool isOfWaves = part == PART_TILES || part == PART_WAVES;
+    uint system = isOfWaves ? systemOf(part, list, unit) : unit;
+    bool isNew = WITH_WEIGHTS && isOfWaves && system != place.system;
+    bool isWeighed = isNew && (fieldBlock.systems >> (system & 31u) & 1u) != 0;
+    Ask ask;
+    if (isWeighed || (WITH_RIBBONS && part == PART_RIBBONS) || (WITH_DISPLACEMENT && part == PART_DISPLACED))
+    {
+        if (part == PART_DISPLACED)
+        {
+            ask = askDisplaced(unit, list.minWavelength, place, texel);
+        }
+        else
+        {
+            ask = askField(ASK_FIELD, SW_FIELD_OF_WAVES, system, place.rest);
+        }
+        answer(ask);
+    }
+    if (isNew)
+    {
+        place.weight = Shape(1.0, vec2(0.0));
+        place.system = system;
+        if (isWeighed)
+        {
+            place.weight = Shape(ask.said.plain.value.x, vec2(ask.said.plain.alongX.x, ask.said.plain.alongZ.x));
+        }
+    }
+    if (part == PART_TILES)
+    {
+        addTile(texel, place, unit, column, row);
+    }
+    else if (part == PART_WAVES)
+    {
+        addFreeWaves(texel, place, list.firstWave + unit, list.firstWave + next, column, row);
+    }
+    else if (WITH_RIBBONS && part == PART_RIBBONS)
+    {
+        for (uint l = 0; l < 2; ++l)
+        {
+            swRibbonLook look = ask.said.ribbons.first;
+            if (l == 1)
+            {
+                look = ask.said.ribbons.second;
+            }
+            addLook(texel, list, system, lookOf(look), place.ground, place.flow);
+        }
+    }
+    else if (WITH_DISPLACEMENT)
+    {
+        takeDisplaced(unit, ask, place, texel);
+    }
+}
+
+// Adds all that is shaped in this block.
 void addAllShaped(inout Texel texel, swSliceList list, uint column, uint row)
 {
-    TexelPlace place = TexelPlace(groundOf(column, row), STILL, Shape(1.0, vec2(0.0)), ~0u);
+    TexelPlace place = TexelPlace(placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row), groundOf(column, row),
+                                  STILL, Shape(1.0, vec2(0.0)), ~0u, swKeepChannel(0.0));
     if (doesCarry())
     {
         place.flow = flowAt(column, row);
     }
-    uint count = list.count + list.windowCount;
-    for (uint part = (count + SW_SHAPED_TILES - 1) / SW_SHAPED_TILES; part-- > 0;)
+    uint ribbons = ribbonSystemsOfBlock() != 0 ? ribbonSystemsOfBlock() & systemsOf(list) : 0u;
+    uint tileCount = list.count + list.windowCount;
+    uint tileParts = (tileCount + SW_SHAPED_TILES - 1) / SW_SHAPED_TILES;
+    for (uint i = 0; i < tileParts + PART_TILES; ++i)
     {
-        uint first = part * SW_SHAPED_TILES, last = min(first + SW_SHAPED_TILES, count) - first;
-        barrier(); // nobody reads the part before
-        if (gl_LocalInvocationIndex < last)
+        bool isOfTiles = i < tileParts;
+        uint part = isOfTiles ? PART_TILES : i - tileParts;
+        uint first = isOfTiles ? (tileParts - 1 - i) * SW_SHAPED_TILES : 0;
+        uint last = isOfTiles ? min(first + SW_SHAPED_TILES, tileCount) - first : unitsOf(part, list);
+        if (isOfTiles)
         {
-            blockTiles[gl_LocalInvocationIndex] = tiles[list.first + first + gl_LocalInvocationIndex];
+            barrier(); // nobody reads the part before
+            if (gl_LocalInvocationIndex < last)
+            {
+                blockTiles[gl_LocalInvocationIndex] = tiles[list.first + first + gl_LocalInvocationIndex];
+            }
+            barrier();
         }
-        barrier();
         for (uint end = last, begin; end > 0; end = begin)
         {
-            begin = blockTiles[end - 1].shapedBegin - first;
-            if (isAnyShaped(begin, end))
+            begin = isOfTiles ? blockTiles[end - 1].shapedBegin - first : 0;
+            if (isOfTiles)
             {
+                if (!isAnyShaped(begin, end))
+                {
+                    continue;
+                }
                 placeColumns(begin, end, row);
                 barrier();
-                addTiles(texel, place, begin, end, column, row);
+            }
+            for (uint unit = begin, next; unit < end; unit = next)
+            {
+                bool isGroup = part == PART_WAVES && doesCarry();
+                next = isGroup ? waves[list.firstWave + unit].groupEnd : unit + 1;
+                if (isShapedUnit(part, list, unit, ribbons))
+                {
+                    addUnit(texel, place, part, list, unit, next, column, row);
+                }
+            }
+            if (isOfTiles)
+            {
                 barrier(); // nobody reads what was laid out
             }
         }
     }
-    for (uint k = 0, next; WITH_WAVES && k < list.waveCount; k = next)
-    {
-        swSliceWave wave = waves[list.firstWave + k];
-        next = doesCarry() ? wave.groupEnd : k + 1;
-        if (!isShapedIn(fieldBlock, wave.system, wave.waveNumber, wave.attenuation))
-        {
-            continue;
-        }
-        Shape shape = shapeOf(place, column, row, wave.system, wave.waveNumber, wave.attenuation);
-        if (doesCarry())
-        {
-            addCarriedWaves(texel, list.firstWave + k, list.firstWave + next, column, row, place.flow, shape);
-        }
-        else
-        {
-            Texel own = CALM;
-            addWave(own, wave, swingOf(wave, column, row));
-            addShaped(texel, own, shape);
-        }
-    }
-}
-
-// Once inputs have joined that displace the water.
-Texel displacedTexel(Texel texel, float least, uint column, uint row)
-{
-    swInputValue waves =
-        swInputValue(vec4(texel.sum, 0.0), vec4(texel.alongX, 0.0), vec4(texel.alongX.z, texel.alongZ, 0.0));
-    waves = displacedWater(placeOfTexel(fieldSlices[gl_WorkGroupID.z], column, row), swDisplaceRange(least, 0.0, 0.0),
-                           waves);
-    return Texel(waves.value.xyz, waves.alongX.xyz, waves.alongZ.yz);
 }
 
 void storeShaped(uint column, uint row, Texel texel)
@@ -574,14 +682,6 @@ void main()
     }
     Texel texel = CALM;
     addAllShaped(texel, lists[gl_WorkGroupID.z], column, row);
-    if (ribbonSystemsOfBlock() != 0)
-    {
-        addRibbons(texel, lists[gl_WorkGroupID.z], column, row);
-    }
-    if (WITH_DISPLACEMENT && (fieldBlock.flags & SW_BLOCK_DISPLACED) != 0)
-    {
-        texel = displacedTexel(texel, lists[gl_WorkGroupID.z].minWavelength, column, row);
-    }
     if (column < resolution)
     {
         storeShaped(column, row, texel);

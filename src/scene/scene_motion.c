@@ -228,6 +228,7 @@ bool swSceneInput_GetPlace(const swSceneInput* input, double time, swPos* positi
 
 bool swSceneInput_IsMoving(const swSceneInput* input)
 {
+    SW_REQUIRE(input != NULL, false, NULL, "swSceneInput_IsMoving() needs an input");
     const swVec3* velocity = &input->motion.velocity;
     const swAngles* rate = &input->motion.turnRate;
     return input->motion.pathCount > 0 || input->motion.orbitRadius > 0.0f || velocity->x != 0.0f ||
@@ -241,6 +242,7 @@ static float getLength(swVec3 v)
 
 float swSceneMotion_GetSpeed(const swSceneMotion* made)
 {
+    SW_REQUIRE(made != NULL, 0.0f, NULL, "swSceneMotion_GetSpeed() needs a motion");
     float most = 0.0f;
     for (int i = 1; i < made->pathCount; ++i)
     {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/base/field.h"
+#include "core/base/misuse.h"
 #include "scene/exact_number.h"
 #include "scene/scene_lists.h"
 
@@ -264,11 +265,14 @@ swResult swReadTide(swYaml* yaml, yaml_node_t* node, const swTideReader* tide)
 
 bool swSceneInput_IsChanging(const swSceneInput* input)
 {
+    SW_REQUIRE(input != NULL, false, NULL, "swSceneInput_IsChanging() needs an input");
     return input->tide.count > 0;
 }
 
 void swSceneInput_GetValue(const swSceneInput* input, double time, float value[4])
 {
+    SW_REQUIRE_VOID(input != NULL && value != NULL, NULL,
+                    "swSceneInput_GetValue() needs an input and room for a value");
     const swSceneTide* tide = &input->tide;
     memcpy(value, input->def.value, sizeof(input->def.value));
     value[0] += tide->count > 0 ? swGetTideOfTable(tide->count, tide->along, time) : 0.0f;
@@ -277,6 +281,7 @@ void swSceneInput_GetValue(const swSceneInput* input, double time, float value[4
 
 double swSceneWaterBody_GetLevel(const swSceneWaterBody* body, double time)
 {
+    SW_REQUIRE(body != NULL, 0.0, NULL, "swSceneWaterBody_GetLevel() needs a body of water");
     const swSceneTide* tide = &body->tide;
     return body->def.position.y + (tide->count > 0 ? (double)swGetTideOfTable(tide->count, tide->along, time) : 0.0);
 }

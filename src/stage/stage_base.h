@@ -42,6 +42,25 @@ bool swIsTerrainSeen(const swStageTerrain* terrain);
 // Inside of rendering to targets of a picture's default formats.
 void swDrawTerrain(const swStageTerrain* terrain, VkCommandBuffer commands, const swPicture* picture);
 
+// What differs between the stage's pipelines; viewport and scissor are dynamic, and nothing is culled.
+typedef struct swStagePipelineDef
+{
+    const uint32_t *vertex, *fragment; // SPIR-V
+    size_t vertexSize, fragmentSize;   // bytes
+    VkPipelineLayout layout;
+    VkPipelineVertexInputStateCreateInfo input;
+    VkPrimitiveTopology topology;
+    VkPipelineColorBlendAttachmentState blend;
+    VkFormat colorFormat;
+    VkFormat depthFormat; // undefined: depth is neither tested nor written; else what is nearer stays
+} swStagePipelineDef;
+
+VkResult swCreateStagePipeline(const swStage* stage, const swStagePipelineDef* def, VkPipeline* pipeline);
+
+// One set that is pushed, and push constants of both shaders.
+VkResult swCreateStageLayout(const swStage* stage, uint32_t bindingCount, const VkDescriptorSetLayoutBinding* bindings,
+                             uint32_t pushSize, VkDescriptorSetLayout* setLayout, VkPipelineLayout* layout);
+
 // NULL for NULL.
 const swHost* swFindLinesHost(const swStageLines* lines);
 

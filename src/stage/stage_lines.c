@@ -46,135 +46,52 @@ struct swStageLines
     int slot;
 };
 
-static VkResult createModule(const swStage* stage, const uint32_t* code, size_t size, VkShaderModule* module)
+static VkResult createLayouts(swStageLines* lines)
 {
-    const VkShaderModuleCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = size, .pCode = code};
-    return stage->vk.CreateShaderModule(stage->device, &info, NULL, module);
+    const VkDescriptorSetLayoutBinding binding = {.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                                  .descriptorCount = 1,
+                                                  .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT};
+    return swCreateStageLayout(lines->stage, 1, &binding, sizeof(swLinePush), &lines->setLayout, &lines->layout);
 }
 
-static VkResult createLayouts(swStageLines* lines)
+static VkResult createPipeline(swStageLines* lines)
+{
+    const VkVertexInputBindingDescription binding = {0, sizeof(swLineVertex), VK_VERTEX_INPUT_RATE_VERTEX};
+    const VkVertexInputAttributeDescription attributes[2] = {
+        {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(swLineVertex, position)},
+        {1, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(swLineVertex, color)}};
+    const swStagePipelineDef def = {
+        .vertex = vertexCode,
+        .fragment = fragmentCode,
+        .vertexSize = sizeof(vertexCode),
+        .fragmentSize = sizeof(fragmentCode),
+        .layout = lines->layout,
+        .input = {.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
+                  .vertexBindingDescriptionCount = 1,
+                  .pVertexBindingDescriptions = &binding,
+                  .vertexAttributeDescriptionCount = 2,
+                  .pVertexAttributeDescriptions = attributes},
+        .topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST,
+        .blend = {.blendEnable = VK_TRUE,
+                  .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
+                  .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+                  .srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO,
+                  .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
+                  .colorWriteMask = 15},
+        .colorFormat = VK_FORMAT_R8G8B8A8_UNORM, // of the output's first view: sRGB bytes as they are
+    };
+    return swCreateStagePipeline(lines->stage, &def, &lines->pipeline);
+}
+
+static VkResult createObjects(swStageLines* lines)
 {
     const swStage* stage = lines->stage;
     const VkSamplerCreateInfo nearest = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                          .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                          .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
     VkResult result = stage->vk.CreateSampler(stage->device, &nearest, NULL, &lines->sampler);
-    if (result != VK_SUCCESS)
-    {
-        return result;
-    }
-    const VkDescriptorSetLayoutBinding binding = {.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                                                  .descriptorCount = 1,
-                                                  .stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT};
-    const VkDescriptorSetLayoutCreateInfo setInfo = {
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-        .bindingCount = 1,
-        .pBindings = &binding,
-    };
-    result = stage->vk.CreateDescriptorSetLayout(stage->device, &setInfo, NULL, &lines->setLayout);
-    if (result != VK_SUCCESS)
-    {
-        return result;
-    }
-    const VkPushConstantRange range = {VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                                       sizeof(swLinePush)};
-    const VkPipelineLayoutCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-        .setLayoutCount = 1,
-        .pSetLayouts = &lines->setLayout,
-        .pushConstantRangeCount = 1,
-        .pPushConstantRanges = &range,
-    };
-    return stage->vk.CreatePipelineLayout(stage->device, &info, NULL, &lines->layout);
-}
-
-static VkResult createPipeline(swStageLines* lines, VkShaderModule vertex, VkShaderModule fragment)
-{
-    const VkFormat format = VK_FORMAT_R8G8B8A8_UNORM; // of the output's first view: sRGB bytes as they are
-    const VkPipelineShaderStageCreateInfo stages[2] = {
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-         .stage = VK_SHADER_STAGE_VERTEX_BIT,
-         .module = vertex,
-         .pName = "main"},
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-         .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
-         .module = fragment,
-         .pName = "main"},
-    };
-    const VkVertexInputBindingDescription binding = {0, sizeof(swLineVertex), VK_VERTEX_INPUT_RATE_VERTEX};
-    const VkVertexInputAttributeDescription attributes[2] = {
-        {0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(swLineVertex, position)},
-        {1, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(swLineVertex, color)}};
-    const VkPipelineVertexInputStateCreateInfo input = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
-        .vertexBindingDescriptionCount = 1,
-        .pVertexBindingDescriptions = &binding,
-        .vertexAttributeDescriptionCount = 2,
-        .pVertexAttributeDescriptions = attributes,
-    };
-    const VkPipelineInputAssemblyStateCreateInfo assembly = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-        .topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST,
-    };
-    const VkPipelineViewportStateCreateInfo viewport = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
-    const VkPipelineRasterizationStateCreateInfo raster = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f};
-    const VkPipelineMultisampleStateCreateInfo samples = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT,
-    };
-    const VkPipelineDepthStencilStateCreateInfo depth = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-    const VkPipelineColorBlendAttachmentState over = {.blendEnable = VK_TRUE,
-                                                      .srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA,
-                                                      .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
-                                                      .srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO,
-                                                      .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-                                                      .colorWriteMask = 15};
-    const VkPipelineColorBlendStateCreateInfo blend = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1, .pAttachments = &over};
-    const VkDynamicState dynamicStates[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    const VkPipelineDynamicStateCreateInfo dynamic = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-        .dynamicStateCount = 2,
-        .pDynamicStates = dynamicStates,
-    };
-    const VkPipelineRenderingCreateInfo rendering = {.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-                                                     .colorAttachmentCount = 1,
-                                                     .pColorAttachmentFormats = &format};
-    const VkGraphicsPipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
-        .pNext = &rendering,
-        .stageCount = 2,
-        .pStages = stages,
-        .pVertexInputState = &input,
-        .pInputAssemblyState = &assembly,
-        .pViewportState = &viewport,
-        .pRasterizationState = &raster,
-        .pMultisampleState = &samples,
-        .pDepthStencilState = &depth,
-        .pColorBlendState = &blend,
-        .pDynamicState = &dynamic,
-        .layout = lines->layout,
-    };
-    const swStage* stage = lines->stage;
-    return stage->vk.CreateGraphicsPipelines(stage->device, VK_NULL_HANDLE, 1, &info, NULL, &lines->pipeline);
-}
-
-static VkResult createObjects(swStageLines* lines)
-{
-    const swStage* stage = lines->stage;
-    VkShaderModule vertex = VK_NULL_HANDLE, fragment = VK_NULL_HANDLE;
-    VkResult result = createLayouts(lines);
-    result = result != VK_SUCCESS ? result : createModule(stage, vertexCode, sizeof(vertexCode), &vertex);
-    result = result != VK_SUCCESS ? result : createModule(stage, fragmentCode, sizeof(fragmentCode), &fragment);
-    result = result != VK_SUCCESS ? result : createPipeline(lines, vertex, fragment);
-    stage->vk.DestroyShaderModule(stage->device, vertex, NULL);
-    stage->vk.DestroyShaderModule(stage->device, fragment, NULL);
-    return result;
+    result = result != VK_SUCCESS ? result : createLayouts(lines);
+    return result != VK_SUCCESS ? result : createPipeline(lines);
 }
 
 swResult swStage_CreateLines(swStage* stage, swStageLines** lines)

@@ -39,16 +39,8 @@ swStageTerrainDef swDefaultStageTerrainDef(void)
     return (swStageTerrainDef){.finestSpacing = 0.5f, .reach = 50e3f, .internalValue = SW_TERRAIN_COOKIE};
 }
 
-static VkResult createModule(const swStage* stage, const uint32_t* code, size_t size, VkShaderModule* module)
-{
-    const VkShaderModuleCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = size, .pCode = code};
-    return stage->vk.CreateShaderModule(stage->device, &info, NULL, module);
-}
-
 static VkResult createLayouts(swStageTerrain* terrain)
 {
-    const swStage* stage = terrain->stage;
     const VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
     const VkDescriptorType buffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     const VkDescriptorSetLayoutBinding bindings[] = {
@@ -61,99 +53,26 @@ static VkResult createLayouts(swStageTerrain* terrain)
         {.binding = 3, .descriptorType = buffer, .descriptorCount = 1, .stageFlags = VK_SHADER_STAGE_VERTEX_BIT},
         {.binding = 4, .descriptorType = buffer, .descriptorCount = 1, .stageFlags = VK_SHADER_STAGE_VERTEX_BIT},
     };
-    const VkDescriptorSetLayoutCreateInfo setInfo = {
-        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR,
-        .bindingCount = 5,
-        .pBindings = bindings,
-    };
-    VkResult result = stage->vk.CreateDescriptorSetLayout(stage->device, &setInfo, NULL, &terrain->setLayout);
-    if (result != VK_SUCCESS)
-    {
-        return result;
-    }
-    const VkPushConstantRange range = {both, 0, sizeof(swTerrainPush)};
-    const VkPipelineLayoutCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-        .setLayoutCount = 1,
-        .pSetLayouts = &terrain->setLayout,
-        .pushConstantRangeCount = 1,
-        .pPushConstantRanges = &range,
-    };
-    return stage->vk.CreatePipelineLayout(stage->device, &info, NULL, &terrain->layout);
+    return swCreateStageLayout(terrain->stage, 5, bindings, sizeof(swTerrainPush), &terrain->setLayout,
+                               &terrain->layout);
 }
 
-static VkResult createPipeline(swStageTerrain* terrain, VkShaderModule vertex, VkShaderModule fragment)
+static VkResult createPipeline(swStageTerrain* terrain)
 {
     const swPictureDef formats = swDefaultPictureDef();
-    const VkPipelineShaderStageCreateInfo stages[2] = {
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-         .stage = VK_SHADER_STAGE_VERTEX_BIT,
-         .module = vertex,
-         .pName = "main"},
-        {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-         .stage = VK_SHADER_STAGE_FRAGMENT_BIT,
-         .module = fragment,
-         .pName = "main"},
-    };
-    const VkPipelineVertexInputStateCreateInfo input = {.sType =
-                                                            VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    const VkPipelineInputAssemblyStateCreateInfo assembly = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
-        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
-    };
-    const VkPipelineViewportStateCreateInfo viewport = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
-    const VkPipelineRasterizationStateCreateInfo raster = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
-        .polygonMode = VK_POLYGON_MODE_FILL,
-        .cullMode = VK_CULL_MODE_NONE,
-        .lineWidth = 1.0f,
-    };
-    const VkPipelineMultisampleStateCreateInfo samples = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
-        .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT,
-    };
-    const VkPipelineDepthStencilStateCreateInfo depth = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
-        .depthTestEnable = VK_TRUE,
-        .depthWriteEnable = VK_TRUE,
-        .depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL,
-    };
-    const VkPipelineColorBlendAttachmentState opaque = {.colorWriteMask = 15};
-    const VkPipelineColorBlendStateCreateInfo blend = {.sType =
-                                                           VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-                                                       .attachmentCount = 1,
-                                                       .pAttachments = &opaque};
-    const VkDynamicState dynamicStates[2] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    const VkPipelineDynamicStateCreateInfo dynamic = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-        .dynamicStateCount = 2,
-        .pDynamicStates = dynamicStates,
-    };
-    const VkPipelineRenderingCreateInfo rendering = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-        .colorAttachmentCount = 1,
-        .pColorAttachmentFormats = &formats.colorFormat,
-        .depthAttachmentFormat = formats.depthFormat,
-    };
-    const VkGraphicsPipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
-        .pNext = &rendering,
-        .stageCount = 2,
-        .pStages = stages,
-        .pVertexInputState = &input,
-        .pInputAssemblyState = &assembly,
-        .pViewportState = &viewport,
-        .pRasterizationState = &raster,
-        .pMultisampleState = &samples,
-        .pDepthStencilState = &depth,
-        .pColorBlendState = &blend,
-        .pDynamicState = &dynamic,
+    const swStagePipelineDef def = {
+        .vertex = vertexCode,
+        .fragment = fragmentCode,
+        .vertexSize = sizeof(vertexCode),
+        .fragmentSize = sizeof(fragmentCode),
         .layout = terrain->layout,
+        .input = {.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO},
+        .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+        .blend = {.colorWriteMask = 15},
+        .colorFormat = formats.colorFormat,
+        .depthFormat = formats.depthFormat,
     };
-    const swStage* stage = terrain->stage;
-    return stage->vk.CreateGraphicsPipelines(stage->device, VK_NULL_HANDLE, 1, &info, NULL, &terrain->pipeline);
+    return swCreateStagePipeline(terrain->stage, &def, &terrain->pipeline);
 }
 
 static VkResult createObjects(swStageTerrain* terrain)
@@ -166,15 +85,9 @@ static VkResult createObjects(swStageTerrain* terrain)
         .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
         .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
     };
-    VkShaderModule vertex = VK_NULL_HANDLE, fragment = VK_NULL_HANDLE;
     VkResult result = stage->vk.CreateSampler(stage->device, &info, NULL, &terrain->sampler);
     result = result != VK_SUCCESS ? result : createLayouts(terrain);
-    result = result != VK_SUCCESS ? result : createModule(stage, vertexCode, sizeof(vertexCode), &vertex);
-    result = result != VK_SUCCESS ? result : createModule(stage, fragmentCode, sizeof(fragmentCode), &fragment);
-    result = result != VK_SUCCESS ? result : createPipeline(terrain, vertex, fragment);
-    stage->vk.DestroyShaderModule(stage->device, vertex, NULL);
-    stage->vk.DestroyShaderModule(stage->device, fragment, NULL);
-    return result;
+    return result != VK_SUCCESS ? result : createPipeline(terrain);
 }
 
 static void fillIndices(uint16_t* index)

@@ -52,6 +52,29 @@ static swRaster* MakeRaster(const swHost* host, int channels, float scale)
     return raster;
 }
 
+static swMesh* MakeMesh(const swHost* host, int vertexCount, const swVec3* vertices, int triangleCount,
+                        const uint32_t* indices)
+{
+    swMeshDef def = swDefaultMeshDef();
+    def.vertices = vertices;
+    def.vertexCount = vertexCount;
+    def.indices = indices;
+    def.triangleCount = triangleCount;
+    swMesh* mesh = NULL;
+    assert_int_equal(swCreateMesh(host, &def, &mesh), SW_SUCCESS);
+    return mesh;
+}
+
+// Of what was added to `mesh` alone.
+static swHull* MakeHull(const swHost* host, const TestMesh* mesh, const char* name)
+{
+    swHullDef def = MakeHullDef(mesh, name);
+    def.resolution = 8;
+    swHull* hull = NULL;
+    assert_int_equal(swCreateHull(host, &def, &hull), SW_SUCCESS);
+    return hull;
+}
+
 static swMesh* MakeSlope(const swHost* host)
 {
     const swVec3 vertices[5] = {{-80.0f, -9.0f, -80.0f},
@@ -60,14 +83,7 @@ static swMesh* MakeSlope(const swHost* host)
                                 {-80.0f, -7.0f, 80.0f},
                                 {0.0f, -2.0f, 0.0f}};
     const uint32_t indices[12] = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
-    swMeshDef def = swDefaultMeshDef();
-    def.vertices = vertices;
-    def.vertexCount = 5;
-    def.indices = indices;
-    def.triangleCount = 4;
-    swMesh* mesh = NULL;
-    assert_int_equal(swCreateMesh(host, &def, &mesh), SW_SUCCESS);
-    return mesh;
+    return MakeMesh(host, 5, vertices, 4, indices);
 }
 
 static swHull* MakeDock(const swHost* host)
@@ -75,11 +91,7 @@ static swHull* MakeDock(const swHost* host)
     static TestMesh mesh;
     mesh.vertexCount = mesh.triangleCount = 0;
     AddDock(&mesh);
-    swHullDef def = MakeHullDef(&mesh, "dock");
-    def.resolution = 8;
-    swHull* hull = NULL;
-    assert_int_equal(swCreateHull(host, &def, &hull), SW_SUCCESS);
-    return hull;
+    return MakeHull(host, &mesh, "dock");
 }
 
 static swSpline* MakeRiver(const swHost* host)
@@ -487,14 +499,7 @@ static swMesh* MakeOtherMesh(const swHost* host)
 {
     const swVec3 vertices[3] = {{-80.0f, -9.0f, -80.0f}, {80.0f, -6.0f, -80.0f}, {80.0f, -4.0f, 80.0f}};
     const uint32_t indices[3] = {0, 1, 2};
-    swMeshDef def = swDefaultMeshDef();
-    def.vertices = vertices;
-    def.vertexCount = 3;
-    def.indices = indices;
-    def.triangleCount = 1;
-    swMesh* mesh = NULL;
-    assert_int_equal(swCreateMesh(host, &def, &mesh), SW_SUCCESS);
-    return mesh;
+    return MakeMesh(host, 3, vertices, 1, indices);
 }
 
 static swHull* MakeOtherHull(const swHost* host)
@@ -502,11 +507,7 @@ static swHull* MakeOtherHull(const swHost* host)
     static TestMesh mesh;
     mesh.vertexCount = mesh.triangleCount = 0;
     AddBox(&mesh, (swVec3){-5.0f, -1.0f, -2.0f}, (swVec3){5.0f, 1.0f, 2.0f});
-    swHullDef def = MakeHullDef(&mesh, "box");
-    def.resolution = 8;
-    swHull* hull = NULL;
-    assert_int_equal(swCreateHull(host, &def, &hull), SW_SUCCESS);
-    return hull;
+    return MakeHull(host, &mesh, "box");
 }
 
 // Another one than was saved, of another size, is as good as none, and the log says that it is another one.

@@ -400,6 +400,21 @@ static swResult AddInputs(swWorld* world)
     return result != SW_SUCCESS ? result : AddRiver(world, place);
 }
 
+// All of it in a tidal stream, which carries the waves by its path.
+static swResult AddTidalStream(swWorld* world)
+{
+    swInputDef stream = swDefaultInputDef();
+    stream.field = SW_INPUT_FLOW;
+    stream.order = -1;
+    stream.value[0] = 0.75f;
+    bool isKnown = swSetTideConstituent("M2", 1.3f, 0.8f, &stream.tide[0]);
+    stream.tide[0].amplitudeAcross = 0.4f;
+    stream.tide[0].phaseAcross = 2.0f;
+    swInputId id;
+    swResult result = isKnown ? swCreateInput(world, &stream, &id) : SW_ERROR_INVALID;
+    return result != SW_SUCCESS ? result : AddInputs(world);
+}
+
 typedef swResult AddFcn(swWorld* world);
 
 // One system, a minute in, with whatever is added to it, and what is asked of it.
@@ -419,7 +434,7 @@ static swResult MakeSmallParts(const swWaveSystemDef* def, AddFcn* add, Parts* p
     result = result != SW_SUCCESS ? result : swCreateWaveSystem(world, def, &id);
     result = result == SW_SUCCESS && add != NULL ? add(world) : result;
     result = result != SW_SUCCESS ? result : swCreateView(world, &viewDef, &view);
-    if (result == SW_SUCCESS && add == AddInputs)
+    if (result == SW_SUCCESS && (add == AddInputs || add == AddTidalStream))
     {
         swView_SetViewpoint(view, (swPos){1.0e5, 5.0, -3.0e4}); // where the inputs are
     }
@@ -485,7 +500,10 @@ enum
 
 static swResult AddLine(Line* lines, int* count, const char* name, const swWaveSystemDef* def)
 {
-    AddFcn* add = strcmp(name, "regions") == 0 ? AddRegions : strcmp(name, "inputs") == 0 ? AddInputs : NULL;
+    AddFcn* add = strcmp(name, "regions") == 0        ? AddRegions
+                  : strcmp(name, "inputs") == 0       ? AddInputs
+                  : strcmp(name, "tidal_stream") == 0 ? AddTidalStream
+                                                      : NULL;
     Line* line = &lines[(*count)++];
     snprintf(line->name, sizeof(line->name), "%s", name);
     if (def != NULL)
@@ -534,7 +552,8 @@ static swResult MakeLines(Line* lines, int* count)
     result = result != SW_SUCCESS ? result : AddLine(lines, count, "table", &measured);
     swWaveSystemDef open = MakeKind(SW_SPECTRUM_JONSWAP);
     result = result != SW_SUCCESS ? result : AddLine(lines, count, "regions", &open);
-    return result != SW_SUCCESS ? result : AddLine(lines, count, "inputs", &open);
+    result = result != SW_SUCCESS ? result : AddLine(lines, count, "inputs", &open);
+    return result != SW_SUCCESS ? result : AddLine(lines, count, "tidal_stream", &open);
 }
 
 static int List(void)

@@ -655,8 +655,9 @@ static void InputsAreMadeAndReshaped(void** state)
     ChangeInputField(&sea.inputs[3], SW_INPUT_FOAM);
     StepAfterChange(&sea);
     assert_float_equal(GetLevelAt(&sea, 500.0, -50.0), 0.0f, 0.0f);
-    AddInputTide(&sea.inputs[1]);
-    assert_int_equal(CountInputTides(&sea.inputs[1].def), 2);
+    AddConstituent(sea.inputs[1].def.tide);
+    sea.inputs[1].hasChanged = true;
+    assert_int_equal(CountTide(sea.inputs[1].def.tide), 2);
     RemoveInput(&sea, 0);
     StepAfterChange(&sea);
     assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 1.0f, 1e-6f); // the tide alone
@@ -683,7 +684,8 @@ static void MadeAndRemovedInputsAreSaved(void** state)
     assert_true(AddInput(&sea, SW_INPUT_CLIP, (swPos){10.0, 0.0, 20.0}));
     assert_true(ChangeInputShape(&sea.inputs[3], SW_SHAPE_BOX));
     RemoveInput(&sea, 2);
-    AddInputTide(&sea.inputs[1]);
+    AddConstituent(sea.inputs[1].def.tide);
+    sea.inputs[1].hasChanged = true;
     sea.inputs[1].def.tide[1].speed = swGetTideSpeed("S2");
     assert_true(AddInputPoint(&sea.inputs[0], 3));
     ApplyChanges(&sea, true);

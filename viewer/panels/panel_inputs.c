@@ -193,37 +193,45 @@ static bool TurnConstituent(swTideConstituent* tide, const swTideConstituent* fi
     return hasChanged;
 }
 
-// The constituents of a level or a flow; those of a table stay the file's.
-static bool DrawInputTide(SeaInput* input, const swSceneInput* scene)
+// The constituents of a level or a flow; a table stays the file's.
+static bool DrawTide(swTideConstituent tide[SW_MAX_TIDE], const swTideConstituent filed[SW_MAX_TIDE], bool isFlow,
+                     int tableCount)
 {
-    bool isFlow = input->def.field == SW_INPUT_FLOW, hasChanged = false;
-    int count = CountInputTides(&input->def);
-    if ((input->def.field != SW_INPUT_LEVEL && !isFlow) || !BeginUiGroup("Tide", false))
+    bool hasChanged = false;
+    int count = CountTide(tide), gone = -1;
+    if (!BeginUiGroup("Tide", false))
     {
         return false;
     }
-    if (scene->tide.count > 0)
+    if (tableCount > 0)
     {
-        UiFaint("by a table of %d lines", scene->tide.count);
+        UiFaint("by a table of %d lines", tableCount);
         return false;
     }
     for (int i = 0; i < count; i++)
     {
         PushUiScope(i);
-        hasChanged |= TurnConstituent(&input->def.tide[i], &input->filedDef.tide[i], isFlow);
-        bool isGone = UiSmallButton("take it away");
+        hasChanged |= TurnConstituent(&tide[i], &filed[i], isFlow);
+        gone = UiSmallButton("take it away") ? i : gone;
         PopUiScope();
-        if (isGone)
-        {
-            RemoveInputTide(input, i);
-            break;
-        }
     }
-    if (count < SW_MAX_TIDE && UiSmallButton("another constituent"))
+    if (gone >= 0)
     {
-        AddInputTide(input);
+        RemoveConstituent(tide, gone);
     }
-    return hasChanged;
+    bool isMore = count < SW_MAX_TIDE && UiSmallButton("another constituent");
+    if (isMore)
+    {
+        AddConstituent(tide);
+    }
+    return hasChanged || gone >= 0 || isMore;
+}
+
+static bool DrawInputTide(SeaInput* input, const swSceneInput* scene)
+{
+    bool isFlow = input->def.field == SW_INPUT_FLOW;
+    return (isFlow || input->def.field == SW_INPUT_LEVEL) &&
+           DrawTide(input->def.tide, input->filedDef.tide, isFlow, scene->tide.count);
 }
 
 // ---- points ----
@@ -312,6 +320,10 @@ static void DrawInput(App* app, int index)
         }
         return;
     }
+    if (swSceneInput_IsMoving(filed))
+    {
+        UiFaint("Moves by itself; its place and turn are those with which it sets out");
+    }
     bool isNest = filed->nest != NULL;
     if (!isNest && (TurnInputField(input) || TurnInputShape(app, input)))
     {
@@ -376,6 +388,11 @@ static void DrawBody(App* app, int index)
                        strcmp(field->member, "look") != 0;
         body->hasChanged = (isShown && TurnField(field, &body->def, &body->filedDef)) || body->hasChanged;
     }
+    PushUiScope(-1);
+    body->hasChanged =
+        DrawTide(body->def.tide, body->filedDef.tide, false, app->sea.scene->waterBodies[index].tide.count) ||
+        body->hasChanged;
+    PopUiScope();
     int looks = app->sea.scene->lookCount;
     if (looks > 0)
     {

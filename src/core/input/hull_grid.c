@@ -135,7 +135,8 @@ swResult swWeldHullMesh(const swHost* host, const swHullMesh* mesh, swVec3* plac
     {
         swVec3 v = mesh->vertices[i];
         keys[i] = (Key){0.57 * (double)v.x + 0.31 * (double)v.y + 0.76 * (double)v.z, i};
-        most = fmax(most, fmax(fabs((double)v.x), fmax(fabs((double)v.y), fabs((double)v.z))));
+        double farthest = fmax(fabs((double)v.x), fmax(fabs((double)v.y), fabs((double)v.z)));
+        most = farthest > most ? farthest : most; // fmax() here ends GCC 12 for AArch64 with an internal error
     }
     qsort(keys, (size_t)mesh->vertexCount, sizeof(Key), compareKeys);
     weld(mesh, keys, 2e-6 * most, places);

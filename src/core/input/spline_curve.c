@@ -297,7 +297,8 @@ double swGetMostCurvature(const swSplineKnot* knot, double step)
                    knot->tangentZ + a * (knot->bendZ + 0.5 * a * jz)};
         Plane dd = {knot->bendX + a * jx, knot->bendZ + a * jz};
         double speed = getLength(d);
-        most = fmax(most, fabs(d.x * dd.z - d.z * dd.x) / (speed * speed * speed));
+        double curvature = fabs(d.x * dd.z - d.z * dd.x) / (speed * speed * speed);
+        most = curvature > most ? curvature : most; // fmax() here ends GCC 12 for AArch64 with an internal error
     }
     return most;
 }
