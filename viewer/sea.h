@@ -76,7 +76,9 @@ typedef struct SeaInput
 
 typedef struct SeaBody
 {
-    swWaterBodyDef def, filedDef, takenDef;
+    swWaterBodyDef def, filedDef, takenDef; // of `def` the points are `points`, of `filedDef` the scene's
+    swVec2* points;
+    int pointCount;
     bool hasChanged;
 } SeaBody;
 
@@ -200,6 +202,11 @@ void RemoveInputPoint(SeaInput* input, int row);
 
 // Take over other points, such as the world's or the file's. False if there is no memory.
 bool TakeInputPoints(SeaInput* input, int count, const swInputPoint* points);
+
+// The same of the shore of a body, which has three points and more.
+bool AddShorePoint(SeaBody* body, int row);
+void RemoveShorePoint(SeaBody* body, int row);
+bool TakeShore(SeaBody* body, int count, const swVec2* points);
 
 // Another constituent of a tide, of an input or a body, and one away.
 int CountTide(const swTideConstituent tide[SW_MAX_TIDE]);
