@@ -34,7 +34,7 @@ UNIFORM_CONSTANT, UNIFORM, PUSH_CONSTANT, STORAGE_BUFFER = 0, 2, 9, 12
 WORKGROUP_SIZE, LOCAL_SIZE_ID = 25, 38
 STAGES = {0: "VK_SHADER_STAGE_VERTEX_BIT", 4: "VK_SHADER_STAGE_FRAGMENT_BIT", 5: "VK_SHADER_STAGE_COMPUTE_BIT"}
 SUFFIXES = {0: "Vertex", 4: "Fragment", 5: "Shader"}
-MOST_BINDINGS, MOST_CONSTANTS, MOST_PUSH_BYTES = 24, 16, 128  # of gpu/vk/vk_pipeline.h, which asserts the same
+MOST_BINDINGS, MOST_CONSTANTS, MOST_PUSH_BYTES = 25, 16, 128  # of gpu/vk/vk_pipeline.h, which asserts the same
 
 
 class Refused(Exception):

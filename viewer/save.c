@@ -131,10 +131,18 @@ static swResult PutBodies(const Sea* sea, swScene* scene)
     }
     for (int i = 0; i < bodies; i++)
     {
+        const swWaterBodyDef* from = &sea->bodies[i].def;
         swWaterBodyDef *to = &scene->waterBodies[i].def, own = *to;
-        *to = sea->bodies[i].def;
+        bool isSame = from->pointCount == own.pointCount &&
+                      memcmp(from->points, own.points, (size_t)own.pointCount * sizeof(swVec2)) == 0;
+        *to = *from;
         to->points = own.points;
         to->pointCount = own.pointCount;
+        swResult result = isSame ? SW_SUCCESS : swScene_SetShore(scene, i, from->pointCount, from->points);
+        if (result != SW_SUCCESS)
+        {
+            return result;
+        }
     }
     return SW_SUCCESS;
 }

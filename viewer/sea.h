@@ -76,7 +76,9 @@ typedef struct SeaInput
 
 typedef struct SeaBody
 {
-    swWaterBodyDef def, filedDef, takenDef;
+    swWaterBodyDef def, filedDef, takenDef; // of `def` the points are `points`, of `filedDef` the scene's
+    swVec2* points;
+    int pointCount;
     bool hasChanged;
 } SeaBody;
 
@@ -201,10 +203,15 @@ void RemoveInputPoint(SeaInput* input, int row);
 // Take over other points, such as the world's or the file's. False if there is no memory.
 bool TakeInputPoints(SeaInput* input, int count, const swInputPoint* points);
 
-// Another constituent of its tide, and one away.
-void AddInputTide(SeaInput* input);
-void RemoveInputTide(SeaInput* input, int row);
-int CountInputTides(const swInputDef* def);
+// The same of the shore of a body, which has three points and more.
+bool AddShorePoint(SeaBody* body, int row);
+void RemoveShorePoint(SeaBody* body, int row);
+bool TakeShore(SeaBody* body, int count, const swVec2* points);
+
+// Another constituent of a tide, of an input or a body, and one away.
+int CountTide(const swTideConstituent tide[SW_MAX_TIDE]);
+void AddConstituent(swTideConstituent tide[SW_MAX_TIDE]);
+void RemoveConstituent(swTideConstituent tide[SW_MAX_TIDE], int row);
 
 // Those that move by themselves, and tides by a table, to a time. AdvanceSea() calls it.
 void MoveInputs(Sea* sea, double time);

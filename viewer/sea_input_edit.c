@@ -71,6 +71,54 @@ void RemoveInputPoint(SeaInput* input, int row)
     input->hasChanged = true;
 }
 
+// ---- shores ----
+
+bool TakeShore(SeaBody* body, int count, const swVec2* points)
+{
+    swVec2* copy = count > 0 ? malloc((size_t)count * sizeof(swVec2)) : NULL;
+    if (copy == NULL)
+    {
+        return count == 0;
+    }
+    memcpy(copy, points, (size_t)count * sizeof(swVec2));
+    free(body->points);
+    body->points = copy;
+    body->pointCount = count;
+    body->def.points = copy;
+    body->def.pointCount = count;
+    return true;
+}
+
+bool AddShorePoint(SeaBody* body, int row)
+{
+    int count = body->pointCount;
+    swVec2* points = count < SW_MAX_SHORE_POINTS ? malloc((size_t)(count + 1) * sizeof(swVec2)) : NULL;
+    if (points == NULL)
+    {
+        return false;
+    }
+    const swVec2 a = body->points[row], b = body->points[(row + 1) % count];
+    memcpy(points, body->points, (size_t)(row + 1) * sizeof(swVec2));
+    points[row + 1] = (swVec2){0.5f * (a.x + b.x), 0.5f * (a.y + b.y)};
+    memcpy(points + row + 2, body->points + row + 1, (size_t)(count - row - 1) * sizeof(swVec2));
+    bool isTaken = TakeShore(body, count + 1, points);
+    free(points);
+    body->hasChanged = true;
+    return isTaken;
+}
+
+void RemoveShorePoint(SeaBody* body, int row)
+{
+    if (body->pointCount <= 3)
+    {
+        return;
+    }
+    body->pointCount -= 1;
+    memmove(body->points + row, body->points + row + 1, (size_t)(body->pointCount - row) * sizeof(swVec2));
+    body->def.pointCount = body->pointCount;
+    body->hasChanged = true;
+}
+
 // ---- fields and shapes ----
 
 bool IsShapeFree(const SeaInput* input, swInputShape shape)
@@ -139,32 +187,29 @@ bool ChangeInputShape(SeaInput* input, swInputShape shape)
 
 // ---- tides ----
 
-int CountInputTides(const swInputDef* def)
+int CountTide(const swTideConstituent tide[SW_MAX_TIDE])
 {
     int count = 0;
-    while (count < SW_MAX_TIDE && def->tide[count].speed > 0.0f)
+    while (count < SW_MAX_TIDE && tide[count].speed > 0.0f)
     {
         count++;
     }
     return count;
 }
 
-void AddInputTide(SeaInput* input)
+void AddConstituent(swTideConstituent tide[SW_MAX_TIDE])
 {
-    int count = CountInputTides(&input->def);
+    int count = CountTide(tide);
     if (count < SW_MAX_TIDE)
     {
-        swSetTideConstituent("M2", 1.0f, 0.0f, &input->def.tide[count]);
-        input->hasChanged = true;
+        swSetTideConstituent("M2", 1.0f, 0.0f, &tide[count]);
     }
 }
 
-void RemoveInputTide(SeaInput* input, int row)
+void RemoveConstituent(swTideConstituent tide[SW_MAX_TIDE], int row)
 {
-    swTideConstituent* tide = input->def.tide;
     memmove(tide + row, tide + row + 1, (size_t)(SW_MAX_TIDE - 1 - row) * sizeof(*tide));
     tide[SW_MAX_TIDE - 1] = (swTideConstituent){0};
-    input->hasChanged = true;
 }
 
 // ---- coming and going ----

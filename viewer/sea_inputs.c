@@ -50,6 +50,11 @@ swResult OpenInputs(Sea* sea)
     {
         SeaBody* body = &sea->bodies[i];
         body->def = body->filedDef = body->takenDef = scene->waterBodies[i].def;
+        if (!TakeShore(body, scene->waterBodies[i].pointCount, scene->waterBodies[i].points))
+        {
+            SayInSea(sea, "there is no memory for the shores of the scene's bodies of water");
+            return SW_ERROR_NO_MEMORY;
+        }
     }
     swWaveSystemId systems[SW_MAX_WAVE_SYSTEMS] = {0};
     for (int i = 0; i < scene->wavesCount; i++)
@@ -70,6 +75,10 @@ void CloseInputs(Sea* sea)
     for (int i = 0; i < CountInputs(sea) && sea->inputs != NULL; i++)
     {
         free(sea->inputs[i].points);
+    }
+    for (int i = 0; i < CountBodies(sea) && sea->bodies != NULL; i++)
+    {
+        free(sea->bodies[i].points);
     }
     free(sea->inputs);
     free(sea->bodies);
@@ -200,7 +209,9 @@ static void ApplyBody(Sea* sea, int index)
     def.position.y = swSceneWaterBody_GetLevel(&now, swWorld_GetTime(sea->world));
     if (swWaterBody_Set(sea->world, sea->authored.waterBodies[index], &def) != SW_SUCCESS)
     {
+        swWaterBodyDef taken = swWaterBody_Get(sea->world, sea->authored.waterBodies[index]);
         body->def = body->takenDef;
+        TakeShore(body, taken.pointCount, taken.points);
     }
     body->takenDef = body->def;
 }
@@ -260,7 +271,9 @@ void ResetInputs(Sea* sea)
     }
     for (int i = 0; i < CountBodies(sea); i++)
     {
-        sea->bodies[i].def = sea->bodies[i].filedDef;
-        sea->bodies[i].hasChanged = true;
+        SeaBody* body = &sea->bodies[i];
+        body->def = body->filedDef;
+        TakeShore(body, body->filedDef.pointCount, body->filedDef.points);
+        body->hasChanged = true;
     }
 }

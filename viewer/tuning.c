@@ -102,7 +102,14 @@ int CountInputChanges(const SeaInput* input)
 
 int CountBodyChanges(const SeaBody* body)
 {
-    return CountDifferent(swGetWaterBodyFields(), &body->def, &body->filedDef);
+    const swWaterBodyDef *def = &body->def, *filed = &body->filedDef;
+    int least = def->pointCount < filed->pointCount ? def->pointCount : filed->pointCount;
+    int count = CountDifferent(swGetWaterBodyFields(), def, filed) + abs(def->pointCount - filed->pointCount);
+    for (int i = 0; i < least; i++)
+    {
+        count += memcmp(&def->points[i], &filed->points[i], sizeof(swVec2)) != 0;
+    }
+    return count;
 }
 
 int CountChanges(const Sea* sea)

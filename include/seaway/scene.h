@@ -285,6 +285,10 @@ SW_API swResult swScene_AddInput(swScene* scene, const swInputDef* def, int wave
 /// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY; then it has the old ones
 SW_API swResult swScene_SetInputPoints(swScene* scene, int index, int count, const swInputPoint* points);
 
+/// Another shore for a body of water, which is copied.
+/// @return SW_ERROR_INVALID, SW_ERROR_NO_MEMORY; then it has the old one
+SW_API swResult swScene_SetShore(swScene* scene, int index, int count, const swVec2* points);
+
 /// Remove an input; those behind it move up.
 SW_API void swScene_RemoveInput(swScene* scene, int index);
 

@@ -16,7 +16,8 @@ typedef struct swSheetDef
     int slice;     ///< -1, the default: all of them
 
     /// The first and the last colour stand for `low` and `high`. Default false: for the least and the greatest number
-    /// that the shown slices hold.
+    /// that the shown slices hold; of depths beyond 1 km only where nothing is shallower, because a floor that fades
+    /// into none is as deep as one likes.
     bool hasRange;
     float low, high; ///< the lower first. Default 0 and 1
 

@@ -165,8 +165,8 @@ SW_API const char* swIsa_GetName(swIsa isa);
 /// 64 bits that are equal on two machines if their seas are and will be: a hash over all that decides the sea (def,
 /// times, systems with their waves, changes that were ordered, begun or not) and the bits of the surface as the last
 /// step left it. For machines whose worlds have the same enableQueries. Where the origin lies, views and their foam
-/// have no part in it. A world that was just restored has the digest of the one that was saved. As costly as a third of
-/// a step.
+/// have no part in it. A world that was just restored has the digest of the one that was saved; where changes were
+/// ordered since its last step, for sure from the next step on (see swWorld_Save()). As costly as a third of a step.
 SW_API uint64_t swWorld_GetDigest(const swWorld* world);
 
 /// Bytes that the world holds.

@@ -2,7 +2,9 @@
 // From the smooth amount of foam to foam with holes. The texture's channels are patterns whose values are spread evenly
 // over 0 .. 1, so that a threshold can leave just that amount covered, see foamEdge(): laces at two scales decide where
 // foam is, bubbles how thick. The pattern rests on the water, drifts with it, and is renewed bit by bit: two copies
-// with different offsets take turns. Where a pixel is wider than the pattern, the amount itself is the answer.
+// with different offsets take turns. A copy is in its own place when it counts most, and is carried to there and on, so
+// that no copy is drawn out for long where the flow differs from place to place. Where a pixel is wider than the
+// pattern, the amount itself is the answer.
 #ifndef SW_LIB_FOAM_LOOK
 #define SW_LIB_FOAM_LOOK
 #include "lib/surface_sample.glsl"
@@ -105,7 +107,14 @@ float foamClumping(float normal, float spread)
     return exp(spread * (normal - 0.5 * spread));
 }
 
-FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float amount, float phase, float seed)
+float foamBubbles(sampler2D pattern, vec2 p, float lod, float seed)
+{
+    return textureLod(pattern, foamTurn(p, vec2(768.0, 320.0)) + foamJump(seed + 0.5), lod + 9.7).b;
+}
+
+// `drift` is how far the water goes while a pattern lasts, m.
+FoamDetail foamDetailAt(sampler2D pattern, vec2 p, vec2 drift, Footprint footprint, float amount, float phase,
+                        float seed)
 {
     FoamDetail foam;
     foam.cover = 0.0;
@@ -122,18 +131,20 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
         foam.thickness = foamMeanThickness;
         return foam;
     }
-    p = foamBend(pattern, p);
+    bool isCarried = drift != vec2(0.0);
+    vec2 firstPlace = foamBend(pattern, p - drift * (phase > 0.5 ? phase - 1.0 : phase));
+    vec2 secondPlace = isCarried ? foamBend(pattern, p - drift * (phase - 0.5)) : firstPlace;
     float lod = log2(max(pixel * float(SW_FOAM_TEXTURE_SIDE) / foamPeriod, 1e-3));
     float turn = smoothstep(0.0, 1.0, abs(2.0 * phase - 1.0));
-    float first = foamValue(pattern, p, lod, pixel, seed + (phase > 0.5 ? 2.0 : 0.0));
-    float second = foamValue(pattern, p, lod, pixel, seed + 1.0);
+    float first = foamValue(pattern, firstPlace, lod, pixel, seed + (phase > 0.5 ? 2.0 : 0.0));
+    float second = foamValue(pattern, secondPlace, lod, pixel, seed + 1.0);
     float value = blendEven(second, first, turn) + 0.5;
     // Nearby the laces themselves are seen; far off their and the clumps' periods would be.
     float spread = 1.1 * smoothstep(0.02, 0.15, pixel) * (1.0 - smoothstep(0.5, 3.5, pixel));
     if (spread > 0.0)
     {
-        float clumps = blendEven(foamClumps(pattern, p, lod, seed + 1.0),
-                                 foamClumps(pattern, p, lod, seed + (phase > 0.5 ? 2.0 : 0.0)), turn);
+        float clumps = blendEven(foamClumps(pattern, secondPlace, lod, seed + 1.0),
+                                 foamClumps(pattern, firstPlace, lod, seed + (phase > 0.5 ? 2.0 : 0.0)), turn);
         amount = min(amount * foamClumping(clumps, spread), 1.0);
     }
 
@@ -150,7 +161,8 @@ FoamDetail foamDetailAt(sampler2D pattern, vec2 p, Footprint footprint, float am
     float holes = smoothstep(edge - soft, edge + soft, value);
     foam.cover = mix(amount, holes, seen);
 
-    float bubbles = textureLod(pattern, foamTurn(p, vec2(768.0, 320.0)) + foamJump(seed + 0.5), lod + 9.7).b;
+    float bubbles = foamBubbles(pattern, firstPlace, lod, seed);
+    bubbles = isCarried ? mix(foamBubbles(pattern, secondPlace, lod, seed), bubbles, turn) : bubbles;
     float depth = clamp((value - edge) * 1.7, 0.0, 1.0);
     foam.thickness = clamp(mix(foamMeanThickness, 0.22 + 0.75 * depth + (bubbles - 0.5) * 0.55, seen), 0.05, 1.0);
     return foam;

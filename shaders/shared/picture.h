@@ -95,8 +95,13 @@ SW_PARAMS(swPictureParams)
     float highestLevel;
     sw_uint isDry;   // 1: there is no water but where inputs from firstHole on leave some
     sw_uint systems; // bit k: bands or free waves are of wave system k
+
+    float foamRenewal;  // s that a foam pattern lasts
+    float foamCurrentX; // that carries foam beside the flow, m/s
+    float foamCurrentZ;
+    float unused0;
 };
-SW_PARAMS_SIZE(swPictureParams, 352);
+SW_PARAMS_SIZE(swPictureParams, 368);
 SW_PARAMS_VEC3(swPictureParams, rayX);
 SW_PARAMS_VEC3(swPictureParams, rayY);
 SW_PARAMS_VEC3(swPictureParams, forward);

@@ -70,6 +70,7 @@ layout(std430, binding = 23) readonly buffer Looks
 };
 layout(binding = 20) uniform sampler2DArray wakeFoamLayer;
 layout(binding = 21) uniform sampler2DArray shoreFoamLayer;
+layout(binding = 24) uniform sampler2DArray flow; // velocity along x and z
 #include "lib/holes.glsl"
 #include "lib/inputs.glsl"
 
@@ -101,6 +102,8 @@ layout(location = 0) out vec4 color;
 
 // 1 where inputs say how much of which waves there is.
 layout(constant_id = 8) const uint hasWeights = 0;
+// 1 where the water flows and takes foam along.
+layout(constant_id = 9) const uint carriesFoam = 0;
 
 // m of water along the line of sight over which its edge begins.
 const float softEdge = 0.12;
@@ -239,6 +242,22 @@ float waterLeft(SeaPlace here)
     return waterInPixel(clipAt(here, position.y - picture.seaY + drop), reach);
 }
 
+// How far the water takes foam while a pattern lasts, m.
+vec2 foamDrift(SurfaceGrid grid, SlicePair pair)
+{
+    if (carriesFoam == 0)
+    {
+        return vec2(0.0);
+    }
+    vec2 velocity = vec2(picture.foamCurrentX, picture.foamCurrentZ);
+    // Of a sea without inputs of flow there is one texel, of none.
+    if (textureSize(flow, 0).x > 1)
+    {
+        velocity += sampleSlices(flow, grid, pair, place, vec4(0.0), true).xy;
+    }
+    return velocity * picture.foamRenewal;
+}
+
 bool isOfBody(SeaPlace here)
 {
     return bodyAt(here) == (body == SW_NO_MESH_BODY ? -1 : bodies[body].number);
@@ -324,8 +343,8 @@ void main()
     radiance += sunlight * sunGlitter(view, sun, slopes.mean, slopes.variance, area, water.index);
     radiance += (1.0 - reflectance) * (leaving + throughCrest(water, view, normal, height, sun, sunlight, 1.0));
 
-    FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), footprint, amount,
-                                   picture.foamPhase, picture.foamSeed);
+    FoamDetail foam = foamDetailAt(foamTexture, rest + vec2(picture.foamX, picture.foamZ), foamDrift(grid, pair),
+                                   footprint, amount, picture.foamPhase, picture.foamSeed);
     vec3 white = foamRadiance(foamAlbedo, normal, sun, sunlight, light.sky.rgb);
     radiance = mix(radiance, white, foam.cover * foam.thickness);
     if (hasColors != 0)

@@ -58,6 +58,9 @@ SW_REMARK(STALE_RASTER, "stale_raster", WARNING,
           "bake it anew by `seaway bake depth`, or remove made_from")
 SW_REMARK(UNUSED_RASTER, "unused_raster", INFO, "no input names a raster", "name it, or remove it")
 SW_REMARK(UNUSED_SPLINE, "unused_spline", INFO, "no input names a spline", "name it, or remove it")
+SW_REMARK(UPRIGHT_MESH, "upright_mesh", WARNING,
+          "nothing of a mesh is seen from above: it is all walls, or all above its highest_m",
+          "look which of its axes is up, and how high it lies")
 SW_REMARK(UNUSED_MESH, "unused_mesh", INFO, "no input names a mesh", "name it, or remove it")
 SW_REMARK(UNUSED_HULL, "unused_hull", INFO, "no input names a hull", "name it, or remove it")
 SW_REMARK(UNUSED_LOOK, "unused_look", INFO, "no body of water has a look", "give it to one, or remove it")

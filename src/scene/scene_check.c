@@ -454,9 +454,31 @@ static void checkSpline(Checker* checker, int index)
     }
 }
 
+// Whether a triangle of a mesh has an area from above, and a part below what is left out.
+static bool isSeenFromAbove(const swMesh* mesh)
+{
+    swMeshInfo info = swMesh_GetInfo(mesh);
+    const swVec3* vertices = swMesh_GetVertices(mesh);
+    const uint32_t* indices = swMesh_GetIndices(mesh);
+    for (int i = 0; i < info.triangleCount; ++i)
+    {
+        swVec3 a = vertices[indices[3 * i]], b = vertices[indices[3 * i + 1]], c = vertices[indices[3 * i + 2]];
+        float area = (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
+        if (area != 0.0f && fminf(a.y, fminf(b.y, c.y)) < info.highest)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void checkMesh(Checker* checker, int index)
 {
     const swSceneMesh* mesh = &checker->scene->meshes[index];
+    if (mesh->mesh != NULL && !isSeenFromAbove(mesh->mesh))
+    {
+        tellOf(checker, REMARK_UPRIGHT_MESH, mesh->line, "mesh", index, mesh->name);
+    }
     if (!isNamed(checker->scene, offsetof(swInputDef, mesh), mesh->mesh))
     {
         tellOf(checker, REMARK_UNUSED_MESH, mesh->line, "mesh", index, mesh->name);

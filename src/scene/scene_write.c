@@ -244,6 +244,27 @@ swResult swScene_SetInputPoints(swScene* scene, int index, int count, const swIn
     return SW_SUCCESS;
 }
 
+swResult swScene_SetShore(swScene* scene, int index, int count, const swVec2* points)
+{
+    SW_REQUIRE(scene != NULL && index >= 0 && index < scene->waterBodyCount && count >= 3 &&
+                   count <= SW_MAX_SHORE_POINTS && points != NULL,
+               SW_ERROR_INVALID, scene != NULL ? &scene->host : NULL,
+               "swScene_SetShore() needs a scene, an index that it has, and 3 to %d points", SW_MAX_SHORE_POINTS);
+    swSceneWaterBody* body = &scene->waterBodies[index];
+    swVec2* copy = swAllocate(&scene->host, (size_t)count * sizeof(swVec2));
+    if (copy == NULL)
+    {
+        return swFail(&scene->host, SW_ERROR_NO_MEMORY, "No memory for %d points of a shore.", count);
+    }
+    memcpy(copy, points, (size_t)count * sizeof(swVec2));
+    swFree(&scene->host, body->points, (size_t)body->pointCount * sizeof(swVec2));
+    body->points = copy;
+    body->pointCount = count;
+    body->def.points = copy;
+    body->def.pointCount = count;
+    return SW_SUCCESS;
+}
+
 void swScene_RemoveInput(swScene* scene, int index)
 {
     SW_REQUIRE_VOID(scene != NULL && index >= 0 && index < scene->inputCount, scene != NULL ? &scene->host : NULL,

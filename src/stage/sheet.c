@@ -11,10 +11,11 @@
 #include "core/base/misuse.h"
 
 #define SW_SHEET_COOKIE 0x53485431
-#define SW_SHEET_GAP 4          // pixels between two slices
-#define SW_SHEET_BAR 16         // height of the row of colours
-#define SW_SHEET_UNKNOWN 1e29f  // what a layer holds where there is nothing is larger
-#define SW_SHEET_MOST_COLUMNS 4 // of a picture with a pixel for each texel
+#define SW_SHEET_GAP 4           // pixels between two slices
+#define SW_SHEET_BAR 16          // height of the row of colours
+#define SW_SHEET_UNKNOWN 1e29f   // what a layer holds where there is nothing is larger
+#define SW_SHEET_DEEPEST 1000.0f // m, of what colours are for
+#define SW_SHEET_MOST_COLUMNS 4  // of a picture with a pixel for each texel
 
 struct swSheet
 {
@@ -174,6 +175,13 @@ static bool isKnown(float value)
     return fabsf(value) < SW_SHEET_UNKNOWN; // false of NaN
 }
 
+// A floor that fades into none is as deep as one likes: colours are for what is shallower, if there is such.
+static bool isShown(const swSheetInfo* info, float value)
+{
+    bool isDepth = info->def.layer == SW_LAYER_PLACES && info->def.channel == 0;
+    return isKnown(value) && (!isDepth || value <= SW_SHEET_DEEPEST || info->least > SW_SHEET_DEEPEST);
+}
+
 static void findRange(swSheetInfo* info, const float* values)
 {
     size_t count = (size_t)info->sliceCount * (size_t)info->resolution * (size_t)info->resolution;
@@ -191,8 +199,13 @@ static void findRange(swSheetInfo* info, const float* values)
             info->unknownCount += 1;
         }
     }
+    float most = NAN;
+    for (size_t i = 0; i < count; ++i)
+    {
+        most = !isShown(info, values[i]) || values[i] <= most ? most : values[i];
+    }
     info->low = info->def.hasRange ? info->def.low : info->least;
-    info->high = info->def.hasRange ? info->def.high : info->greatest;
+    info->high = info->def.hasRange ? info->def.high : most;
 }
 
 static bool isDefGood(const swSheetDef* def)

@@ -84,6 +84,10 @@ static const struct
           "inputs: [{field: floor, shape: raster, raster: a}]\n"},
     {"no_directions", 3, VIEWS "waves:\n  - {spectrum: file, file: buoy.data_spec}\n"},
 #if SW_HAS_ASSIMP
+    {"upright_mesh", 4,
+     FINE "meshes:\n  - {name: a, file: wall.obj}\ninputs: [{field: floor, shape: mesh, mesh: a}]\n"},
+    {"upright_mesh", 4,
+     FINE "meshes:\n  - {name: a, file: box.obj, highest_m: -9}\ninputs: [{field: floor, shape: mesh, mesh: a}]\n"},
     {"unused_mesh", 4, FINE "meshes:\n  - {name: a, file: box.obj}\n"},
     {"unused_hull", 4, FINE "hulls:\n  - {name: a, file: box.obj, resolution: 8}\n"},
     {NULL, 0,
@@ -140,6 +144,7 @@ static void WriteFiles(void)
                          "v -10 5 -4\nv 10 5 -4\nv 10 5 4\nv -10 5 4\n"
                          "f 1 2 3\nf 1 3 4\nf 5 7 6\nf 5 8 7\nf 1 5 6\nf 1 6 2\n"
                          "f 2 6 7\nf 2 7 3\nf 3 7 8\nf 3 8 4\nf 4 8 5\nf 4 5 1\n");
+    WriteText("wall.obj", "v 0 0 0\nv 0 9 0\nv 0 9 9\nf 1 2 3\n");
     WriteText("buoy.data_spec", BUOY);
     WriteText("small.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n-9 -9\n-9 -9\n");
     WriteText("unknown.asc", "ncols 4\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 10\nNODATA_value -9\n"
@@ -150,8 +155,8 @@ static void WriteFiles(void)
 
 static void RemoveFiles(void)
 {
-    static const char* const files[] = {"tiny.asc",       "frames.asc",  "box.obj", "small.asc",
-                                        "buoy.data_spec", "unknown.asc", "fine.asc"};
+    static const char* const files[] = {"tiny.asc",  "frames.asc",     "box.obj",     "wall.obj",
+                                        "small.asc", "buoy.data_spec", "unknown.asc", "fine.asc"};
     for (size_t i = 0; i < sizeof(files) / sizeof(files[0]); ++i)
     {
         remove(files[i]);

@@ -123,8 +123,8 @@ class Reflecting(unittest.TestCase):
             layout(std430, binding = 1) buffer A { vec4 a; }; void main() { a = textureLod(many[1], vec2(0.0), 0.0); }""")
         self.check_refused("128 bytes", comp=COMPUTE + """layout(push_constant) uniform P { vec4 a[9]; };
                                                           void main() { if (a[8].x > 1.0) { return; } }""")
-        bindings = "".join(f"layout(std430, binding = {i}) buffer B{i} {{ float b{i}; }};" for i in range(25))
-        self.check_refused("25 bindings", comp=COMPUTE + bindings + "void main() { b0 = 1.0; }")
+        bindings = "".join(f"layout(std430, binding = {i}) buffer B{i} {{ float b{i}; }};" for i in range(26))
+        self.check_refused("26 bindings", comp=COMPUTE + bindings + "void main() { b0 = 1.0; }")
 
     def test_a_file_that_is_no_spirv_is_refused(self):
         path = os.path.join(self.folder.name, "bad.comp.inc")

@@ -236,12 +236,35 @@ static void APictureOfAnySizeIsDrawn(void** state)
     }
 }
 
+static void AFloorThatFadesIntoNoneLeavesColoursForTheShallows(void** state)
+{
+    (void)state;
+    swInputDef shoal = swDefaultInputDef();
+    swInputId input;
+    shoal.shape = SW_SHAPE_CIRCLE;
+    shoal.size.x = 8.0f;
+    shoal.feather = 3.99f;
+    shoal.value[0] = -2.0f;
+    assert_int_equal(swCreateInput(s_world, &shoal, &input), SW_SUCCESS);
+    assert_int_equal(swWorld_Step(s_world, 0.1), SW_SUCCESS);
+    RunFrame();
+    swSheetDef def = Parse("places.depth:0");
+    assert_int_equal(swSheet_Read(s_sheet, s_gpuWorld, s_view, &def), SW_SUCCESS);
+    swSheetInfo info = swSheet_GetInfo(s_sheet);
+    assert_true(info.greatest > 5000.0f && info.high <= 1000.0f && info.high > 50.0f && info.low == info.least);
+    swDestroyInput(s_world, input);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(LayersAreNamedAsTheirTableHasThem), cmocka_unit_test(AnUnknownNameListsTheKnownOnes),
-        cmocka_unit_test(APictureHoldsWhatTheViewHolds),     cmocka_unit_test(ColoursFollowTheRange),
-        cmocka_unit_test(ASliceThatIsNotThereIsRefused),     cmocka_unit_test(APictureOfAnySizeIsDrawn),
+        cmocka_unit_test(LayersAreNamedAsTheirTableHasThem),
+        cmocka_unit_test(AnUnknownNameListsTheKnownOnes),
+        cmocka_unit_test(APictureHoldsWhatTheViewHolds),
+        cmocka_unit_test(ColoursFollowTheRange),
+        cmocka_unit_test(ASliceThatIsNotThereIsRefused),
+        cmocka_unit_test(APictureOfAnySizeIsDrawn),
+        cmocka_unit_test(AFloorThatFadesIntoNoneLeavesColoursForTheShallows),
     };
     return cmocka_run_group_tests(tests, Open, Close);
 }

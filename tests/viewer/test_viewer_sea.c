@@ -655,8 +655,9 @@ static void InputsAreMadeAndReshaped(void** state)
     ChangeInputField(&sea.inputs[3], SW_INPUT_FOAM);
     StepAfterChange(&sea);
     assert_float_equal(GetLevelAt(&sea, 500.0, -50.0), 0.0f, 0.0f);
-    AddInputTide(&sea.inputs[1]);
-    assert_int_equal(CountInputTides(&sea.inputs[1].def), 2);
+    AddConstituent(sea.inputs[1].def.tide);
+    sea.inputs[1].hasChanged = true;
+    assert_int_equal(CountTide(sea.inputs[1].def.tide), 2);
     RemoveInput(&sea, 0);
     StepAfterChange(&sea);
     assert_float_equal(GetLevelAt(&sea, 20.0, 0.0), 1.0f, 1e-6f); // the tide alone
@@ -671,6 +672,48 @@ static void InputsAreMadeAndReshaped(void** state)
     CloseSea(&sea);
 }
 
+#define LAKE                                                                                                           \
+    BREEZE "water_bodies:\n"                                                                                           \
+           "  - {name: lake, position_m: [0, 5, 0], points: [[-9, -9], [9, -9], [9, 9], [-9, 9]]}\n"
+
+static void AShoreIsChangedAndSaved(void** state)
+{
+    (void)state;
+    char path[] = "/tmp/seaway_view_XXXXXX", text[2048] = "";
+    int file = mkstemp(path);
+    assert_true(write(file, LAKE, strlen(LAKE)) == (ssize_t)strlen(LAKE));
+    close(file);
+    Sea sea;
+    assert_true(OpenSea(&sea, &s_host, s_gpu, 720, path));
+    StepTo(&sea, 0.0);
+    assert_float_equal(GetLevelAt(&sea, 12.0, 0.0), 0.0f, 0.0f);
+    assert_true(AddShorePoint(&sea.bodies[0], 1));
+    sea.bodies[0].points[2].x = 20.0f;
+    AddConstituent(sea.bodies[0].def.tide);
+    StepAfterChange(&sea);
+    assert_float_equal(GetLevelAt(&sea, 12.0, 0.0), 6.0f, 1e-6f);
+    sea.bodies[0].points[2].x = -30.0f; // crosses itself: refused, as it was
+    sea.bodies[0].hasChanged = true;
+    StepAfterChange(&sea);
+    assert_float_equal(sea.bodies[0].points[2].x, 20.0f, 0.0f);
+    assert_int_equal(SaveSea(&sea, path, path), SW_SUCCESS);
+    FILE* saved = fopen(path, "rb");
+    size_t size = fread(text, 1, sizeof(text) - 1, saved);
+    fclose(saved);
+    text[size] = '\0';
+    assert_string_equal(text + strlen(BREEZE),
+                        "water_bodies:\n"
+                        "  - {name: lake, position_m: [0, 5, 0], points: [[-9, -9], [9, -9], [20, "
+                        "0], [9, 9], [-9, 9]], tide: [{constituent: M2, amplitude: 1}]}\n");
+    RemoveShorePoint(&sea.bodies[0], 2);
+    assert_true(ResetChanges(&sea));
+    StepAfterChange(&sea);
+    assert_int_equal(CountChanges(&sea), 0);
+    assert_float_equal(GetLevelAt(&sea, 12.0, 0.0), 0.0f, 0.0f);
+    CloseSea(&sea);
+    remove(path);
+}
+
 static void MadeAndRemovedInputsAreSaved(void** state)
 {
     (void)state;
@@ -683,7 +726,8 @@ static void MadeAndRemovedInputsAreSaved(void** state)
     assert_true(AddInput(&sea, SW_INPUT_CLIP, (swPos){10.0, 0.0, 20.0}));
     assert_true(ChangeInputShape(&sea.inputs[3], SW_SHAPE_BOX));
     RemoveInput(&sea, 2);
-    AddInputTide(&sea.inputs[1]);
+    AddConstituent(sea.inputs[1].def.tide);
+    sea.inputs[1].hasChanged = true;
     sea.inputs[1].def.tide[1].speed = swGetTideSpeed("S2");
     assert_true(AddInputPoint(&sea.inputs[0], 3));
     ApplyChanges(&sea, true);
@@ -757,6 +801,7 @@ int main(void)
         cmocka_unit_test(WhatMovesByItselfMovesInTheViewer),
         cmocka_unit_test(InputsOfRemovedWavesAreNotThere),
         cmocka_unit_test(InputsAreMadeAndReshaped),
+        cmocka_unit_test(AShoreIsChangedAndSaved),
         cmocka_unit_test(MadeAndRemovedInputsAreSaved),
         cmocka_unit_test(ChangedInputsAreSaved),
         cmocka_unit_test(WhatCannotBeSavedLeavesTheFile),

@@ -193,96 +193,164 @@ static bool TurnConstituent(swTideConstituent* tide, const swTideConstituent* fi
     return hasChanged;
 }
 
-// The constituents of a level or a flow; those of a table stay the file's.
-static bool DrawInputTide(SeaInput* input, const swSceneInput* scene)
+// The constituents of a level or a flow; a table stays the file's.
+static bool DrawTide(swTideConstituent tide[SW_MAX_TIDE], const swTideConstituent filed[SW_MAX_TIDE], bool isFlow,
+                     int tableCount)
 {
-    bool isFlow = input->def.field == SW_INPUT_FLOW, hasChanged = false;
-    int count = CountInputTides(&input->def);
-    if ((input->def.field != SW_INPUT_LEVEL && !isFlow) || !BeginUiGroup("Tide", false))
+    bool hasChanged = false;
+    int count = CountTide(tide), gone = -1;
+    if (!BeginUiGroup("Tide", false))
     {
         return false;
     }
-    if (scene->tide.count > 0)
+    if (tableCount > 0)
     {
-        UiFaint("by a table of %d lines", scene->tide.count);
+        UiFaint("by a table of %d lines", tableCount);
         return false;
     }
     for (int i = 0; i < count; i++)
     {
         PushUiScope(i);
-        hasChanged |= TurnConstituent(&input->def.tide[i], &input->filedDef.tide[i], isFlow);
-        bool isGone = UiSmallButton("take it away");
+        hasChanged |= TurnConstituent(&tide[i], &filed[i], isFlow);
+        gone = UiSmallButton("take it away") ? i : gone;
         PopUiScope();
-        if (isGone)
-        {
-            RemoveInputTide(input, i);
-            break;
-        }
     }
-    if (count < SW_MAX_TIDE && UiSmallButton("another constituent"))
+    if (gone >= 0)
     {
-        AddInputTide(input);
+        RemoveConstituent(tide, gone);
     }
-    return hasChanged;
+    bool isMore = count < SW_MAX_TIDE && UiSmallButton("another constituent");
+    if (isMore)
+    {
+        AddConstituent(tide);
+    }
+    return hasChanged || gone >= 0 || isMore;
+}
+
+static bool DrawInputTide(SeaInput* input, const swSceneInput* scene)
+{
+    bool isFlow = input->def.field == SW_INPUT_FLOW;
+    return (isFlow || input->def.field == SW_INPUT_LEVEL) &&
+           DrawTide(input->def.tide, input->filedDef.tide, isFlow, scene->tide.count);
 }
 
 // ---- points ----
 
-static bool DrawInputPoint(SeaInput* input, int row)
+// One number of a point; its knob turns about where the file has it.
+static bool TurnPlace(const char* member, const char* label, float* value, const float* filed)
 {
-    static const char* const members[3] = {"x", "z", "radius"};
-    static const char* const labels[3] = {"##x", "##z", "##radius"};
-    bool hasChanged = false, isFiled = row < input->filedDef.pointCount;
-    for (int i = 0; i < (input->def.shape == SW_SHAPE_POLYGON ? 2 : 3); i++)
+    swField knob = *swFields_Find(swGetInputPointFields(), member);
+    float middle = filed != NULL ? *filed : 0.0f;
+    knob.knobLow = fmax(knob.low, (double)fminf(*value, middle) - 25.0);
+    knob.knobHigh = (double)fmaxf(*value, middle) + 25.0;
+    UiNextCell();
+    return TurnValue(&knob, label, value, filed);
+}
+
+// What the buttons behind a point ask for: 1 another one, -1 this one away.
+static int DrawPointButtons(void)
+{
+    UiNextCell();
+    int wish = UiSmallButton("+") ? 1 : 0;
+    UiTip("Another point, half way to the next one");
+    UiSameLine();
+    wish = UiSmallButton("-") ? -1 : wish;
+    UiTip("Take this point away");
+    return wish;
+}
+
+typedef bool DrawRowFcn(void* context, int row);
+
+// What the buttons of a table of points asked for: 1 another one behind a row, -1 that row away.
+typedef struct PointWish
+{
+    int wish, row;
+} PointWish;
+
+static PointWish DrawPointTable(bool hasRadius, int count, DrawRowFcn* drawRow, void* context, bool* hasChanged)
+{
+    static const UiColumn columns[] = {{"x, m", 0.0f}, {"z, m", 0.0f}, {"radius", 0.0f}, {"", 6.0f}};
+    static const UiColumn corners[] = {{"x, m", 0.0f}, {"z, m", 0.0f}, {"", 6.0f}};
+    PointWish wish = {0};
+    int first = 0, end = 0;
+    if (!BeginUiTable("points", hasRadius ? 4 : 3, hasRadius ? columns : corners))
     {
-        const swField* field = swFields_Find(swGetInputPointFields(), members[i]);
-        swField knob = *field;
-        char* value = (char*)&input->points[row] + field->offset;
-        const char* filed = isFiled ? (const char*)&input->filedDef.points[row] + field->offset : NULL;
-        float middle = isFiled ? *(const float*)filed : 0.0f, now = *(float*)value;
-        knob.knobLow = i < 2 ? (double)fminf(now, middle) - 25.0 : 0.0; // about where the file has it
-        knob.knobHigh = (double)fmaxf(now, middle) + 25.0;
-        UiNextCell();
-        hasChanged |= TurnValue(&knob, labels[i], value, filed);
+        return wish;
+    }
+    BeginUiRows(count);
+    while (StepUiRows(&first, &end))
+    {
+        for (int i = first; i < end; i++)
+        {
+            PushUiScope(i);
+            *hasChanged |= drawRow(context, i);
+            int asked = DrawPointButtons();
+            PopUiScope();
+            wish = asked != 0 ? (PointWish){asked, i} : wish;
+        }
+    }
+    EndUiTable();
+    return wish;
+}
+
+static bool DrawInputPoint(void* context, int row)
+{
+    SeaInput* input = context;
+    bool isFiled = row < input->filedDef.pointCount;
+    swInputPoint* point = &input->points[row];
+    const swInputPoint* filed = isFiled ? &input->filedDef.points[row] : NULL;
+    bool hasChanged = TurnPlace("x", "##x", &point->x, isFiled ? &filed->x : NULL);
+    hasChanged |= TurnPlace("z", "##z", &point->z, isFiled ? &filed->z : NULL);
+    if (input->def.shape != SW_SHAPE_POLYGON)
+    {
+        hasChanged |= TurnPlace("radius", "##radius", &point->radius, isFiled ? &filed->radius : NULL);
     }
     return hasChanged;
 }
 
 static bool DrawInputPoints(SeaInput* input)
 {
-    static const UiColumn columns[] = {{"x, m", 0.0f}, {"z, m", 0.0f}, {"radius", 0.0f}, {"", 6.0f}};
-    static const UiColumn corners[] = {{"x, m", 0.0f}, {"z, m", 0.0f}, {"", 6.0f}};
-    bool isPolygon = input->def.shape == SW_SHAPE_POLYGON, hasChanged = false;
-    int wish = 0, wishedRow = 0, first = 0, end = 0;
-    if (!HasPoints(input->def.shape) || !BeginUiGroup("Points", false) ||
-        !BeginUiTable("points", isPolygon ? 3 : 4, isPolygon ? corners : columns))
+    bool hasChanged = false;
+    if (!HasPoints(input->def.shape) || !BeginUiGroup("Points", false))
     {
         return false;
     }
-    BeginUiRows(input->pointCount);
-    while (StepUiRows(&first, &end))
+    PointWish wish =
+        DrawPointTable(input->def.shape != SW_SHAPE_POLYGON, input->pointCount, DrawInputPoint, input, &hasChanged);
+    if (wish.wish > 0)
     {
-        for (int i = first; i < end; i++)
-        {
-            PushUiScope(i);
-            hasChanged |= DrawInputPoint(input, i);
-            UiNextCell();
-            int asked = UiSmallButton("+") ? 1 : 0;
-            UiSameLine();
-            asked = UiSmallButton("-") ? -1 : asked;
-            PopUiScope();
-            wishedRow = asked != 0 ? i : wishedRow;
-            wish = asked != 0 ? asked : wish;
-        }
+        AddInputPoint(input, wish.row);
     }
-    EndUiTable();
-    if (wish > 0)
+    if (wish.wish < 0)
     {
-        AddInputPoint(input, wishedRow);
+        RemoveInputPoint(input, wish.row);
     }
-    if (wish < 0)
+    return hasChanged;
+}
+
+static bool DrawShorePoint(void* context, int row)
+{
+    SeaBody* body = context;
+    const swVec2* filed = row < body->filedDef.pointCount ? &body->filedDef.points[row] : NULL;
+    bool hasChanged = TurnPlace("x", "##x", &body->points[row].x, filed != NULL ? &filed->x : NULL);
+    return TurnPlace("z", "##z", &body->points[row].y, filed != NULL ? &filed->y : NULL) || hasChanged;
+}
+
+static bool DrawShore(SeaBody* body)
+{
+    bool hasChanged = false;
+    if (!BeginUiGroup("Shore", false))
     {
-        RemoveInputPoint(input, wishedRow);
+        return false;
+    }
+    PointWish wish = DrawPointTable(false, body->pointCount, DrawShorePoint, body, &hasChanged);
+    if (wish.wish > 0)
+    {
+        AddShorePoint(body, wish.row);
+    }
+    if (wish.wish < 0)
+    {
+        RemoveShorePoint(body, wish.row);
     }
     return hasChanged;
 }
@@ -380,6 +448,12 @@ static void DrawBody(App* app, int index)
                        strcmp(field->member, "look") != 0;
         body->hasChanged = (isShown && TurnField(field, &body->def, &body->filedDef)) || body->hasChanged;
     }
+    PushUiScope(-1);
+    body->hasChanged =
+        DrawTide(body->def.tide, body->filedDef.tide, false, app->sea.scene->waterBodies[index].tide.count) ||
+        body->hasChanged;
+    body->hasChanged = DrawShore(body) || body->hasChanged;
+    PopUiScope();
     int looks = app->sea.scene->lookCount;
     if (looks > 0)
     {

@@ -243,7 +243,7 @@ static void setBodies(const swShot* shot, const swFrame* frame, swPictureFrame* 
     }
 }
 
-static void setTime(const swShot* shot, swPictureFrame* built)
+static void setTime(const swShot* shot, const swFrame* frame, swPictureFrame* built)
 {
     swPictureParams* p = &built->params;
     double turn = shot->time / SW_FOAM_RENEWAL;
@@ -251,6 +251,9 @@ static void setTime(const swShot* shot, swPictureFrame* built)
     p->foamZ = (float)wrap(built->rings.anchorZ, SW_FOAM_PERIOD);
     p->foamPhase = (float)(turn - floor(turn));
     p->foamSeed = (float)wrap(2.0 * floor(turn), 512.0);
+    p->foamRenewal = (float)SW_FOAM_RENEWAL;
+    p->foamCurrentX = frame->foamLaw.currentX;
+    p->foamCurrentZ = frame->foamLaw.currentZ;
     placeInClouds(shot->camera.position.x * 1e-3 + SW_CLOUD_DRIFT * shot->time, &p->cloudX, &p->cloudWayX);
     placeInClouds(shot->camera.position.z * 1e-3, &p->cloudZ, &p->cloudWayZ);
 }
@@ -273,7 +276,7 @@ void swBuildPicture(const swShot* inHost, swPosXZ origin, const swFrame* frame, 
     setFreeWaves(frame, built);
     setHoles(frame->inputs, &built->params);
     setBodies(shot, frame, built);
-    setTime(shot, built);
+    setTime(shot, frame, built);
     built->params.foamAtRest = frame->foamLaw.cover;
 }
 

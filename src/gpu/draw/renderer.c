@@ -226,7 +226,8 @@ int swChooseSurface(const swPicture* picture)
            (picture->hasPlaces ? SW_SURFACE_HAS_PLACES : 0) | (picture->hasColors ? SW_SURFACE_HAS_COLORS : 0) |
            (picture->hasHoles ? SW_SURFACE_HAS_HOLES : 0) |
            (picture->frame.params.bodyCount > 0 ? SW_SURFACE_HAS_BODIES : 0) |
-           (picture->hasMadeFoam ? SW_SURFACE_HAS_MADE_FOAM : 0) | (picture->hasWeights ? SW_SURFACE_HAS_WEIGHTS : 0);
+           (picture->hasMadeFoam ? SW_SURFACE_HAS_MADE_FOAM : 0) | (picture->hasWeights ? SW_SURFACE_HAS_WEIGHTS : 0) |
+           (picture->carriesFoam ? SW_SURFACE_CARRIES_FOAM : 0);
 }
 
 // The pipeline of the shot's surface, which the first picture that needs it makes.
@@ -293,6 +294,7 @@ swResult swPreparePicture(swPicture* picture, VkCommandBuffer commands, const sw
     picture->hasColors = swHasInputs(frame->inputs, SW_INPUT_ALBEDO) || swHasInputs(frame->inputs, SW_INPUT_SHADOW);
     picture->hasHoles = swHasInputs(frame->inputs, SW_INPUT_CLIP);
     picture->hasWeights = swHasInputs(frame->inputs, SW_INPUT_WAVES);
+    picture->carriesFoam = swIsFoamCarried(frame);
     if (!areLooksThere(gpu, shot, frame))
     {
         return SW_ERROR_INVALID;

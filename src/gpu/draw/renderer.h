@@ -42,7 +42,8 @@ struct swPicture
     float time, exposureEv;
     swDebugMode debug;
     VkImageView opaqueColor, opaqueDepth;
-    bool hasPlaces, hasColors, hasMadeFoam, hasHoles, hasWeights; // of what inputs say, see swSurfaceAbility
+    bool hasPlaces, hasColors, hasMadeFoam, hasHoles, hasWeights,
+        carriesFoam; // of what inputs say, see swSurfaceAbility
 };
 
 swResult swMakeRenderer(swGpuWorld* gpuWorld, swRenderer** renderer);

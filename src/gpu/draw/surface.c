@@ -17,6 +17,7 @@ swResult swCreateSurfacePipeline(swGpu* gpu, VkFormat color, VkFormat depth, int
         .hasColors = (kind & SW_SURFACE_HAS_COLORS) != 0 ? 1 : 0,
         .hasHoles = (kind & SW_SURFACE_HAS_HOLES) != 0 ? 1 : 0,
         .hasBodies = (kind & SW_SURFACE_HAS_BODIES) != 0 ? 1 : 0,
+        .carriesFoam = (kind & SW_SURFACE_CARRIES_FOAM) != 0 ? 1 : 0,
         .hasWeights = (kind & SW_SURFACE_HAS_WEIGHTS) != 0 ? 1 : 0,
     };
     bool isWire = (kind & SW_SURFACE_IS_WIRE) != 0;
@@ -170,6 +171,7 @@ void swDrawSurface(swGpu* gpu, VkCommandBuffer commands, const swPipeline* pipel
         .places = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_PLACES), SW_SAMPLER_NEAREST_CLAMP),
         .wakeFoamLayer = bindFoam(gpu, from, SW_LAYER_WAKE_FOAM),
         .shoreFoamLayer = bindFoam(gpu, from, SW_LAYER_SHORE_FOAM),
+        .flow = swBindImage(gpu, swGetLayerImage(from->view, SW_LAYER_FLOW), SW_SAMPLER_NEAREST_CLAMP),
         .inputHead = inputs[0],
         .inputRecords = inputs[1],
         .inputNodes = inputs[2],

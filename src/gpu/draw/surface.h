@@ -33,10 +33,11 @@ typedef enum swSurfaceAbility
     SW_SURFACE_HAS_PLACES = 4, // inputs say how deep the water is, or how high it stands
     SW_SURFACE_HAS_COLORS = 8, // inputs colour the water or shade it
     SW_SURFACE_HAS_MADE_FOAM = 16,
-    SW_SURFACE_HAS_HOLES = 32,    // inputs cut the water away
-    SW_SURFACE_HAS_BODIES = 64,   // there are bodies of water
-    SW_SURFACE_HAS_WEIGHTS = 128, // inputs say how much of which waves there is
-    SW_SURFACE_KIND_COUNT = 256
+    SW_SURFACE_HAS_HOLES = 32,     // inputs cut the water away
+    SW_SURFACE_HAS_BODIES = 64,    // there are bodies of water
+    SW_SURFACE_HAS_WEIGHTS = 128,  // inputs say how much of which waves there is
+    SW_SURFACE_CARRIES_FOAM = 256, // the water flows
+    SW_SURFACE_KIND_COUNT = 512
 } swSurfaceAbility;
 
 // To the formats of colour and depth. `kind` is a sum of abilities.

@@ -8,7 +8,7 @@
 #include "gpu/vk/vk_image.h"
 #include "gpu/vk/vk_upload.h"
 
-#define SW_MAX_BINDINGS 24
+#define SW_MAX_BINDINGS 25
 #define SW_MAX_PUSH_BYTES 128
 #define SW_MAX_CONSTANTS 16
 

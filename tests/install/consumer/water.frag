@@ -52,7 +52,7 @@ void main()
     float reflectance;
     vec3 radiance = reflectedSky(skyMap, view, slopes, leaving, water.index, reflectance);
     radiance += (1.0 - reflectance) * leaving;
-    FoamDetail foam = foamDetailAt(foamTexture, place, footprint, 0.2, 0.5, 0.0);
+    FoamDetail foam = foamDetailAt(foamTexture, place, vec2(0.0), footprint, 0.2, 0.5, 0.0);
     vec3 white = foamRadiance(vec3(0.9), facetNormal(slopes.mean), sun, vec3(1.0), vec3(0.2));
     color = vec4(mix(radiance, white, foam.cover * foam.thickness), 1.0);
 }
