@@ -23,7 +23,7 @@ typedef struct NetcdfGrid
     bool isEastFirst;                 // the first dimension is x
     bool isFalling[2];                // of east and north
     char unit;
-    double size;        // metres of one of the values' units
+    double size;        // metres of one of the values' units; below 0 if they count northwards
     double least, most; // what the file says that its values lie between
 } NetcdfGrid;
 
@@ -183,6 +183,40 @@ static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, b
     return result;
 }
 
+static bool saysNorthward(const NetcdfGrid* reader, const char* attribute)
+{
+    char text[256];
+    swGetNetcdfText(&reader->file, reader->values.id, attribute, true, text, sizeof(text));
+    return strstr(text, "northward") != NULL || strstr(text, "meridional") != NULL;
+}
+
+// Currents and winds in files count northwards, z is south. A scale of the def's own counts instead.
+static void turnNorthward(NetcdfGrid* reader)
+{
+    static const char* const usual[] = {"v", "vo", "v10", "v10n", "vwnd", "vgrd", "vgos", "vwind", NULL};
+    char name[257], standard[64];
+    swGetNetcdfVariableName(&reader->file, reader->values.id, name);
+    swGetNetcdfText(&reader->file, reader->values.id, "standard_name", true, standard, sizeof(standard));
+    if (reader->grid.def->scale != 1.0)
+    {
+        return;
+    }
+    if (saysNorthward(reader, "standard_name") || saysNorthward(reader, "long_name"))
+    {
+        reader->size = -reader->size;
+        swLog(reader->file.host, SW_LOG_INFO, "%s: %s counts northwards; it is turned to count southwards, as z does.",
+              reader->file.name, name);
+    }
+    else if (standard[0] == '\0' && swIsOneOf(name, usual))
+    {
+        swLog(reader->file.host, SW_LOG_WARNING,
+              "%s does not say which way %s counts; it is taken to count southwards, as z does. If it counts "
+              "northwards, give it a standard_name such as northward_sea_water_velocity, or set "
+              "swRasterFileDef::scale to -1.",
+              reader->file.name, name);
+    }
+}
+
 static void findUnits(NetcdfGrid* reader)
 {
     char unit[64], positive[64];
@@ -198,6 +232,7 @@ static void findUnits(NetcdfGrid* reader)
     reader->grid.isDepth = reader->grid.def->isDepth || strcmp(positive, "down") == 0;
     swGetNetcdfText(&reader->file, reader->values.id, "units", true, unit, sizeof(unit));
     reader->size = swKnowRasterUnit(&reader->grid, unit);
+    turnNorthward(reader);
 }
 
 static bool getRange(const NetcdfGrid* reader, const char* attribute, size_t count, double* numbers)

@@ -273,6 +273,56 @@ static void UnitsBecomeMetres(void** state)
     swDestroyRaster(raster);
 }
 
+// Of a variable v over an axis of 0, 2, 4 and one of 0, 3.
+static void WriteNorthward(const char* attribute, const char* text, const char* unit)
+{
+    int file = MakeNetcdf(s_path, NC_NETCDF4);
+    int east = AddDimension(file, "x", 3), north = AddDimension(file, "y", 2);
+    int eastAxis = AddVariable(file, "x", NC_DOUBLE, 1, &east),
+        northAxis = AddVariable(file, "y", NC_DOUBLE, 1, &north);
+    int v = AddVariable(file, "v", NC_FLOAT, 2, (int[]){north, east});
+    AddText(file, v, "units", unit);
+    if (attribute != NULL)
+    {
+        AddText(file, v, attribute, text);
+    }
+    CheckNetcdf(nc_enddef(file));
+    PutNumbers(file, eastAxis, (double[]){0, 2, 4});
+    PutNumbers(file, northAxis, (double[]){0, 3});
+    PutNumbers(file, v, (double[]){1, 2, 3, 4, 5, 6});
+    CheckNetcdf(nc_close(file));
+}
+
+static void WhatCountsNorthwardsIsTurned(void** state)
+{
+    (void)state;
+    WriteNorthward("standard_name", "northward_sea_water_velocity", "cm s-1");
+    swRaster* raster = Read(NULL);
+    assert_true(fabsf(swRaster_GetValues(raster)[0] + 0.04f) < 1e-7f);
+    assert_null(strstr(s_messages, "warning"));
+    swDestroyRaster(raster);
+    swRasterFileDef def = swDefaultRasterFileDef();
+    def.scale = -1.0; // the host has looked
+    raster = Read(&def);
+    assert_true(swRaster_GetValues(raster)[0] == -4.0f);
+    swDestroyRaster(raster);
+    WriteNorthward("long_name", "Meridional wind at 10 m", "m/s");
+    raster = Read(NULL);
+    assert_true(swRaster_GetValues(raster)[0] == -4.0f);
+    swDestroyRaster(raster);
+    WriteNorthward("standard_name", "eastward_wind", "m/s");
+    raster = Read(NULL);
+    assert_true(swRaster_GetValues(raster)[0] == 4.0f);
+    assert_null(strstr(s_messages, "warning"));
+    swDestroyRaster(raster);
+    WriteNorthward(NULL, NULL, "m/s"); // nobody knows
+    raster = Read(NULL);
+    assert_true(swRaster_GetValues(raster)[0] == 4.0f);
+    CheckTold("warning: ");
+    CheckTold("does not say which way v counts");
+    swDestroyRaster(raster);
+}
+
 static void AxesMayCountKilometres(void** state)
 {
     (void)state;
@@ -490,6 +540,7 @@ int main(void)
         cmocka_unit_test(WhatEndsSomewhereIsNotTurned),
 #if SW_HAS_NETCDF
         cmocka_unit_test(UnitsBecomeMetres),
+        cmocka_unit_test(WhatCountsNorthwardsIsTurned),
         cmocka_unit_test(AxesMayCountKilometres),
         cmocka_unit_test(WhatIsOutsideTheValidRangeIsUnknown),
         cmocka_unit_test(ATimeOfOnePlaceDoesNotMatter),
