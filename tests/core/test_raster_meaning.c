@@ -212,13 +212,15 @@ typedef struct Grid
     double range[2]; // 0, 0: none
     nc_type rangeType;
     bool hasTime;
+    int timeCount; // 0: one
 } Grid;
 
 // Numbers 1 to 6 on an axis of 0, 2, 4 and one of 0, 3.
 static void WriteGrid(const Grid* kind)
 {
     int file = MakeNetcdf(s_path, NC_NETCDF4);
-    int time = AddDimension(file, "time", 1), east = AddDimension(file, "x", 3), north = AddDimension(file, "y", 2);
+    int time = AddDimension(file, "time", kind->timeCount > 0 ? (size_t)kind->timeCount : 1),
+        east = AddDimension(file, "x", 3), north = AddDimension(file, "y", 2);
     int eastAxis = AddVariable(file, "x", NC_DOUBLE, 1, &east),
         northAxis = AddVariable(file, "y", NC_DOUBLE, 1, &north);
     AddText(file, eastAxis, "units", kind->axisUnit);
@@ -237,7 +239,7 @@ static void WriteGrid(const Grid* kind)
     CheckNetcdf(nc_enddef(file));
     PutNumbers(file, eastAxis, (double[]){0, 2, 4});
     PutNumbers(file, northAxis, (double[]){0, 3});
-    PutNumbers(file, heights, (double[]){1, 2, 3, 4, 5, 6});
+    PutNumbers(file, heights, (double[]){1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     CheckNetcdf(nc_close(file));
 }
 
@@ -371,6 +373,8 @@ static void ATimeOfOnePlaceDoesNotMatter(void** state)
     const float expected[6] = {4, 5, 6, 1, 2, 3};
     assert_memory_equal(swRaster_GetValues(raster), expected, sizeof(expected));
     swDestroyRaster(raster);
+    WriteGrid(&(Grid){.axisUnit = "m", .type = NC_FLOAT, .hasTime = true, .timeCount = 2});
+    CheckRefused(NULL, SW_ERROR_FORMAT, "have several times or depths; take one of them out");
 }
 
 static void NetcdfAllRoundTheEarthHasNoEdge(void** state)
