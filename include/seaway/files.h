@@ -76,6 +76,8 @@ typedef struct swRasterFileDef
 
     /// Of netCDF: the variable. Default NULL: the only one over both axes, or the one called elevation, z, Band1, depth
     /// or topo. Of an EXR or PNG image: the channel, such as "R". Default NULL: the only one, or Y, or Z, or R.
+    /// Of a GeoTIFF: "1", "2" and so on, or R, G, B, A. Default NULL: the first. Formats of one number a cell are
+    /// refused with it.
     const char* variable;
 
     /// A number n of the file is `offset` + `scale` n metres: of a PNG image of 16 bits, n is 0 to 65535; of netCDF and

@@ -22,6 +22,7 @@ typedef struct NetcdfGrid
     swNetcdfVariable values, axes[2]; // of the values' dimensions
     bool isEastFirst;                 // the first dimension is x
     bool isFalling[2];                // of east and north
+    bool hasLayers;                   // a variable has several times or depths
     char unit;
     double size;        // metres of one of the values' units; below 0 if they count northwards
     double least, most; // what the file says that its values lie between
@@ -41,13 +42,6 @@ static bool findAxes(NetcdfGrid* reader, const swNetcdfVariable* variable, swNet
 {
     static const char* const none[] = {NULL};
     int first = variable->dimensionCount - 2;
-    for (int i = 0; i < first; ++i)
-    {
-        if (swGetNetcdfLength(&reader->file, variable->dimensions[i]) != 1)
-        {
-            return false;
-        }
-    }
     if (first < 0 || !swFindNetcdfCoordinate(&reader->file, variable->dimensions[first], none, &axes[0]) ||
         !swFindNetcdfCoordinate(&reader->file, variable->dimensions[first + 1], none, &axes[1]))
     {
@@ -55,7 +49,13 @@ static bool findAxes(NetcdfGrid* reader, const swNetcdfVariable* variable, swNet
     }
     bool isUsual = isAxis(&reader->file, &axes[0], false) && isAxis(&reader->file, &axes[1], true);
     *isEastFirst = isAxis(&reader->file, &axes[0], true) && isAxis(&reader->file, &axes[1], false);
-    return isUsual || *isEastFirst;
+    bool isFlat = true;
+    for (int i = 0; i < first; ++i)
+    {
+        isFlat = isFlat && swGetNetcdfLength(&reader->file, variable->dimensions[i]) == 1;
+    }
+    reader->hasLayers = reader->hasLayers || ((isUsual || *isEastFirst) && !isFlat);
+    return (isUsual || *isEastFirst) && isFlat;
 }
 
 static swResult findValues(NetcdfGrid* reader)
@@ -85,6 +85,13 @@ static swResult findValues(NetcdfGrid* reader)
             found = i;
             isUsual = isUsual || isBetter;
         }
+    }
+    if (found < 0 && reader->hasLayers)
+    {
+        return swFail(file->host, SW_ERROR_FORMAT,
+                      "%s: its variables over x and y have several times or depths; take one of them out, as `ncks -d "
+                      "time,0` does.",
+                      file->name);
     }
     if (found < 0 || (fitting > 1 && !isUsual))
     {
