@@ -76,11 +76,14 @@ typedef struct swRasterFileDef
 
     /// Of netCDF: the variable. Default NULL: the only one over both axes, or the one called elevation, z, Band1, depth
     /// or topo. Of an EXR or PNG image: the channel, such as "R". Default NULL: the only one, or Y, or Z, or R.
+    /// Of a GeoTIFF: "1", "2" and so on, or R, G, B, A. Default NULL: the first. Formats of one number a cell are
+    /// refused with it.
     const char* variable;
 
     /// A number n of the file is `offset` + `scale` n metres: of a PNG image of 16 bits, n is 0 to 65535; of netCDF and
-    /// GeoTIFF n has the scale and offset that the file tells already. A scale other than 1 counts instead of a unit
-    /// that the file tells, such as cm. Ranges [-1e6, 1e6]. Default 0 and 1.
+    /// GeoTIFF n has the scale and offset that the file tells already. A scale other than 1 counts instead of what the
+    /// file tells of a unit, such as cm, and of a variable that counts northwards, which is turned to count along z.
+    /// Ranges [-1e6, 1e6]. Default 0 and 1.
     double offset, scale;
 
     /// The number by which the file means that nothing is known, beside what it says itself. Default NaN: none.

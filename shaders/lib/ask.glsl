@@ -132,8 +132,7 @@ void join(inout Ask ask, swInputRecord record)
     vec2 own = swPlaceInInput(record, ask.place.cell.x, ask.place.cell.y, ask.place.rest.x, ask.place.rest.y);
     if (WITH_HOLES && ask.what == ASK_HOLE && swHasClipEdge(record.shape))
     {
-        ask.said.plain.value.x =
-            swJoinClipEdge(ask.said.plain.value.x, record.firstWord, record, own.x, ask.y, own.y);
+        ask.said.plain.value.x = swJoinClipEdge(ask.said.plain.value.x, record.firstWord, record, own.x, ask.y, own.y);
         return;
     }
     swLookSay say = sayOf(record, own);

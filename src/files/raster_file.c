@@ -151,6 +151,17 @@ static swResult checkFileDef(const swHost* host, const swRasterFileDef* def)
     return SW_SUCCESS;
 }
 
+// Text and numbers without a heading hold one number a cell.
+static swResult refuseVariable(const swHost* host, const char* path, const swRasterFileDef* def)
+{
+    return def->variable == NULL
+               ? SW_SUCCESS
+               : swFail(host, SW_ERROR_FORMAT,
+                        "%s holds one number a cell, and no variable or channel '%s'; leave out "
+                        "swRasterFileDef::variable (in scenes variable), and name a file for each channel.",
+                        path, def->variable);
+}
+
 swResult swReadRaster(const swHost* host, const char* path, const swRasterFileDef* def, swRaster** raster)
 {
     SW_REQUIRE_PLACE(host, raster, "swReadRaster()");
@@ -167,14 +178,15 @@ swResult swReadRaster(const swHost* host, const char* path, const swRasterFileDe
     {
         return swFail(host, SW_ERROR_FILE, "Cannot read %s: it is a pipe or a device, and no file.", path);
     }
-    if (def->rawWidth > 0)
-    {
-        return swReadRawGrid(host, path, def, raster);
-    }
-    const GridFormat* format = findFormat(path);
+    const GridFormat* format = def->rawWidth > 0 ? NULL : findFormat(path);
     if (format != NULL)
     {
         return readFormat(host, format, path, def, raster);
+    }
+    result = refuseVariable(host, path, def);
+    if (result != SW_SUCCESS || def->rawWidth > 0)
+    {
+        return result != SW_SUCCESS ? result : swReadRawGrid(host, path, def, raster);
     }
     swFileText text = {0};
     result = swReadText(host, path, MOST_BYTES, &text);

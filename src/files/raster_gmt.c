@@ -131,7 +131,10 @@ swResult swReadGmtGrid(const swNetcdfFile* file, const swRasterFileDef* def, swR
         .file = *file,
         .grid = {.host = file->host, .name = file->name, .def = def, .isDepth = def->isDepth, .isNorthFirst = true}};
     swFindNetcdfVariable(file, "z", &reader.values);
-    swResult result = readAxes(&reader);
+    bool isAsked = def->variable == NULL || strcmp(def->variable, "z") == 0;
+    swResult result = isAsked ? readAxes(&reader)
+                              : swFail(file->host, SW_ERROR_FORMAT, "%s: there is no variable %s; it has z alone.",
+                                       file->name, def->variable);
     if (result != SW_SUCCESS)
     {
         return result;

@@ -22,8 +22,9 @@ typedef struct NetcdfGrid
     swNetcdfVariable values, axes[2]; // of the values' dimensions
     bool isEastFirst;                 // the first dimension is x
     bool isFalling[2];                // of east and north
+    bool hasLayers;                   // a variable has several times or depths
     char unit;
-    double size;        // metres of one of the values' units
+    double size;        // metres of one of the values' units; below 0 if they count northwards
     double least, most; // what the file says that its values lie between
 } NetcdfGrid;
 
@@ -41,13 +42,6 @@ static bool findAxes(NetcdfGrid* reader, const swNetcdfVariable* variable, swNet
 {
     static const char* const none[] = {NULL};
     int first = variable->dimensionCount - 2;
-    for (int i = 0; i < first; ++i)
-    {
-        if (swGetNetcdfLength(&reader->file, variable->dimensions[i]) != 1)
-        {
-            return false;
-        }
-    }
     if (first < 0 || !swFindNetcdfCoordinate(&reader->file, variable->dimensions[first], none, &axes[0]) ||
         !swFindNetcdfCoordinate(&reader->file, variable->dimensions[first + 1], none, &axes[1]))
     {
@@ -55,7 +49,13 @@ static bool findAxes(NetcdfGrid* reader, const swNetcdfVariable* variable, swNet
     }
     bool isUsual = isAxis(&reader->file, &axes[0], false) && isAxis(&reader->file, &axes[1], true);
     *isEastFirst = isAxis(&reader->file, &axes[0], true) && isAxis(&reader->file, &axes[1], false);
-    return isUsual || *isEastFirst;
+    bool isFlat = true;
+    for (int i = 0; i < first; ++i)
+    {
+        isFlat = isFlat && swGetNetcdfLength(&reader->file, variable->dimensions[i]) == 1;
+    }
+    reader->hasLayers = reader->hasLayers || ((isUsual || *isEastFirst) && !isFlat);
+    return (isUsual || *isEastFirst) && isFlat;
 }
 
 static swResult findValues(NetcdfGrid* reader)
@@ -85,6 +85,13 @@ static swResult findValues(NetcdfGrid* reader)
             found = i;
             isUsual = isUsual || isBetter;
         }
+    }
+    if (found < 0 && reader->hasLayers)
+    {
+        return swFail(file->host, SW_ERROR_FORMAT,
+                      "%s: its variables over x and y have several times or depths; take one of them out, as `ncks -d "
+                      "time,0` does.",
+                      file->name);
     }
     if (found < 0 || (fitting > 1 && !isUsual))
     {
@@ -183,6 +190,40 @@ static swResult readAxis(NetcdfGrid* reader, const swNetcdfVariable* variable, b
     return result;
 }
 
+static bool saysNorthward(const NetcdfGrid* reader, const char* attribute)
+{
+    char text[256];
+    swGetNetcdfText(&reader->file, reader->values.id, attribute, true, text, sizeof(text));
+    return strstr(text, "northward") != NULL || strstr(text, "meridional") != NULL;
+}
+
+// Currents and winds in files count northwards, z is south. A scale of the def's own counts instead.
+static void turnNorthward(NetcdfGrid* reader)
+{
+    static const char* const usual[] = {"v", "vo", "v10", "v10n", "vwnd", "vgrd", "vgos", "vwind", NULL};
+    char name[257], standard[64];
+    swGetNetcdfVariableName(&reader->file, reader->values.id, name);
+    swGetNetcdfText(&reader->file, reader->values.id, "standard_name", true, standard, sizeof(standard));
+    if (reader->grid.def->scale != 1.0)
+    {
+        return;
+    }
+    if (saysNorthward(reader, "standard_name") || saysNorthward(reader, "long_name"))
+    {
+        reader->size = -reader->size;
+        swLog(reader->file.host, SW_LOG_INFO, "%s: %s counts northwards; it is turned to count southwards, as z does.",
+              reader->file.name, name);
+    }
+    else if (standard[0] == '\0' && swIsOneOf(name, usual))
+    {
+        swLog(reader->file.host, SW_LOG_WARNING,
+              "%s does not say which way %s counts; it is taken to count southwards, as z does. If it counts "
+              "northwards, give it a standard_name such as northward_sea_water_velocity, or set "
+              "swRasterFileDef::scale to -1.",
+              reader->file.name, name);
+    }
+}
+
 static void findUnits(NetcdfGrid* reader)
 {
     char unit[64], positive[64];
@@ -198,6 +239,7 @@ static void findUnits(NetcdfGrid* reader)
     reader->grid.isDepth = reader->grid.def->isDepth || strcmp(positive, "down") == 0;
     swGetNetcdfText(&reader->file, reader->values.id, "units", true, unit, sizeof(unit));
     reader->size = swKnowRasterUnit(&reader->grid, unit);
+    turnNorthward(reader);
 }
 
 static bool getRange(const NetcdfGrid* reader, const char* attribute, size_t count, double* numbers)

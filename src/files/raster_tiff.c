@@ -32,6 +32,7 @@ typedef struct TiffGrid
     char message[200];
     uint32_t width, height;
     uint16_t bits, format, samples;
+    uint16_t sample;   // which of them is read
     bool isPoint;      // a pixel's place is its middle
     bool isSouthFirst; // the rows run northwards
     char unit;
@@ -199,14 +200,16 @@ static bool copyItem(const char* begin, const char* end, char* text, size_t size
     return count > 0 && count < size;
 }
 
-// An item of the first channel with a role, such as <Item name="SCALE" sample="0" role="scale">0.1</Item>.
-static bool findItem(const char* xml, const char* role, char* text, size_t size)
+// An item of a channel with a role, such as <Item name="SCALE" sample="0" role="scale">0.1</Item>.
+static bool findItem(const char* xml, int channel, const char* role, char* text, size_t size)
 {
     const char* all = xml + strlen(xml);
+    char wanted[32];
+    snprintf(wanted, sizeof(wanted), "sample=\"%d\"", channel);
     for (const char* item = strstr(xml, "<Item "); item != NULL; item = strstr(item + 1, "<Item "))
     {
         const char* close = strchr(item, '>');
-        const char* sample = strstr(item, "sample=\"0\"");
+        const char* sample = strstr(item, wanted);
         const char* found = strstr(item, role);
         if (close != NULL && sample != NULL && sample < close && found != NULL && found < close)
         {
@@ -234,9 +237,9 @@ static swResult readMetadata(TiffGrid* reader)
     memcpy(xml, tag, count);
     xml[count] = '\0';
     char text[64];
-    reader->scale = findItem(xml, "role=\"scale\"", text, sizeof(text)) ? strtod(text, NULL) : 1.0;
-    reader->offset = findItem(xml, "role=\"offset\"", text, sizeof(text)) ? strtod(text, NULL) : 0.0;
-    if (findItem(xml, "role=\"unittype\"", text, sizeof(text)))
+    reader->scale = findItem(xml, reader->sample, "role=\"scale\"", text, sizeof(text)) ? strtod(text, NULL) : 1.0;
+    reader->offset = findItem(xml, reader->sample, "role=\"offset\"", text, sizeof(text)) ? strtod(text, NULL) : 0.0;
+    if (findItem(xml, reader->sample, "role=\"unittype\"", text, sizeof(text)))
     {
         double size = swKnowRasterUnit(&reader->grid, text);
         reader->scale *= size;
@@ -265,6 +268,30 @@ static void warnOfMask(TiffGrid* reader)
     }
     reader->message[0] = '\0';
     TIFFSetDirectory(reader->tiff, 0);
+}
+
+// A channel is named by its number, from 1 on, or by R, G, B, A.
+static swResult chooseSample(TiffGrid* reader)
+{
+    static const char letters[] = "RGBA";
+    const char* asked = reader->grid.def->variable;
+    long number = asked != NULL ? strtol(asked, NULL, 10) : 1;
+    const char* letter = asked != NULL && asked[0] != '\0' && asked[1] == '\0' ? strchr(letters, asked[0]) : NULL;
+    number = letter != NULL ? letter - letters + 1 : number;
+    if (number < 1 || number > reader->samples)
+    {
+        return swFail(reader->grid.host, SW_ERROR_FORMAT,
+                      "%s has no channel '%s'; it has %u, which are named by their numbers from 1 on, or R, G, B, A.",
+                      reader->grid.name, asked, (unsigned)reader->samples);
+    }
+    reader->sample = (uint16_t)(number - 1);
+    if (asked == NULL && reader->samples > 1)
+    {
+        swLog(reader->grid.host, SW_LOG_WARNING,
+              "%s has %u channels, of which the first is read; swRasterFileDef::variable names another.",
+              reader->grid.name, (unsigned)reader->samples);
+    }
+    return SW_SUCCESS;
 }
 
 static bool isKnownSample(const TiffGrid* reader)
@@ -300,7 +327,8 @@ static swResult readHeading(TiffGrid* reader)
             (unsigned)reader->format);
     }
     double spacing[2] = {(double)NAN, (double)NAN}, first[2] = {(double)NAN, (double)NAN};
-    swResult result = readKeys(reader);
+    swResult result = chooseSample(reader);
+    result = result != SW_SUCCESS ? result : readKeys(reader);
     result = result != SW_SUCCESS ? result : readPlace(reader, spacing, first);
     readNoData(reader);
     result = result != SW_SUCCESS ? result : readMetadata(reader);
@@ -348,6 +376,7 @@ static void keepPiece(const TiffGrid* reader, const unsigned char* bytes, uint32
     swImageRows rows = swGetImageRows(grid);
     size_t width = (size_t)(grid->east.end - grid->east.begin);
     size_t pixelSize = (size_t)reader->samples * reader->bits / 8;
+    size_t first = (size_t)reader->sample * reader->bits / 8;
     for (uint32_t j = 0; j < pieceHeight; ++j)
     {
         for (uint32_t i = 0; i < pieceWidth; ++i)
@@ -357,7 +386,7 @@ static void keepPiece(const TiffGrid* reader, const unsigned char* bytes, uint32
             if (x >= grid->east.begin && x < grid->east.end && y >= rows.first && y < rows.end)
             {
                 values[(size_t)(y - rows.first) * width + (size_t)(x - grid->east.begin)] =
-                    decode(reader, bytes + ((size_t)j * pieceWidth + i) * pixelSize);
+                    decode(reader, bytes + ((size_t)j * pieceWidth + i) * pixelSize + first);
             }
         }
     }

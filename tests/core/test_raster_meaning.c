@@ -112,6 +112,22 @@ static void MissingNumbersAreKnownAsTheyArePrinted(void** state)
     }
 }
 
+static void ChannelsThatAreNotThereAreRefused(void** state)
+{
+    (void)state;
+    const char* const texts[] = {"ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n",
+                                 "0 0 1\n1 0 2\n0 1 3\n1 1 4\n"};
+    swRasterFileDef def = swDefaultRasterFileDef();
+    def.variable = "G";
+    for (int i = 0; i < 2; ++i)
+    {
+        WriteLines(texts[i]);
+        CheckRefused(&def, SW_ERROR_FORMAT, "no variable or channel 'G'");
+    }
+    def.rawWidth = def.rawHeight = 1;
+    CheckRefused(&def, SW_ERROR_FORMAT, "no variable or channel 'G'");
+}
+
 static void PipesAndDevicesAreRefused(void** state)
 {
     (void)state;
@@ -212,13 +228,15 @@ typedef struct Grid
     double range[2]; // 0, 0: none
     nc_type rangeType;
     bool hasTime;
+    int timeCount; // 0: one
 } Grid;
 
 // Numbers 1 to 6 on an axis of 0, 2, 4 and one of 0, 3.
 static void WriteGrid(const Grid* kind)
 {
     int file = MakeNetcdf(s_path, NC_NETCDF4);
-    int time = AddDimension(file, "time", 1), east = AddDimension(file, "x", 3), north = AddDimension(file, "y", 2);
+    int time = AddDimension(file, "time", kind->timeCount > 0 ? (size_t)kind->timeCount : 1),
+        east = AddDimension(file, "x", 3), north = AddDimension(file, "y", 2);
     int eastAxis = AddVariable(file, "x", NC_DOUBLE, 1, &east),
         northAxis = AddVariable(file, "y", NC_DOUBLE, 1, &north);
     AddText(file, eastAxis, "units", kind->axisUnit);
@@ -237,7 +255,7 @@ static void WriteGrid(const Grid* kind)
     CheckNetcdf(nc_enddef(file));
     PutNumbers(file, eastAxis, (double[]){0, 2, 4});
     PutNumbers(file, northAxis, (double[]){0, 3});
-    PutNumbers(file, heights, (double[]){1, 2, 3, 4, 5, 6});
+    PutNumbers(file, heights, (double[]){1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     CheckNetcdf(nc_close(file));
 }
 
@@ -270,6 +288,56 @@ static void UnitsBecomeMetres(void** state)
     def.scale = 0.5; // the host has looked
     raster = Read(&def);
     assert_true(swRaster_GetValues(raster)[3] == 0.5f);
+    swDestroyRaster(raster);
+}
+
+// Of a variable v over an axis of 0, 2, 4 and one of 0, 3.
+static void WriteNorthward(const char* attribute, const char* text, const char* unit)
+{
+    int file = MakeNetcdf(s_path, NC_NETCDF4);
+    int east = AddDimension(file, "x", 3), north = AddDimension(file, "y", 2);
+    int eastAxis = AddVariable(file, "x", NC_DOUBLE, 1, &east),
+        northAxis = AddVariable(file, "y", NC_DOUBLE, 1, &north);
+    int v = AddVariable(file, "v", NC_FLOAT, 2, (int[]){north, east});
+    AddText(file, v, "units", unit);
+    if (attribute != NULL)
+    {
+        AddText(file, v, attribute, text);
+    }
+    CheckNetcdf(nc_enddef(file));
+    PutNumbers(file, eastAxis, (double[]){0, 2, 4});
+    PutNumbers(file, northAxis, (double[]){0, 3});
+    PutNumbers(file, v, (double[]){1, 2, 3, 4, 5, 6});
+    CheckNetcdf(nc_close(file));
+}
+
+static void WhatCountsNorthwardsIsTurned(void** state)
+{
+    (void)state;
+    WriteNorthward("standard_name", "northward_sea_water_velocity", "cm s-1");
+    swRaster* raster = Read(NULL);
+    assert_true(fabsf(swRaster_GetValues(raster)[0] + 0.04f) < 1e-7f);
+    assert_null(strstr(s_messages, "warning"));
+    swDestroyRaster(raster);
+    swRasterFileDef def = swDefaultRasterFileDef();
+    def.scale = -1.0; // the host has looked
+    raster = Read(&def);
+    assert_true(swRaster_GetValues(raster)[0] == -4.0f);
+    swDestroyRaster(raster);
+    WriteNorthward("long_name", "Meridional wind at 10 m", "m/s");
+    raster = Read(NULL);
+    assert_true(swRaster_GetValues(raster)[0] == -4.0f);
+    swDestroyRaster(raster);
+    WriteNorthward("standard_name", "eastward_wind", "m/s");
+    raster = Read(NULL);
+    assert_true(swRaster_GetValues(raster)[0] == 4.0f);
+    assert_null(strstr(s_messages, "warning"));
+    swDestroyRaster(raster);
+    WriteNorthward(NULL, NULL, "m/s"); // nobody knows
+    raster = Read(NULL);
+    assert_true(swRaster_GetValues(raster)[0] == 4.0f);
+    CheckTold("warning: ");
+    CheckTold("does not say which way v counts");
     swDestroyRaster(raster);
 }
 
@@ -321,6 +389,8 @@ static void ATimeOfOnePlaceDoesNotMatter(void** state)
     const float expected[6] = {4, 5, 6, 1, 2, 3};
     assert_memory_equal(swRaster_GetValues(raster), expected, sizeof(expected));
     swDestroyRaster(raster);
+    WriteGrid(&(Grid){.axisUnit = "m", .type = NC_FLOAT, .hasTime = true, .timeCount = 2});
+    CheckRefused(NULL, SW_ERROR_FORMAT, "have several times or depths; take one of them out");
 }
 
 static void NetcdfAllRoundTheEarthHasNoEdge(void** state)
@@ -439,6 +509,40 @@ static void RowsOfTiffMayRunNorthwards(void** state)
     }
 }
 
+static void ChannelsOfTiffAreChosen(void** state)
+{
+    (void)state;
+    TIFF* tiff = TIFFOpen(s_path, "w");
+    assert_non_null(tiff);
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 2);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 2);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    float values[4] = {1.0f, 10.0f, 2.0f, 20.0f};
+    assert_int_equal(TIFFWriteScanline(tiff, values, 0, 0), 1);
+    TIFFClose(tiff);
+    const char* const names[] = {NULL, "R", "1", "G", "2"};
+    const float expected[] = {2.0f, 2.0f, 2.0f, 20.0f, 20.0f};
+    swRasterFileDef def = swDefaultRasterFileDef();
+    for (int i = 0; i < 5; ++i)
+    {
+        def.variable = names[i];
+        swRaster* raster = Read(&def);
+        assert_true(swRaster_GetValues(raster)[1] == expected[i]);
+        assert_true((strstr(s_messages, "has 2 channels, of which the first is read") != NULL) == (i == 0));
+        swDestroyRaster(raster);
+    }
+    const char* const wrong[] = {"B", "3", "0", "-1", "", "depth"};
+    for (int i = 0; i < 6; ++i)
+    {
+        def.variable = wrong[i];
+        CheckRefused(&def, SW_ERROR_FORMAT, "it has 2, which are named by their numbers");
+    }
+}
+
 static void GdalsScaleAndUnitCount(void** state)
 {
     (void)state;
@@ -485,11 +589,13 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(TheHeadingOfAGridHasOneNumberALine),
         cmocka_unit_test(MissingNumbersAreKnownAsTheyArePrinted),
+        cmocka_unit_test(ChannelsThatAreNotThereAreRefused),
         cmocka_unit_test(PipesAndDevicesAreRefused),
         cmocka_unit_test(PointsAllRoundTheEarthHaveNoEdge),
         cmocka_unit_test(WhatEndsSomewhereIsNotTurned),
 #if SW_HAS_NETCDF
         cmocka_unit_test(UnitsBecomeMetres),
+        cmocka_unit_test(WhatCountsNorthwardsIsTurned),
         cmocka_unit_test(AxesMayCountKilometres),
         cmocka_unit_test(WhatIsOutsideTheValidRangeIsUnknown),
         cmocka_unit_test(ATimeOfOnePlaceDoesNotMatter),
@@ -497,6 +603,7 @@ int main(void)
 #endif
 #if SW_HAS_TIFF
         cmocka_unit_test(RowsOfTiffMayRunNorthwards),
+        cmocka_unit_test(ChannelsOfTiffAreChosen),
         cmocka_unit_test(GdalsScaleAndUnitCount),
         cmocka_unit_test(WhatOfATiffIsNotReadIsTold),
 #endif

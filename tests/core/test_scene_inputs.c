@@ -204,6 +204,7 @@ static void EveryMemberOfAnInputHasAKey(void** state)
     CheckKeys(swGetInputFields(), "inputs", "field: level, ");
     CheckKeys(swGetWaterBodyFields(), "water_bodies", "");
     CheckKeys(swGetSplineFields(), "splines", "");
+    CheckKeys(swGetWindSeaFields(), "wind_seas", "");
 }
 
 static void ATideIsToldByItsConstituents(void** state)

@@ -154,6 +154,7 @@ static void AddShore(Parity* parity, swPosXZ middle)
     const swInputDef defs[] = {
         Disc(SW_INPUT_FLOOR, middle, 0.0f, 0.0f, 30.0f, -2.0f),
         Disc(SW_INPUT_FLOOR, middle, 60.0f, 45.0f, 40.0f, -5.0f),
+        Disc(SW_INPUT_FLOW, middle, 3.0f, 3.0f, 14.0f, 0.8f),
         Disc(SW_INPUT_WAVES, middle, -4.0f, 4.0f, 12.0f, 0.3f),
     };
     for (size_t i = 0; i < sizeof(defs) / sizeof(defs[0]); ++i)
