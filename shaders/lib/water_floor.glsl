@@ -46,31 +46,35 @@ bool opaqueAt(Lens lens, sampler2D depthImage, vec2 uv, out vec3 position)
 }
 
 // How deep the bottom is where the image shows a place of the bent line, m; without end where it shows none, or what
-// stands out of the water in front of it. Beyond the image's edge the bottom goes on as it is there.
+// stands in front of the surface, such as the dry side of a dam. Beyond the image's edge the bottom goes on as it is
+// there.
 float depthShown(Lens lens, sampler2D depthImage, vec2 uv, vec3 surface, vec3 view)
 {
     vec3 found;
     bool isThere = opaqueAt(lens, depthImage, uv, found);
-    bool isInFront = dot(found - surface, view) > 0.0 && found.y > surface.y;
+    bool isInFront = dot(found - surface, view) > 0.0;
     return isThere && !isInFront ? max(surface.y - found.y, 0.0) : 1e9;
 }
 
-// Where the bent line is hidden on the screen: what stands right behind the surface, which is as deep, but the line
-// gets there by a shorter way. `bent` is the line by one metre of depth. Where `known`, the depth that is known
-// otherwise, is less, that counts, and the ground in front has the colour of what is hidden by it.
+// Where the bent line is hidden on the screen: what stands right behind the surface, but the line gets there by a
+// shorter way. Where `known`, the depth that is known otherwise, is much less, that is another place, and the ground in
+// front has the colour of what is hidden by it.
 Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 surface, vec3 bent, float known)
 {
     vec2 uv = screenOf(lens, surface);
     vec3 found;
     bool isThere = opaqueAt(lens, depthImage, uv, found);
     float depth = max(surface.y - found.y, 0.0);
+    vec3 radiance = textureLod(colorImage, uv, 0.0).rgb;
     if (known < 1e9 && (!isThere || known < depth))
     {
+        float isSame = isThere ? smoothstep(0.5, 0.85, max(known, 0.0) / depth) : 0.0;
         depth = max(known, 0.0);
-        uv = screenOf(lens, surface + bent * depth);
+        vec3 front = textureLod(colorImage, screenOf(lens, surface + bent * depth), 0.0).rgb;
+        radiance = mix(front, radiance, isSame);
         isThere = true;
     }
-    return Sunken(textureLod(colorImage, uv, 0.0).rgb, depth, depth * length(bent), isThere);
+    return Sunken(radiance, depth, depth * length(bent), isThere);
 }
 
 const float shallowestStep = 0.25; // m; twice as deep with each
