@@ -68,7 +68,7 @@ Sunken seenStraight(Lens lens, sampler2D colorImage, sampler2D depthImage, vec3 
     vec3 radiance = textureLod(colorImage, uv, 0.0).rgb;
     if (known < 1e9 && (!isThere || known < depth))
     {
-        float isSame = isThere ? smoothstep(0.5, 0.85, max(known, 0.0) / depth) : 0.0;
+        float isSame = isThere ? smoothstep(0.5, 0.85, max(known, 0.0) / max(depth, 1e-3)) : 0.0;
         depth = max(known, 0.0);
         vec3 front = textureLod(colorImage, screenOf(lens, surface + bent * depth), 0.0).rgb;
         radiance = mix(front, radiance, isSame);

@@ -2,7 +2,7 @@
 // Rasters in files of each kind: the numbers, to the bit, and where they lie. Files are made here by the libraries
 // themselves.
 #include "support/cmocka_setup.h"
-#include "support/messages.h"
+#include "support/raster_file.h"
 #if SW_HAS_NETCDF
 #include "support/netcdf_maker.h"
 #endif
@@ -23,45 +23,6 @@
 #endif
 
 #include <seaway/files.h>
-
-static char s_path[64];
-
-static int MakePath(void** state)
-{
-    (void)state;
-    snprintf(s_path, sizeof(s_path), "format_%ld.tmp", (long)getpid());
-    return 0;
-}
-
-static int RemovePath(void** state)
-{
-    (void)state;
-    remove(s_path);
-    return 0;
-}
-
-static swRaster* Read(const swRasterFileDef* def)
-{
-    swHost host = MakeHost();
-    swRaster* raster = NULL;
-    if (swReadRaster(&host, s_path, def, &raster) != SW_SUCCESS)
-    {
-        fail_msg("%s", s_messages);
-    }
-    return raster;
-}
-
-static void CheckRefused(const swRasterFileDef* def, swResult expected, const char* words)
-{
-    swHost host = MakeHost();
-    swRaster* raster = NULL;
-    assert_int_equal(swReadRaster(&host, s_path, def, &raster), expected);
-    assert_null(raster);
-    if (strstr(s_messages, words) == NULL)
-    {
-        fail_msg("\"%s\" does not say \"%s\"", s_messages, words);
-    }
-}
 
 static void WriteBytes(const void* bytes, size_t size)
 {

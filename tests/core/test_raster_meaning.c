@@ -2,7 +2,7 @@
 // What a raster's file says of its numbers, and that a raster of the whole earth has no edge at its seam. Each of these
 // would be a wrong sea floor without a word.
 #include "support/cmocka_setup.h"
-#include "support/messages.h"
+#include "support/raster_file.h"
 #if SW_HAS_NETCDF
 #include "support/netcdf_maker.h"
 #endif
@@ -18,45 +18,6 @@
 #include <seaway/files.h>
 
 #define DEGREE 111319.490793 // m, of longitude on the equator
-
-static char s_path[64];
-
-static int MakePath(void** state)
-{
-    (void)state;
-    snprintf(s_path, sizeof(s_path), "meaning_%ld.tmp", (long)getpid());
-    return 0;
-}
-
-static int RemovePath(void** state)
-{
-    (void)state;
-    remove(s_path);
-    return 0;
-}
-
-static swRaster* Read(const swRasterFileDef* def)
-{
-    swHost host = MakeHost();
-    swRaster* raster = NULL;
-    if (swReadRaster(&host, s_path, def, &raster) != SW_SUCCESS)
-    {
-        fail_msg("%s", s_messages);
-    }
-    return raster;
-}
-
-static void CheckRefused(const swRasterFileDef* def, swResult expected, const char* words)
-{
-    swHost host = MakeHost();
-    swRaster* raster = NULL;
-    assert_int_equal(swReadRaster(&host, s_path, def, &raster), expected);
-    assert_null(raster);
-    if (strstr(s_messages, words) == NULL)
-    {
-        fail_msg("\"%s\" does not say \"%s\"", s_messages, words);
-    }
-}
 
 static void CheckTold(const char* words)
 {

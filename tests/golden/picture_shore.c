@@ -124,6 +124,47 @@ static void ABottomWithoutEndIsDeepWater(void** state)
     }
 }
 
+// A bottom 6 m deep with a wall around the camera, 25 m away, that stands a little out of the water.
+static void Wall(void* context, int count, const swPosXZ* points, float* heights)
+{
+    (void)context;
+    for (int i = 0; i < count; ++i)
+    {
+        double away = sqrt(points[i].x * points[i].x + points[i].z * points[i].z);
+        heights[i] = away > 23.0 && away < 26.0 ? 1.5f : -6.0f;
+    }
+}
+
+// Lines of sight that go into the water right behind the wall end where the wall hides the bottom on the screen.
+static void AWallInFrontIsNotTheBottom(void** state)
+{
+    (void)state;
+    static float hdr[2][4 * PIXELS];
+    float floor = -6.0f;
+    Shot shots[2] = {MakeShot(Flat, &floor), MakeShot(Wall, NULL)};
+    double means[2][3] = {{0.0}};
+    for (int i = 0; i < 2; ++i)
+    {
+        shots[i].pitchDeg = -34.0f;
+        assert_true(DrawShot(s_canvas, &shots[i], NULL, hdr[i]));
+        for (int pixel = 0; pixel < PIXELS; ++pixel)
+        {
+            int column = pixel % SIDE, row = pixel / SIDE;
+            bool isBehind = row >= 56 && row < 70 && column >= 40 && column < 88;
+            for (int c = 0; c < 3 && isBehind; ++c)
+            {
+                means[i][c] += (double)hdr[i][4 * pixel + c];
+            }
+        }
+    }
+    print_message("behind a wall: %.3f %.3f %.3f of what is there without it\n", means[1][0] / means[0][0],
+                  means[1][1] / means[0][1], means[1][2] / means[0][2]);
+    for (int c = 0; c < 3; ++c)
+    {
+        assert_true(fabs(means[1][c] / means[0][c] - 1.0) < 0.1);
+    }
+}
+
 static void WaterEndsSoftly(void** state)
 {
     (void)state;
@@ -200,11 +241,9 @@ static int CloseCanvas(void** state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(SandIsSeenAndFadesWithDepth),
-        cmocka_unit_test(ABottomWithoutEndIsDeepWater),
-        cmocka_unit_test(WaterEndsSoftly),
-        cmocka_unit_test(LandAboveWaterIsUntouched),
-        cmocka_unit_test(BadTerrainIsRefused),
+        cmocka_unit_test(SandIsSeenAndFadesWithDepth), cmocka_unit_test(ABottomWithoutEndIsDeepWater),
+        cmocka_unit_test(AWallInFrontIsNotTheBottom),  cmocka_unit_test(WaterEndsSoftly),
+        cmocka_unit_test(LandAboveWaterIsUntouched),   cmocka_unit_test(BadTerrainIsRefused),
     };
     return cmocka_run_group_tests(tests, OpenCanvas, CloseCanvas);
 }
